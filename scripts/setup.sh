@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that Hackle needs and builds a release.
+#
+#   scripts/setup.sh [PRESET]      default preset: release
+#
+# Does nothing that is already done. Works as root, through sudo, or, when every package is there, as anybody.
+set -euo pipefail
+cd "$(dirname -- "${BASH_SOURCE[0]}")/.."
+preset=${1:-release}
+
+packages=(
+  g++ cmake ninja-build pkg-config git
+  libeigen3-dev libosmesa6-dev liblua5.4-dev libhdf5-dev
+  libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libedit-dev
+  libcairo2-dev fonts-dejavu-core libgtest-dev
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing+=("$package")
+done
+
+if [ ${#missing[@]} -gt 0 ]; then
+  if [ "$(id -u)" -eq 0 ]; then
+    as_root=(env)
+  elif command -v sudo >/dev/null; then
+    as_root=(sudo env)
+  else
+    echo "Hackle needs packages that only root can install. Ask for:" >&2
+    echo "  apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
+  log=$(mktemp)
+  install() {
+    "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
+  }
+  # The package lists of a fresh machine are empty and those of an old one stale: refresh them once, then install.
+  if ! { "${as_root[@]}" apt-get update && install; } >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    echo "The packages could not be installed; the whole log is $log" >&2
+    exit 1
+  fi
+  rm -f "$log"
+fi
+
+cmake --preset "$preset"
+cmake --build --preset "$preset"
