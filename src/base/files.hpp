@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Files of the program (shaders, assets) and safe names for the files it writes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace hackle {
+
+// The path of a file that ships with Hackle, e.g. data_file("shaders/field.frag"). Looked for below
+// $HACKLE_DATA, then in ../share/hackle beside the program, then in the source tree it was built
+// from. Throws Error (files) with the places it looked in.
+std::filesystem::path data_file(const std::filesystem::path& name);
+
+// The whole text of a file. Throws Error (files).
+std::string read_text(const std::filesystem::path& path);
+
+// Writes `text` under a temporary name in the same folder, then renames. Throws Error (files).
+void write_text(const std::filesystem::path& path, const std::string& text);
+
+// The name a file bears until it is complete: "a/movie.mp4" -> "a/.movie.partial.mp4".
+std::filesystem::path partial_name(const std::filesystem::path& path);
+
+// Renames the partial file of `path` to `path`. Throws Error (files).
+void publish(const std::filesystem::path& path);
+
+// Throws Error (files) unless a file could be created at `path`: its folder, or the nearest folder
+// above it that exists, must be writable. Creates nothing.
+void check_writable(const std::filesystem::path& path);
+
+// Creates the folder in which `path` lies. Throws Error (files).
+void make_folder_of(const std::filesystem::path& path);
+
+}  // namespace hackle
