@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "scene/material.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+
+namespace hackle {
+namespace {
+
+void require_positive(const char* key, double value, const char* unit, Problems& problems) {
+  if (std::isfinite(value) && value > 0.0) return;
+  problems.add(fmt::format("material: {} is {}, it must be above 0 {}", key, value, unit));
+}
+
+}  // namespace
+
+void check(const Material& material, Problems& problems) {
+  require_positive("E", material.E, "Pa", problems);
+  require_positive("rho", material.rho, "kg/m3", problems);
+  require_positive("G0", material.G0, "J/m2", problems);
+  if (!(material.nu > -1.0 && material.nu < 0.5))
+    problems.add(fmt::format("material: nu is {}, it must lie between -1 and 0.5", material.nu));
+}
+
+std::string describe(const Material& material) {
+  return fmt::format("{} (E {}, rho {} kg/m3, G0 {} J/m2)", material.name,
+                     quantity(material.E, "Pa"), shortest(material.rho), shortest(material.G0));
+}
+
+}  // namespace hackle

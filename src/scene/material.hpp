@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A linear elastic, ideally brittle material.
+#pragma once
+
+#include <string>
+
+#include "base/error.hpp"
+
+namespace hackle {
+
+struct Material {
+  std::string name;  // as the user calls it
+  double E = 0.0;    // Young's modulus, Pa, > 0
+  double rho = 0.0;  // density, kg/m3, > 0
+  double nu = 0.0;  // Poisson's ratio of the real material, in (-1, 0.5); bond-based theory imposes
+                    // its own (1/3 in plane stress), this one is for comparison only
+  double G0 = 0.0;  // fracture energy, J/m2, > 0
+};
+
+// Adds a problem for every value outside its range.
+void check(const Material& material, Problems& problems);
+
+// "Duran 50 (E 65 GPa, rho 2235 kg/m3, G0 204 J/m2)"
+std::string describe(const Material& material);
+
+}  // namespace hackle

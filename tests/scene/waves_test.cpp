@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "scene/waves.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace hackle {
+namespace {
+
+// physics.md 5.7, printed to 1 m/s.
+struct Row {
+  double E, nu, rho, longitudinal, shear, rayleigh;
+};
+
+class Waves : public testing::TestWithParam<Row> {};
+
+TEST_P(Waves, MatchTheTable) {
+  const Row row = GetParam();
+  const WaveSpeeds speeds = wave_speeds(row.E, row.nu, row.rho);
+  EXPECT_NEAR(speeds.longitudinal, row.longitudinal, 0.51);
+  EXPECT_NEAR(speeds.shear, row.shear, 0.51);
+  EXPECT_NEAR(speeds.rayleigh, row.rayleigh, 0.51);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, Waves,
+                         testing::Values(Row{65e9, 1.0 / 3.0, 2235, 5720, 3302, 3036},
+                                         Row{65e9, 0.2, 2235, 5504, 3481, 3151},
+                                         Row{72e9, 1.0 / 3.0, 2440, 5762, 3326, 3058},
+                                         Row{72e9, 0.22, 2440, 5569, 3478, 3156},
+                                         Row{32e9, 0.2, 2450, 3689, 2333, 2112}));
+
+TEST(WaveSpeeds, RayleighSolvesItsEquation) {
+  for (double nu = -0.9; nu < 0.5; nu += 0.1) {
+    const WaveSpeeds speeds = wave_speeds(1.0, nu, 1.0);
+    const double s = std::pow(speeds.rayleigh / speeds.shear, 2);
+    const double l = std::pow(speeds.rayleigh / speeds.longitudinal, 2);
+    // Both sides are of the order 1; bisection leaves a few roundings.
+    EXPECT_NEAR(std::pow(2.0 - s, 2), 4.0 * std::sqrt((1.0 - s) * (1.0 - l)), 1e-12) << nu;
+    EXPECT_LT(speeds.rayleigh, speeds.shear);
+  }
+}
+
+}  // namespace
+}  // namespace hackle
