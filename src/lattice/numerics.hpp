@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// How finely and how a scene is solved: everything about the numerics that a user may choose.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "scene/plate.hpp"
+
+namespace hackle {
+
+// How a node near the rim of the horizon is weighted (physics.md 4.3).
+enum class Quadrature {
+  full,  // weight 1 for every node whose distance is at most the horizon (FA)
+  ramp,  // LAMMPS: 1 up to horizon - dx/2, falling linearly to 1/2 at the horizon
+};
+
+// Where micromodulus and critical stretch come from.
+enum class Constants {
+  lattice,    // E and G0 exact on the lattice in use
+  continuum,  // c = 9 E/(pi delta^3), s0 = sqrt(4 pi G0/(9 E delta))
+  paper,      // the paper's Eq. 8 and Eq. 10, which do not belong together (physics.md 0)
+};
+
+enum class Precision { f64 };
+
+// Names of the choices, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 2> quadrature_names{"full", "ramp"};
+inline constexpr std::array<std::string_view, 3> constants_names{"lattice", "continuum", "paper"};
+inline constexpr std::array<std::string_view, 1> precision_names{"f64"};
+
+struct Numerics {
+  double spacing = 0.0;  // dx, m
+  double horizon = 0.0;  // delta, m; 0: four spacings
+  Quadrature quadrature = Quadrature::full;
+  Constants constants = Constants::lattice;
+  Precision precision = Precision::f64;
+  std::optional<double> step;  // s; nothing: step_fraction of the stability limit
+  bool force_step = false;     // accept a step above the limit
+
+  double horizon_or_default() const { return horizon > 0.0 ? horizon : 4.0 * spacing; }
+  double m() const { return horizon_or_default() / spacing; }  // delta/dx
+};
+
+// The default step as a share of the limit 2/omega_max: the rest covers the stiffening of bonds
+// that are stretched up to s0.
+inline constexpr double step_fraction = 0.9;
+
+// Ranges: 2 <= m <= max_m.
+inline constexpr double least_m = 2.0;
+inline constexpr double most_m = 16.0;
+
+// Adds a problem for every numerical choice that cannot work on this plate, and for a lattice that
+// would need more memory than `memory` bytes.
+void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems);
+
+// Bytes that a simulation of the plate takes.
+double memory_needed(const Plate& plate, const Numerics& numerics);
+
+}  // namespace hackle

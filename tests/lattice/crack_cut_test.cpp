@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/crack_cut.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "lattice/lattice.hpp"
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+Lattice cut_plate(int nx, int ny, const Crack& crack, double m = 3.0) {
+  Plate plate = test::bare_plate(nx, ny);
+  plate.cracks.push_back(crack);
+  return Lattice(plate, test::numerics(0.5e-3, m * 0.5e-3));
+}
+
+// Place in mm of a 0.5 mm lattice.
+Crack crack(double x0, double y0, double x1, double y1) {
+  return {{x0 * 1e-3, y0 * 1e-3}, {x1 * 1e-3, y1 * 1e-3}, Born::broken};
+}
+
+int holds(const Lattice& lattice, int i, int j, int a, int b) {
+  int held = -1;
+  lattice.family.for_each_bond([&](int column, int row, double, int bit) {
+    if (column == a && row == b) held = lattice.bonds.holds(lattice.grid.index(i, j), bit) ? 1 : 0;
+  });
+  return held;
+}
+
+TEST(CrackCut, SeparatesTheTwoSidesAndNothingElse) {
+  const Lattice lattice = cut_plate(20, 20, crack(0, 5, 10, 5));  // right through
+  lattice.family.for_each_bond([&](int a, int b, double, int bit) {
+    for (int j = 0; j < 20; ++j)
+      for (int i = 0; i < 20; ++i) {
+        const bool inside = lattice.grid.contains(i + a, j + b);
+        const bool same_side = (j < 10) == (j + b < 10);
+        EXPECT_EQ(lattice.bonds.holds(lattice.grid.index(i, j), bit), inside && same_side);
+      }
+  });
+}
+
+TEST(CrackCut, ABondThatOnlyTouchesAnEndHolds) {
+  const Lattice lattice = cut_plate(20, 20, crack(0, 5, 5, 5));
+  // Nodes 9 and 10 lie at 4.75 and 5.25 mm: their diagonals pass exactly through the end.
+  EXPECT_EQ(holds(lattice, 9, 9, 1, 1), 1);
+  EXPECT_EQ(holds(lattice, 9, 9, 0, 1), 0);
+  EXPECT_EQ(holds(lattice, 10, 9, 0, 1), 1);
+}
+
+TEST(CrackCut, ANodeOnTheCrackLosesAllItsBonds) {
+  // 21 rows: row 10 lies at mid-height, 5.25 mm.
+  const Lattice lattice = cut_plate(20, 21, crack(0, 5.25, 5, 5.25));
+  EXPECT_EQ(lattice.bonds.count(lattice.grid.index(5, 10)), 0);
+  EXPECT_GT(lattice.bonds.count(lattice.grid.index(15, 10)), 0);
+}
+
+TEST(CrackCut, BrokenCracksCountAsDamageAndAbsentOnesDoNot) {
+  Crack one = crack(0, 5, 5, 5);
+  const Lattice broken = cut_plate(20, 20, one);
+  one.born = Born::absent;
+  const Lattice absent = cut_plate(20, 20, one);
+  EXPECT_EQ(broken.bonds, absent.bonds);
+  const std::size_t beside = broken.grid.index(5, 10);
+  EXPECT_GT(broken.born[beside], broken.bonds.count(beside));
+  EXPECT_EQ(absent.born[beside], absent.bonds.count(beside));
+}
+
+// Mirror images of a random crack, about both midlines, cut mirror images of its bonds; both ends
+// of a bond agree. Half of the cracks end on nodes and bonds exactly.
+TEST(CrackCut, CommutesWithMirrorsForAnyCrack) {
+  std::mt19937 random(11);
+  const int nx = 13, ny = 12;
+  const double width = 0.5 * nx, height = 0.5 * ny;
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto pick = [&](double most) {
+      const double value = std::uniform_real_distribution<double>(0.0, most)(random);
+      return trial % 2 == 0 ? value : std::floor(value * 4.0) / 4.0;
+    };
+    const double x0 = pick(width), y0 = pick(height), x1 = pick(width), y1 = pick(height);
+    if (x0 == x1 && y0 == y1) continue;
+    const Lattice plain = cut_plate(nx, ny, crack(x0, y0, x1, y1));
+    const Lattice mirrored = cut_plate(nx, ny, crack(width - x0, y0, width - x1, y1));
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        plain.family.for_each_bond([&](int a, int b, double, int bit) {
+          const bool held = plain.bonds.holds(plain.grid.index(i, j), bit);
+          ASSERT_EQ(held, holds(mirrored, nx - 1 - i, j, -a, b) == 1) << trial;
+          if (!plain.grid.contains(i + a, j + b)) return;
+          ASSERT_EQ(held, holds(plain, i + a, j + b, -a, -b) == 1) << trial;
+        });
+      }
+  }
+}
+
+}  // namespace
+}  // namespace hackle
