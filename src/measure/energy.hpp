@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The energy ledger of a simulation: W_external = E_kinetic + E_strain + E_broken + residual.
+#pragma once
+
+#include "solver/simulation.hpp"
+
+namespace hackle {
+
+// All in J per metre of thickness.
+struct Energy {
+  double kinetic = 0.0;  // sum of 1/2 rho V v^2
+  double strain = 0.0;   // sum over the bonds that hold of 1/2 c w s^2 |xi| V^2
+  double broken = 0.0;   // the same at s = s0, over the bonds that broke since t = 0: what the
+                        // fracture energy G0 charges for them. Cuts made by the scene cost nothing.
+  double external = 0.0;  // work done by the loads
+  double residual() const { return external - kinetic - strain - broken; }
+};
+
+Energy energy(const Simulation& simulation);
+
+struct DamageCount {
+  std::int64_t broken_bonds = 0;  // since t = 0, each bond counted once
+  double most = 0.0;              // largest damage of a node, 0..1
+};
+
+DamageCount count_damage(const Simulation& simulation);
+
+}  // namespace hackle

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A quantity over the plate at one time, as pictures and files take it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/simulation.hpp"
+
+namespace hackle {
+
+// `components` values per node (1 or 2), node by node in the order of Grid::index, in SI units.
+struct Field {
+  std::string name;  // "damage"
+  std::string unit;  // "" for a pure number, else "m", "m/s"
+  int components = 1;
+  std::vector<float> values;
+};
+
+// Share of the bonds that a node was born with that are broken, 0..1; a node born without bonds
+// has 0. A straight crack shows as 0.4 to 0.5 on its two sides.
+Field damage(const Simulation& simulation);
+Field displacement(const Simulation& simulation);  // m, components x and y
+Field velocity(const Simulation& simulation);      // m/s, components x and y
+
+}  // namespace hackle

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "solver/simulation.hpp"
+
+#include <limits>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+Simulation small() {
+  return Simulation(test::bare_plate(20, 10), test::numerics(), {1});
+}
+
+class Watcher : public Observer {
+ public:
+  bool due(const Simulation&) override { return true; }
+  void observe(const Simulation& simulation) override {
+    steps.push_back(simulation.state().step);
+    if (interrupt_at == simulation.state().step) request_interrupt();
+  }
+  std::vector<std::int64_t> steps;
+  std::int64_t interrupt_at = -1;
+};
+
+TEST(Simulation, TheDefaultStepIsNineTenthsOfTheLimitInThreeDigits) {
+  EXPECT_DOUBLE_EQ(Simulation::default_step(232.38e-9), 209e-9);
+  EXPECT_DOUBLE_EQ(Simulation::default_step(1.0), 0.9);
+}
+
+TEST(Simulation, RunsToTheFirstStepAtOrAfterTheTimeAskedFor) {
+  Simulation simulation = small();
+  simulation.run(10.0 * simulation.dt());
+  EXPECT_EQ(simulation.state().step, 10);
+  simulation.run(0.5 * simulation.dt());
+  EXPECT_EQ(simulation.state().step, 11);
+  simulation.run(0.5 * simulation.dt());
+  EXPECT_EQ(simulation.state().step, 11);
+}
+
+TEST(Simulation, ShowsTheStartAndEveryStepToObservers) {
+  Simulation simulation = small();
+  Watcher watcher;
+  Observer* observers[] = {&watcher};
+  simulation.run(3.0 * simulation.dt(), observers);
+  EXPECT_THAT(watcher.steps, testing::ElementsAre(0, 1, 2, 3));
+}
+
+TEST(Simulation, StopsAfterTheStepWhenInterruptedAndCanGoOn) {
+  Simulation simulation = small();
+  Watcher watcher;
+  watcher.interrupt_at = 5;
+  Observer* observers[] = {&watcher};
+  try {
+    simulation.run(20.0 * simulation.dt(), observers);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+  }
+  clear_interrupt();
+  EXPECT_EQ(simulation.state().step, 5);
+  simulation.run(2.0 * simulation.dt());
+  EXPECT_EQ(simulation.state().step, 7);
+}
+
+TEST(Simulation, RefusesAnImpossibleDuration) {
+  Simulation simulation = small();
+  for (const double bad :
+       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(simulation.run(bad), Error) << bad;
+}
+
+TEST(Simulation, RefusesABadSceneWithEveryProblem) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.width = -1.0;
+  plate.material.E = 0.0;
+  try {
+    const Simulation simulation(plate, test::numerics());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_GE(error.problems().size(), 2U);
+  }
+}
+
+TEST(Simulation, APlateAtRestStaysAtRest) {
+  Simulation simulation = small();
+  simulation.run(5e-6);
+  for (const double u : simulation.state().ux) EXPECT_EQ(u, 0.0);
+  EXPECT_EQ(simulation.external_work(), 0.0);
+}
+
+}  // namespace
+}  // namespace hackle
