@@ -2,6 +2,7 @@
 #include "base/progress.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ std::string remaining_text(double seconds) {
 }
 
 std::string bar(double fraction) {
-  const int full = static_cast<int>(fraction * bar_width + 0.5);
+  const int full = static_cast<int>(std::lround(fraction * bar_width));
   std::string text;
   for (int i = 0; i < bar_width; ++i) text += i < full ? "━" : "╌";
   return text;

@@ -64,7 +64,7 @@ double least_number(std::string_view unit, const Prefix& prefix) {
 }
 
 const Prefix& prefix_for(double size, const Habit& habit) {
-  const Prefix* chosen = nullptr;
+  const Prefix* chosen = &prefixes.back();
   for (const Prefix& prefix : prefixes) {
     if (prefix.factor > habit.most * 1.5 || prefix.factor < habit.least / 1.5) continue;
     chosen = &prefix;

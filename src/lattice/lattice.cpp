@@ -77,6 +77,7 @@ std::vector<LoadedNode> loaded_nodes(const std::vector<Traction>& tractions, con
     }
   }
   std::vector<LoadedNode> list;
+  list.reserve(loads.size());
   for (const auto& entry : loads) list.push_back(entry.second);
   return list;
 }

@@ -50,7 +50,8 @@ double largest_frequency(const Family& family, double c, double rho, double dx) 
   // ever smaller squares around the best sample.
   const int samples = 2 * family.reach();
   Peak best = best_around(family, {0.5 * pi, 0.5 * pi}, 0.5 * pi, samples);
-  for (double half_width = 0.5 * pi / samples; half_width > 1e-7; half_width *= 0.5) {
+  double half_width = 0.5 * pi / samples;
+  for (int halvings = 0; halvings < 24; ++halvings, half_width *= 0.5) {
     const Peak finer = best_around(family, best.k, half_width, 2);
     if (finer.value > best.value) best = finer;
   }

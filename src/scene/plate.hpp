@@ -22,8 +22,8 @@ std::optional<Edge> edge_named(std::string_view name);
 // Whether the bonds that a crack cuts count as damage, or were never there.
 enum class Born { broken, absent };
 
-// A straight crack of zero width. It cuts every bond that has a point in common with it; its two ends
-// do not belong to it. No mirror changes that rule.
+// A straight crack of zero width. It cuts every bond that has a point in common with it; its two
+// ends do not belong to it. No mirror changes that rule.
 struct Crack {
   Vec2 from{0, 0};  // m, on the plate
   Vec2 to{0, 0};    // m, on the plate

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# From a fresh machine, one command breaks glass: installs what is missing, builds a release, runs the
+# paper's first plate and names the files it wrote.
+#
+#   scripts/demo.sh [OUTPUT FOLDER]      default: out/edge_crack beside this checkout
+set -euo pipefail
+here=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+out=$(realpath -m -- "${1:-$here/out/edge_crack}")
+
+"$here/scripts/setup.sh" release
+"$here/build/release/bin/hackle" run "$here/scripts/samples/edge_crack.lua" -o "$out"

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Checks the formatting (clang-format 14) and, with --tidy, the whole program with clang-tidy 14.
+# Installs both when they are missing and it may.
+set -euo pipefail
+cd "$(dirname -- "${BASH_SOURCE[0]}")/.."
+
+missing=()
+for tool in clang-format clang-tidy; do
+  command -v "$tool" >/dev/null || missing+=("$tool")
+done
+if [ ${#missing[@]} -gt 0 ]; then
+  echo "Installing ${missing[*]}"
+  as_root=(env)
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo env)
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+    "${missing[@]}"
+fi
+
+git ls-files '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
+echo "formatting: clean"
+
+if [ "${1:-}" = --tidy ]; then
+  [ -f build/ci/compile_commands.json ] || cmake --preset ci
+  cmake --build --preset ci --target hackle_git_hash
+  git ls-files 'src/*.cpp' | xargs -d '\n' -P "$(nproc)" -n 4 \
+    clang-tidy -p build/ci --quiet --warnings-as-errors='*'
+  echo "clang-tidy: clean"
+fi

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "output/movie_output.hpp"
+
+#include <utility>
+
+#include "base/files.hpp"
+#include "base/stopwatch.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr std::size_t waiting_shots = 4;
+
+}  // namespace
+
+MovieOutput::MovieOutput(std::filesystem::path path, const MovieOptions& options,
+                         const Simulation& simulation)
+    : path_(std::move(path)),
+      options_(options),
+      style_(style_of(options.picture, simulation)),
+      schedule_("movie", options.every, simulation),
+      encoder_threads_(simulation.threads()) {
+}
+
+void MovieOutput::observe(const Simulation& simulation) {
+  if (!painting_)
+    painting_ = std::make_unique<Worker<Shot>>(waiting_shots, [this](const Shot& s) { paint(s); });
+  schedule_.advance();
+  hand_over({field_of(options_.picture.field, simulation), simulation.time()});
+}
+
+void MovieOutput::hand_over(Shot shot) {
+  try {
+    painting_->push(std::move(shot));
+  } catch (...) {
+    failed_ = true;
+    throw;
+  }
+}
+
+void MovieOutput::paint(const Shot& shot) {
+  double seconds = 0.0;
+  if (!shot.field) {
+    painter_.reset();
+    encoder_->finish();
+    encode_seconds_ = encoder_->seconds();
+    return;
+  }
+  Image image;
+  {
+    const Stopwatch watch(seconds);
+    if (!painter_) painter_ = std::make_unique<PlatePainter>(style_);
+    image = painter_->paint(*shot.field, shot.time);
+  }
+  render_seconds_ += seconds;
+  if (!encoder_) {
+    make_folder_of(path_);
+    MovieFormat format{image.width, image.height};
+    format.fps = options_.fps;
+    format.threads = encoder_threads_;
+    format.title = path_.stem().string();
+    encoder_ = std::make_unique<Encoder>(path_, format);
+  }
+  encoder_->add(std::move(image));
+  encode_seconds_ = encoder_->seconds();
+}
+
+void MovieOutput::close() {
+  if (failed_ || complete_ || !painting_) return;
+  hand_over({});
+  failed_ = true;  // unless the next line returns
+  painting_->finish();
+  failed_ = false;
+  complete_ = true;
+}
+
+std::vector<std::filesystem::path> MovieOutput::files() const {
+  return complete_ ? std::vector{path_} : std::vector<std::filesystem::path>{};
+}
+
+void MovieOutput::add_seconds(StageSeconds& wall) const {
+  wall.render += render_seconds_;
+  wall.encode += encode_seconds_;
+}
+
+}  // namespace hackle

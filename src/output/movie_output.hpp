@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A movie of a run. The solver only hands over the field; painting and encoding have their threads.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "base/worker.hpp"
+#include "movie/encoder.hpp"
+#include "output/output.hpp"
+#include "output/painting.hpp"
+#include "output/schedule.hpp"
+
+namespace hackle {
+
+class MovieOutput : public Output {
+ public:
+  MovieOutput(std::filesystem::path path, const MovieOptions& options,
+              const Simulation& simulation);
+
+  bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
+  void observe(const Simulation& simulation) override;
+  void close() override;
+  std::vector<std::filesystem::path> files() const override;
+  void add_seconds(StageSeconds& wall) const override;
+
+ private:
+  // The field at one time; without a field, the end of the movie.
+  struct Shot {
+    std::optional<Field> field;
+    double time = 0.0;
+  };
+  void paint(const Shot& shot);
+  void hand_over(Shot shot);
+
+  std::filesystem::path path_;
+  MovieOptions options_;
+  PictureStyle style_;
+  Schedule schedule_;
+  int encoder_threads_;
+  bool failed_ = false;
+  bool complete_ = false;
+  std::atomic<double> render_seconds_ = 0.0;
+  std::atomic<double> encode_seconds_ = 0.0;
+  // Created with the first frame, on the painting thread, where GL wants to live and die.
+  std::unique_ptr<PlatePainter> painter_;
+  std::unique_ptr<Encoder> encoder_;
+  std::unique_ptr<Worker<Shot>> painting_;
+};
+
+}  // namespace hackle

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "output/record_output.hpp"
+
+#include <utility>
+
+#include "base/files.hpp"
+#include "base/stopwatch.hpp"
+
+namespace hackle {
+
+RecordOutput::RecordOutput(std::filesystem::path path, const RecordOptions& options,
+                           const Simulation& simulation, Origin origin)
+    : path_(std::move(path)),
+      schedule_("record", options.every, simulation),
+      origin_(std::move(origin)) {
+}
+
+void RecordOutput::observe(const Simulation& simulation) {
+  const Stopwatch watch(store_seconds_);
+  schedule_.advance();
+  failed_ = true;  // unless the end of this function is reached
+  if (!file_) {
+    make_folder_of(path_);
+    file_ = std::make_unique<RunFile>(path_, simulation, origin_);
+  }
+  file_->add(simulation);
+  failed_ = false;
+}
+
+void RecordOutput::close() {
+  if (failed_ || complete_ || !file_) return;
+  const Stopwatch watch(store_seconds_);
+  failed_ = true;
+  file_->finish();
+  failed_ = false;
+  complete_ = true;
+}
+
+std::vector<std::filesystem::path> RecordOutput::files() const {
+  if (!complete_) return {};
+  return {file_->path(), file_->sidecar()};
+}
+
+}  // namespace hackle

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "output/report.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "scene/waves.hpp"
+
+namespace hackle {
+namespace {
+
+template <std::size_t n, class Choice>
+std::string_view name_of(const std::array<std::string_view, n>& names, Choice choice) {
+  return names[static_cast<std::size_t>(choice)];
+}
+
+std::string lattice_line(const Simulation& simulation, const Summary& summary) {
+  const Numerics& numerics = simulation.numerics();
+  return fmt::format("{} nodes, {} bonds; spacing {}, horizon {} (m = {:.4g}); {} quadrature",
+                     grouped(summary.nodes), grouped(summary.bonds),
+                     quantity(numerics.spacing, "m"), quantity(numerics.horizon_or_default(), "m"),
+                     simulation.lattice().family.m(),
+                     name_of(quadrature_names, numerics.quadrature));
+}
+
+std::string model_line(const Simulation& simulation) {
+  const Lattice& lattice = simulation.lattice();
+  const Material& material = simulation.plate().material;
+  const Moduli& moduli = lattice.calibration.moduli;
+  const WaveSpeeds waves = wave_speeds(moduli.E, moduli.nu, lattice.rho);
+  return fmt::format(
+      "{} constants: E {} (material {}), nu {:.3f} (material {}), G0 {} (material {}), s0 {:.4g}; "
+      "c_R {:.0f} m/s",
+      name_of(constants_names, simulation.numerics().constants), quantity(moduli.E, "Pa"),
+      quantity(material.E, "Pa"), moduli.nu, shortest(material.nu),
+      quantity(lattice.calibration.G0, "J/m2"), quantity(material.G0, "J/m2"),
+      lattice.calibration.s0, waves.rayleigh);
+}
+
+std::string time_line(const Summary& summary) {
+  return fmt::format("{} in {} steps of {} (limit {})", quantity(summary.time, "s"),
+                     grouped(summary.steps), quantity(summary.dt, "s"),
+                     quantity(summary.dt_limit, "s"));
+}
+
+std::string damage_line(const Summary& summary) {
+  return fmt::format("{} bonds broken since the start, largest damage of a node {:.2f}",
+                     grouped(summary.damage.broken_bonds), summary.damage.most);
+}
+
+std::string energy_line(const Energy& energy) {
+  const double share = energy.external != 0.0 ? 100.0 * energy.residual() / energy.external : 0.0;
+  return fmt::format(
+      "{:.4g} J/m put in = {:.4g} kinetic + {:.4g} strain + {:.4g} broken; residual {:.2g} %",
+      energy.external, energy.kinetic, energy.strain, energy.broken, share);
+}
+
+std::string wall_line(const Simulation& simulation, const Summary& summary) {
+  std::string line =
+      fmt::format("solve {:.2f} s on {} threads, {:.3g} M node-steps/s ({})", summary.wall.solve,
+                  summary.threads, summary.node_steps_per_second() * 1e-6,
+                  name_of(instruction_set_names, simulation.instruction_set()));
+  const auto add = [&](const char* stage, double seconds) {
+    if (seconds > 0.0) line += fmt::format("; {} {:.2f} s", stage, seconds);
+  };
+  add("render", summary.wall.render);
+  add("encode", summary.wall.encode);
+  add("store", summary.wall.store);
+  return line;
+}
+
+}  // namespace
+
+std::string report(const Simulation& simulation, const Summary& summary) {
+  return fmt::format(
+      "{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}\n  wall     "
+      "{}\n"
+      "  state    {}",
+      describe(simulation.plate()), lattice_line(simulation, summary), model_line(simulation),
+      time_line(summary), damage_line(summary), energy_line(summary.energy),
+      wall_line(simulation, summary), summary.hash);
+}
+
+std::vector<std::string> remarks(const Simulation& simulation) {
+  std::vector<std::string> list;
+  const Plate& plate = simulation.plate();
+  const Grid& grid = simulation.lattice().grid;
+  const double width = grid.nx * grid.dx, height = grid.ny * grid.dx;
+  if (std::abs(width - plate.width) > 1e-6 * grid.dx ||
+      std::abs(height - plate.height) > 1e-6 * grid.dx)
+    list.push_back(
+        fmt::format("the lattice is {} x {}: the plate is not a whole number of spacings",
+                    quantity(width, "m"), quantity(height, "m")));
+  const double E = simulation.lattice().calibration.moduli.E / plate.material.E;
+  const double G0 = simulation.lattice().calibration.G0 / plate.material.G0;
+  if (std::abs(E - 1.0) > 1e-6 || std::abs(G0 - 1.0) > 1e-6)
+    list.push_back(fmt::format(
+        "{} constants give {:.3f} of the material's E and {:.3f} of its G0 on this lattice",
+        name_of(constants_names, simulation.numerics().constants), E, G0));
+  return list;
+}
+
+}  // namespace hackle

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "output/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "base/machine.hpp"
+#include "base/stopwatch.hpp"
+#include "base/units.hpp"
+#include "output/movie_output.hpp"
+#include "output/painting.hpp"
+#include "output/record_output.hpp"
+#include "output/report.hpp"
+#include "render/png.hpp"
+
+namespace hackle {
+namespace fs = std::filesystem;
+namespace {
+
+// Shows how far a run has come.
+class ProgressObserver : public Observer {
+ public:
+  ProgressObserver(Talk talk, double start, double end)
+      : progress_(talk), start_(start), end_(end) {}
+
+  bool due(const Simulation& simulation) override { return progress_.due(fraction(simulation)); }
+  void observe(const Simulation& simulation) override {
+    const double node_steps = static_cast<double>(simulation.state().step) *
+                              static_cast<double>(simulation.lattice().grid.nodes());
+    progress_.show(
+        fraction(simulation),
+        fmt::format("step {}  {} of {}  {:.3g} M node-steps/s", grouped(simulation.state().step),
+                    quantity(simulation.time(), "s"), quantity(end_, "s"),
+                    1e-6 * node_steps / std::max(simulation.solve_seconds(), 1e-9)));
+  }
+
+ private:
+  double fraction(const Simulation& simulation) const {
+    const double span = std::max(end_ - start_, simulation.dt());
+    return std::clamp((simulation.time() - start_) / span, 0.0, 1.0);
+  }
+
+  Progress progress_;
+  double start_, end_;
+};
+
+}  // namespace
+
+struct Run::Parts {
+  Parts(Plate plate, const Numerics& numerics, Execution execution, Talk talk_, Origin origin_)
+      : talk(talk_),
+        origin(std::move(origin_)),
+        simulation(std::move(plate), numerics, execution),
+        setup_seconds(life.seconds()) {}
+
+  double unused = 0.0;
+  Stopwatch life{unused};
+  Talk talk;
+  Origin origin;
+  Simulation simulation;
+  double setup_seconds;
+  double frame_render_seconds = 0.0;
+  double frame_store_seconds = 0.0;
+  std::vector<std::unique_ptr<Output>> outputs;
+  std::vector<fs::path> promised;  // by movie() and record()
+  std::vector<fs::path> pictures;  // written by frame()
+  bool closed = false;
+
+  // Refuses a path that cannot be written or that another output of this run writes.
+  void promise(const char* output, const fs::path& path) {
+    if (closed)
+      throw Error(ErrorKind::refused, fmt::format("{}: the simulation is closed", output),
+                  "ask for outputs before s:close()");
+    if (std::ranges::find(promised, path) != promised.end())
+      throw Error(
+          ErrorKind::refused,
+          fmt::format("{}: '{}' is already written by this simulation", output, path.string()),
+          "choose another file name");
+    check_writable(path);
+    promised.push_back(path);
+  }
+};
+
+Run::Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin origin)
+    : parts_(
+          std::make_unique<Parts>(std::move(plate), numerics, execution, talk, std::move(origin))) {
+  if (talk == Talk::quiet) return;
+  for (const std::string& remark : remarks(parts_->simulation))
+    fmt::print(stderr, "note: {}\n", remark);
+}
+
+Run::~Run() = default;
+
+void Run::movie(const fs::path& path, const MovieOptions& options) {
+  check("movie", options.picture);
+  if (!(options.fps >= 1.0 && options.fps <= 240.0))
+    throw Error(ErrorKind::refused,
+                fmt::format("movie: fps is {}, it must lie between 1 and 240", options.fps));
+  auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation);
+  parts_->promise("movie", path);
+  parts_->outputs.push_back(std::move(output));
+}
+
+void Run::record(const fs::path& path, const RecordOptions& options) {
+  auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin);
+  parts_->promise("record", path);
+  parts_->outputs.push_back(std::move(output));
+}
+
+void Run::frame(const fs::path& path, const PictureOptions& options) {
+  check("frame", options);
+  check_writable(path);
+  parts_->simulation.check_finite();
+  Image image;
+  {
+    const Stopwatch watch(parts_->frame_render_seconds);
+    PlatePainter painter(style_of(options, parts_->simulation));
+    image = painter.paint(field_of(options.field, parts_->simulation), parts_->simulation.time());
+  }
+  const Stopwatch watch(parts_->frame_store_seconds);
+  make_folder_of(path);
+  write_png(image, path);
+  if (std::ranges::find(parts_->pictures, path) == parts_->pictures.end())
+    parts_->pictures.push_back(path);
+}
+
+void Run::run(double duration) {
+  if (parts_->closed && !parts_->outputs.empty())
+    throw Error(ErrorKind::refused, "run: the simulation is closed and its files are complete");
+  Simulation& simulation = parts_->simulation;
+  ProgressObserver progress(parts_->talk, simulation.time(), simulation.end_time() + duration);
+  std::vector<Observer*> observers{&progress};
+  for (const auto& output : parts_->outputs) observers.push_back(output.get());
+  simulation.run(duration, observers);
+}
+
+void Run::step(std::int64_t count) {
+  const Simulation& simulation = parts_->simulation;
+  run(static_cast<double>(simulation.state().step + count) * simulation.dt() -
+      simulation.end_time());
+}
+
+void Run::close() {
+  parts_->closed = true;
+  std::optional<Error> first;
+  for (const auto& output : parts_->outputs) {
+    try {
+      output->close();
+    } catch (const Error& error) {
+      if (!first) first = error;  // the other files are still completed
+    }
+  }
+  if (first) throw Error(*first);
+}
+
+const Simulation& Run::simulation() const {
+  return parts_->simulation;
+}
+
+Summary Run::summary() const {
+  const Simulation& simulation = parts_->simulation;
+  Summary summary;
+  summary.script = parts_->origin.script_name;
+  summary.nodes = static_cast<std::int64_t>(simulation.lattice().grid.nodes());
+  summary.bonds = simulation.lattice().bonds_born();
+  summary.steps = simulation.state().step;
+  summary.time = simulation.time();
+  summary.dt = simulation.dt();
+  summary.dt_limit = simulation.lattice().step_limit;
+  summary.precision = precision_names[static_cast<std::size_t>(simulation.numerics().precision)];
+  summary.threads = simulation.threads();
+  summary.energy = energy(simulation);
+  summary.damage = count_damage(simulation);
+  summary.peak_rss = peak_resident_memory();
+  summary.hash = simulation.state().hash();
+  summary.files = parts_->pictures;
+  summary.wall.setup = parts_->setup_seconds;
+  summary.wall.solve = simulation.solve_seconds();
+  summary.wall.render = parts_->frame_render_seconds;
+  summary.wall.store = parts_->frame_store_seconds;
+  for (const auto& output : parts_->outputs) {
+    output->add_seconds(summary.wall);
+    for (const fs::path& file : output->files()) summary.files.push_back(file);
+  }
+  summary.wall.total = parts_->life.seconds();
+  return summary;
+}
+
+std::string Run::report() const {
+  return hackle::report(parts_->simulation, summary());
+}
+
+}  // namespace hackle

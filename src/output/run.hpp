@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// A simulation and what it leaves behind: movies, pictures, run files, the summary.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "output/summary.hpp"
+#include "solver/simulation.hpp"
+#include "store/run_file.hpp"
+
+namespace hackle {
+
+// How a picture is made.
+struct PictureOptions {
+  std::string field = "damage";  // one of field_names
+  int width = 1280;              // px, even, 320..7680; the height follows from the plate
+};
+
+struct MovieOptions {
+  PictureOptions picture;
+  double every = 0.0;  // simulated seconds from frame to frame, at least a step
+  double fps = 30.0;   // frames a second when played
+};
+
+struct RecordOptions {
+  double every = 0.0;  // simulated seconds from record to record, at least a step
+};
+
+// What can be painted so far.
+inline constexpr std::array<std::string_view, 1> field_names{"damage"};
+
+class Run {
+ public:
+  // Throws what Simulation throws.
+  Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin origin);
+  ~Run();
+
+  // Each adds an output. Throws Error (refused) for impossible options and Error (files) when
+  // `path` cannot be written. Nothing is written before the first step, except by frame().
+  void movie(const std::filesystem::path& path, const MovieOptions& options);
+  void record(const std::filesystem::path& path, const RecordOptions& options);
+  // Writes a PNG of the state as it is now.
+  void frame(const std::filesystem::path& path, const PictureOptions& options);
+
+  void run(double duration);      // s; see Simulation::run; shows progress on stderr
+  void step(std::int64_t count);  // exactly so many steps
+  // Completes movies and run files. Also done after an interrupt or a failure, so that they stay
+  // valid. Can be called more than once; afterwards only frame(), report() and reading are allowed.
+  void close();
+
+  const Simulation& simulation() const;
+  Summary summary() const;
+  // What a person wants to know, several lines of text.
+  std::string report() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hackle

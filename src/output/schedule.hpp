@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// When an output wants to see the state.
+#pragma once
+
+#include <cstdint>
+
+#include "solver/simulation.hpp"
+
+namespace hackle {
+
+// The moments start + k * every, k = 0, 1, ...; each is served by the step nearest to it, so that
+// times never drift whatever the step is.
+class Schedule {
+ public:
+  // Starts now. Throws Error (refused) when `every`, in s, is less than a step; `output` names who
+  // asks.
+  Schedule(const char* output, double every, const Simulation& simulation);
+
+  bool reached(const Simulation& simulation) const;
+  // To the next moment.
+  void advance() { ++next_; }
+
+ private:
+  double start_;
+  double every_;
+  std::int64_t next_ = 0;
+};
+
+}  // namespace hackle

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "output/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace hackle {
+namespace {
+
+nlohmann::ordered_json to_json(const StageSeconds& wall) {
+  return {{"setup", wall.setup},   {"solve", wall.solve}, {"render", wall.render},
+          {"encode", wall.encode}, {"store", wall.store}, {"total", wall.total}};
+}
+
+nlohmann::ordered_json to_json(const Energy& energy) {
+  return {{"kinetic", energy.kinetic},
+          {"strain", energy.strain},
+          {"broken", energy.broken},
+          {"external", energy.external},
+          {"residual", energy.residual()}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json to_json(const Summary& summary) {
+  nlohmann::ordered_json json;
+  json["schema"] = 1;
+  json["script"] = summary.script;
+  json["nodes"] = summary.nodes;
+  json["bonds"] = summary.bonds;
+  json["steps"] = summary.steps;
+  json["time_s"] = summary.time;
+  json["dt_s"] = summary.dt;
+  json["dt_limit_s"] = summary.dt_limit;
+  json["precision"] = summary.precision;
+  json["threads"] = summary.threads;
+  json["wall_s"] = to_json(summary.wall);
+  json["node_steps_per_s"] = summary.node_steps_per_second();
+  json["energy_J_per_m"] = to_json(summary.energy);
+  json["damage"] = {{"broken_bonds", summary.damage.broken_bonds}, {"max", summary.damage.most}};
+  json["peak_rss_bytes"] = summary.peak_rss;
+  json["hash"] = summary.hash;
+  json["files"] = nlohmann::ordered_json::array();
+  for (const auto& file : summary.files) json["files"].push_back(file.string());
+  return json;
+}
+
+}  // namespace hackle

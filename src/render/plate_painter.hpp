@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A complete picture of a plate: the field in colours, colour bar, time and scale bar.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/image.hpp"
+#include "lattice/grid.hpp"
+#include "measure/field.hpp"
+
+namespace hackle {
+
+// What all pictures of one series have in common.
+struct PictureStyle {
+  Grid grid;
+  int width = 1280;                   // px, even
+  std::string colour_map = "damage";  // a file of assets/colour_maps, without its ending
+  double least = 0.0;                 // the values at the two ends of the colour bar, in SI
+  double most = 0.5;
+  std::string title;  // may be empty
+};
+
+// Owns a GL context, so it must be used, and destroyed, by the thread that created it.
+class PlatePainter {
+ public:
+  // Throws Error (files) when a shader, colour map or font is missing, Error (run_failed) when no
+  // GL context can be had.
+  explicit PlatePainter(PictureStyle style);
+  ~PlatePainter();
+
+  int width() const;   // px, even
+  int height() const;  // px, even, from the shape of the plate
+
+  // `field` has one component. `time` in s.
+  Image paint(const Field& field, double time);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hackle

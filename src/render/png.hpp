@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "base/image.hpp"
+
+namespace hackle {
+
+// Writes a PNG under a partial name, then renames it. Throws Error (files).
+void write_png(const Image& image, const std::filesystem::path& path);
+
+}  // namespace hackle

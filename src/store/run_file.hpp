@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The record of a run in HDF5, self-describing, with an XDMF sidecar that ParaView and VTK open.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "solver/simulation.hpp"
+
+namespace hackle {
+
+// Where a run comes from.
+struct Origin {
+  std::string script_name;
+  std::string script_text;
+};
+
+// RUN.h5 holds, with T records and N nodes (row by row from the lower left):
+//   /nodes        N x 3      f64  m      places of the nodes
+//   /time         T          f64  s
+//   /step         T          i64
+//   /damage       T x N      f32
+//   /displacement T x N x 3  f32  m
+//   /velocity     T x N x 3  f32  m/s
+// Every dataset has `units` and `long_name`; the root has format_version, software, version,
+// git_hash, compiler, created (UTC), script_name, script, plate, numerics and inputs (JSON), and
+// records_committed, which is written after the data of a record: readers trust only so many.
+// The file is flushed after every record, so that a killed run leaves a file that opens.
+class RunFile {
+ public:
+  // Creates the file, replacing an old one, and its sidecar beside it (RUN.xdmf). Throws Error
+  // (files).
+  RunFile(const std::filesystem::path& path, const Simulation& simulation, const Origin& origin);
+  ~RunFile();
+
+  // Appends the state as it is now. Throws Error (files), e.g. when the disk is full.
+  void add(const Simulation& simulation);
+  // Closes the file and completes the sidecar. Once only.
+  void finish();
+
+  std::filesystem::path path() const;
+  std::filesystem::path sidecar() const;
+
+  static std::string library_version();  // "HDF5 1.10.8"
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hackle

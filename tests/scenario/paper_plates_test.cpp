@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The paper's first plate, as scripts/samples solves it: what is seen, when and where.
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "measure/energy.hpp"
+#include "support/fork.hpp"
+#include "support/mirror.hpp"
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+// First new broken bond and first fork of a run to 32 us.
+struct Events {
+  double first_bond = 0.0;  // s
+  double fork = 0.0;        // s
+  double fork_place = 0.0;  // m
+};
+
+Events watch(Simulation& simulation) {
+  Events events;
+  while (simulation.time() < 32e-6) {
+    simulation.step();
+    if (events.first_bond == 0.0 && count_damage(simulation).broken_bonds > 0)
+      events.first_bond = simulation.time();
+    if (events.fork != 0.0) continue;
+    const auto place = test::fork_place(damage(simulation), simulation.lattice().grid);
+    if (!place) continue;
+    events.fork = simulation.time();
+    events.fork_place = *place;
+  }
+  return events;
+}
+
+TEST(EdgeCrack12MPa, ForksOnceWhereAndWhenItShould) {
+  Simulation simulation(test::edge_crack(12e6), test::numerics());
+  const Events events = watch(simulation);
+  // physics.md 2.4 and kernel.md 4.
+  EXPECT_GT(events.first_bond, 5.0e-6);
+  EXPECT_LT(events.first_bond, 6.5e-6);
+  EXPECT_GT(events.fork, 19e-6);
+  EXPECT_LT(events.fork, 26e-6);
+  EXPECT_GT(events.fork_place, 62e-3);
+  EXPECT_LT(events.fork_place, 72e-3);
+  EXPECT_EQ(test::most_bands(damage(simulation), simulation.lattice().grid), 2);
+}
+
+TEST(EdgeCrack12MPa, IsItsOwnMirrorImageAndClosesItsLedger) {
+  Simulation simulation(test::edge_crack(12e6), test::numerics());
+  simulation.run(32e-6);
+  EXPECT_EQ(test::asymmetric_nodes(simulation, true), 0);
+  EXPECT_EQ(test::one_sided_bonds(simulation), 0);
+  const Energy now = energy(simulation);
+  EXPECT_LT(std::abs(now.residual()), 0.015 * now.external);
+}
+
+// Any change of these bits is a change of the results of every user: it must be meant, and be said
+// in CHANGELOG.md. The value holds for g++ and clang++, every instruction set and any number of
+// threads.
+TEST(EdgeCrack12MPa, HasTheGoldenBits) {
+  for (const int threads : {1, 2, 3}) {
+    Simulation simulation(test::edge_crack(12e6), test::numerics(), {threads});
+    simulation.run(32e-6);
+    EXPECT_EQ(simulation.state().hash(), "5c862af4c0cef212") << threads;
+  }
+}
+
+TEST(EdgeCrack12MPa, DoesNotForkAtATenthOfTheLoad) {
+  Simulation simulation(test::edge_crack(1.2e6), test::numerics());
+  simulation.run(32e-6);
+  EXPECT_EQ(count_damage(simulation).broken_bonds, 0);
+}
+
+TEST(EdgeCrack24MPa, BranchesAgain) {
+  Simulation simulation(test::edge_crack(24e6), test::numerics());
+  const Events events = watch(simulation);
+  EXPECT_LT(events.fork, 14e-6);
+  EXPECT_GE(test::most_bands(damage(simulation), simulation.lattice().grid), 4);
+  EXPECT_EQ(test::asymmetric_nodes(simulation, true), 0);
+}
+
+}  // namespace
+}  // namespace hackle
