@@ -3,8 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
@@ -16,9 +19,10 @@ class Threads {
   // Rows of one task: enough work to hide the cost of handing it out, few enough to balance.
   static constexpr int rows_per_task = 8;
 
-  explicit Threads(int count) : arena_(std::make_shared<tbb::task_arena>(count)) {}
+  // count >= 1; more than there are cores is allowed, and slower.
+  explicit Threads(int count) : pool_(std::make_shared<Pool>(count)) {}
 
-  int count() const { return arena_->max_concurrency(); }
+  int count() const { return pool_->arena.max_concurrency(); }
 
   // Calls work(row_begin, row_end) on ranges that cover 0..rows; returns when all are done.
   template <class Work>
@@ -26,11 +30,20 @@ class Threads {
     const tbb::blocked_range<int> range(0, rows, rows_per_task);
     const auto task = [&](const tbb::blocked_range<int>& part) { work(part.begin(), part.end()); };
     if (count() == 1) return task(range);
-    arena_->execute([&] { tbb::parallel_for(range, task, tbb::simple_partitioner{}); });
+    pool_->arena.execute([&] { tbb::parallel_for(range, task, tbb::simple_partitioner{}); });
   }
 
  private:
-  std::shared_ptr<tbb::task_arena> arena_;  // shared, so that a simulation can be copied
+  struct Pool {
+    explicit Pool(int count) : arena(count) {
+      // oneTBB gives no more threads than cores, and says so on stderr, unless it is told to.
+      if (count > tbb::info::default_concurrency())
+        permission.emplace(tbb::global_control::max_allowed_parallelism, count);
+    }
+    std::optional<tbb::global_control> permission;
+    tbb::task_arena arena;
+  };
+  std::shared_ptr<Pool> pool_;  // shared, so that a simulation can be copied
 };
 
 }  // namespace hackle

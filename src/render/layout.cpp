@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "render/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hackle {
+namespace {
+
+int even(double value) {
+  return 2 * static_cast<int>(std::ceil(value / 2.0));
+}
+
+// Pixels of a cell along x and y.
+double cell_size(const Grid& grid, double width, double height) {
+  const double size = std::min(width / grid.nx, height / grid.ny);
+  return size >= 3.0 ? std::floor(size) : size;
+}
+
+}  // namespace
+
+Layout make_layout(const Grid& grid, int width) {
+  Layout layout;
+  layout.width = width;
+  layout.font = std::max(10.0, std::round(0.0175 * width));
+  layout.small_font = std::max(9.0, std::round(0.8 * layout.font));
+  const int margin = static_cast<int>(std::round(1.5 * layout.font));
+  const int inner = width - 2 * margin;
+
+  layout.caption = {margin, margin, inner, static_cast<int>(std::ceil(1.3 * layout.font))};
+  const double cell = cell_size(grid, inner, width);
+  const int plate_width = std::max(1, static_cast<int>(std::lround(cell * grid.nx)));
+  const int plate_height = std::max(1, static_cast<int>(std::lround(cell * grid.ny)));
+  layout.plate = {(width - plate_width) / 2, layout.caption.bottom() + margin / 2, plate_width,
+                  plate_height};
+
+  // The legend: the name of the field, the bar, then its ticks below.
+  const int legend = layout.plate.bottom() + margin;
+  const int bar_x = margin + static_cast<int>(std::ceil(6.5 * layout.font));
+  const int bar_height = static_cast<int>(std::round(0.8 * layout.font));
+  layout.bar = {bar_x, legend, static_cast<int>(0.28 * width), bar_height};
+  const int legend_height =
+      bar_height + static_cast<int>(std::ceil(0.4 * layout.font + 1.3 * layout.small_font));
+  const int scale_x = layout.bar.right() + 3 * margin / 2;
+  layout.scale = {scale_x, legend, width - margin - scale_x, legend_height};
+  layout.height = even(legend + legend_height + 0.6 * margin);
+  return layout;
+}
+
+double neat_at_most(double most) {
+  const double decade = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * decade <= most * (1.0 + 1e-12)) return factor * decade;
+  return decade;
+}
+
+}  // namespace hackle

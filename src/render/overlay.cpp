@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "render/overlay.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr Colour text_colour{222, 228, 236};
+constexpr Colour quiet_colour{140, 150, 166};
+
+// A Cairo context on the pixels of an image.
+class Canvas {
+ public:
+  explicit Canvas(Image& image)
+      : surface_(cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_RGB24,
+                                                     image.width, image.height, image.stride())),
+        cairo_(cairo_create(surface_.get())) {
+    if (cairo_status(cairo_.get()) != CAIRO_STATUS_SUCCESS)
+      throw Error(ErrorKind::run_failed, "Cairo cannot draw on the picture");
+    cairo_select_font_face(cairo_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                           CAIRO_FONT_WEIGHT_NORMAL);
+  }
+  ~Canvas() { cairo_surface_flush(surface_.get()); }
+
+  void colour(Colour c) {
+    cairo_set_source_rgb(cairo_.get(), c.red / 255.0, c.green / 255.0, c.blue / 255.0);
+  }
+  void fill(double x, double y, double width, double height) {
+    cairo_rectangle(cairo_.get(), x, y, width, height);
+    cairo_fill(cairo_.get());
+  }
+  void outline(const Rectangle& r) {
+    cairo_set_line_width(cairo_.get(), 1.0);
+    cairo_rectangle(cairo_.get(), r.x - 0.5, r.y - 0.5, r.width + 1.0, r.height + 1.0);
+    cairo_stroke(cairo_.get());
+  }
+  double width_of(const std::string& text, double size) {
+    cairo_set_font_size(cairo_.get(), size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo_.get(), text.c_str(), &extents);
+    return extents.x_advance;
+  }
+  // `anchor` 0: the text begins at x; 0.5: is centred on it; 1: ends there. `y` is its base line.
+  void write(const std::string& text, double x, double y, double size, double anchor) {
+    const double left = std::round(x - anchor * width_of(text, size));
+    cairo_move_to(cairo_.get(), left, std::round(y));
+    cairo_show_text(cairo_.get(), text.c_str());
+  }
+
+ private:
+  struct Free {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+  };
+  std::unique_ptr<cairo_surface_t, Free> surface_;
+  std::unique_ptr<cairo_t, Free> cairo_;
+};
+
+void draw_colours(Canvas& canvas, const Rectangle& bar, const ColourMap& map) {
+  for (int x = 0; x < bar.width; ++x) {
+    canvas.colour(map.colours[static_cast<std::size_t>(x * 255 / std::max(1, bar.width - 1))]);
+    canvas.fill(bar.x + x, bar.y, 1, bar.height);
+  }
+}
+
+void draw_ticks(Canvas& canvas, const Layout& layout, const OverlayText& text) {
+  const Rectangle& bar = layout.bar;
+  const double span = text.most - text.least;
+  // Ticks at most five, and fewer when their numbers would touch.
+  const double room = bar.width / (4.0 * layout.small_font);
+  double step = neat_at_most(span / std::min(5.0, std::max(1.0, room)));
+  while (span / step > std::max(1.0, room) * 1.001 && step < span) step *= 2.5;
+  const double base = bar.bottom() + 0.35 * layout.font + 0.85 * layout.small_font;
+  for (double value = text.least; value <= text.most + 1e-9 * span; value += step) {
+    const double x = bar.x + (value - text.least) / span * bar.width;
+    const bool last = value > text.most - 0.5 * step;
+    canvas.colour(quiet_colour);
+    canvas.fill(std::round(x) - (last ? 1 : 0), bar.bottom(), 1, std::round(0.25 * layout.font));
+    const double shown = std::abs(value) < 1e-12 * span ? 0.0 : value;
+    canvas.write(fmt::format("{}{:.4g}", last ? "≥" : "", shown), x, base, layout.small_font, 0.5);
+  }
+}
+
+void draw_scale(Canvas& canvas, const Layout& layout, double metres_per_pixel) {
+  const double most = std::min<double>(layout.scale.width, layout.plate.width / 5.0);
+  const double length = neat_at_most(most * metres_per_pixel);
+  const double pixels = length / metres_per_pixel;
+  const double right = layout.scale.right();
+  const double y = layout.bar.y + 0.5 * layout.bar.height;
+  const double thickness = std::max(2.0, std::round(0.14 * layout.font));
+  const double serif = std::round(0.35 * layout.font);
+  canvas.colour(text_colour);
+  canvas.fill(right - pixels, y - 0.5 * thickness, pixels, thickness);
+  canvas.fill(right - pixels, y - serif, std::max(1.0, thickness / 2), 2 * serif);
+  canvas.fill(right - std::max(1.0, thickness / 2), y - serif, std::max(1.0, thickness / 2),
+              2 * serif);
+  canvas.write(fmt::format("{:.4g} mm", length * 1e3), right - 0.5 * pixels,
+               layout.bar.bottom() + 0.35 * layout.font + 0.85 * layout.small_font,
+               layout.small_font, 0.5);
+}
+
+}  // namespace
+
+void draw_frame(Image& image, const Layout& layout, const ColourMap& map, const OverlayText& text) {
+  Canvas canvas(image);
+  canvas.colour({70, 82, 102});
+  canvas.outline(layout.plate);
+  draw_colours(canvas, layout.bar, map);
+  draw_ticks(canvas, layout, text);
+  draw_scale(canvas, layout, text.metres_per_pixel);
+  canvas.colour(text_colour);
+  const std::string name = text.unit.empty() ? text.field : text.field + " (" + text.unit + ")";
+  canvas.write(name, layout.caption.x, layout.bar.bottom() - 0.02 * layout.font, layout.font, 0.0);
+  if (!text.title.empty())
+    canvas.write(text.title, layout.caption.x, layout.caption.y + layout.font, layout.font, 0.0);
+}
+
+void draw_time(Image& image, const Layout& layout, double time) {
+  Canvas canvas(image);
+  canvas.colour(text_colour);
+  canvas.write(time_text(time), layout.caption.right(), layout.caption.y + layout.font, layout.font,
+               1.0);
+}
+
+std::string time_text(double time) {
+  if (time < 1e-3) return fmt::format("{:.2f} µs", time * 1e6);
+  return fmt::format("{:.4f} ms", time * 1e3);
+}
+
+}  // namespace hackle

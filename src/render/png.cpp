@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "render/png.hpp"
+
+#include <memory>
+
+#include <cairo.h>
+
+#include "base/error.hpp"
+#include "base/files.hpp"
+
+namespace hackle {
+
+void write_png(const Image& image, const std::filesystem::path& path) {
+  // Cairo only reads the pixels here, but its interface does not say so.
+  auto* pixels = const_cast<std::uint8_t*>(image.pixels.data());
+  const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
+      cairo_image_surface_create_for_data(pixels, CAIRO_FORMAT_RGB24, image.width, image.height,
+                                          image.stride()),
+      cairo_surface_destroy);
+  const cairo_status_t status =
+      cairo_surface_write_to_png(surface.get(), partial_name(path).c_str());
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw Error(ErrorKind::files,
+                "cannot write '" + path.string() + "': " + cairo_status_to_string(status));
+  publish(path);
+}
+
+}  // namespace hackle

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The few things Hackle does with HDF5, with errors that say what failed.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <hdf5.h>
+
+namespace hackle {
+
+// Owns an identifier of HDF5 and closes it.
+class Hdf5Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Hdf5Handle() = default;
+  Hdf5Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept
+      : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept;
+  ~Hdf5Handle() { reset(); }
+
+  hid_t get() const { return id_; }
+  // Closes it. Returns false when that failed, as closing a file on a full disk does.
+  bool reset();
+
+ private:
+  hid_t id_ = -1;
+  Close close_ = nullptr;
+};
+
+// A file being written. Every function throws Error (files) with the reason that HDF5 gives.
+class Hdf5File {
+ public:
+  // Replaces a file that is there.
+  explicit Hdf5File(const std::filesystem::path& path);
+
+  void attribute(const std::string& name, const std::string& text);
+  void attribute(const std::string& name, long long number);  // replaces an old value
+
+  // A dataset of rows of `row_shape` values each, which grows by rows, or has `rows` for good.
+  Hdf5Handle dataset(const std::string& name, hid_t type, std::vector<hsize_t> row_shape,
+                     const std::string& units, const std::string& long_name);
+  // Appends one row as row number `row`.
+  void append(const Hdf5Handle& dataset, hsize_t row, hid_t type, const void* values);
+  // A dataset written at once.
+  void write(const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
+             const void* values, const std::string& units, const std::string& long_name);
+  // A text of any length as a dataset of its own; attributes end at 64 KiB.
+  void write_text(const std::string& name, const std::string& text, const std::string& long_name);
+  void flush();
+  void close();
+
+ private:
+  hid_t checked(hid_t result, const std::string& doing) const;
+  void describe(hid_t object, const std::string& name, const std::string& text);
+
+  std::filesystem::path path_;
+  Hdf5Handle file_;
+};
+
+}  // namespace hackle

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "store/run_file.hpp"
+
+#include <ctime>
+#include <utility>
+#include <vector>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/files.hpp"
+#include "base/version.hpp"
+#include "measure/field.hpp"
+#include "store/hdf5.hpp"
+#include "store/inputs.hpp"
+#include "store/xdmf.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr int format_version = 1;
+
+std::vector<double> places(const Grid& grid) {
+  std::vector<double> list;
+  list.reserve(3 * grid.nodes());
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const Vec2 place = grid.position(i, j);
+      list.insert(list.end(), {place.x(), place.y(), 0.0});
+    }
+  return list;
+}
+
+// ParaView wants three components.
+std::vector<float> with_zero_z(const Field& field) {
+  std::vector<float> list;
+  list.reserve(field.values.size() / 2 * 3);
+  for (std::size_t at = 0; at < field.values.size(); at += 2)
+    list.insert(list.end(), {field.values[at], field.values[at + 1], 0.0F});
+  return list;
+}
+
+// The sidecar is rewritten when the number of records has grown by this share, so that its cost
+// stays linear in the number of records and a killed run leaves one that opens.
+constexpr double sidecar_growth = 1.1;
+
+}  // namespace
+
+struct RunFile::Parts {
+  Parts(const std::filesystem::path& path_, const Simulation& simulation, const Origin& origin)
+      : path(path_), grid(simulation.lattice().grid), file(path_) {
+    describe(simulation, origin);
+    const hsize_t nodes = grid.nodes();
+    file.write("nodes", H5T_NATIVE_DOUBLE, {nodes, 3}, places(grid).data(), "m",
+               "places of the nodes");
+    time = file.dataset("time", H5T_IEEE_F64LE, {}, "s", "simulated time of each record");
+    step = file.dataset("step", H5T_STD_I64LE, {}, "", "time steps done at each record");
+    damage = file.dataset("damage", H5T_IEEE_F32LE, {nodes}, "",
+                          "share of the bonds a node was born with that are broken");
+    displacement =
+        file.dataset("displacement", H5T_IEEE_F32LE, {nodes, 3}, "m", "displacement of the nodes");
+    velocity = file.dataset("velocity", H5T_IEEE_F32LE, {nodes, 3}, "m/s", "velocity of the nodes");
+  }
+
+  void describe(const Simulation& simulation, const Origin& origin) {
+    file.attribute("format_version", format_version);
+    file.attribute("records_committed", 0LL);
+    file.attribute("software", std::string("Hackle"));
+    file.attribute("version", std::string(version()));
+    file.attribute("git_hash", std::string(git_hash()));
+    file.attribute("compiler", std::string(compiler()));
+    file.attribute("created",
+                   fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
+    file.attribute("script_name", origin.script_name);
+    file.write_text("script", origin.script_text, "the script that made this run");
+    file.write_text("inputs", inputs_of(simulation).dump(),
+                    "plate and numerics, resolved, in JSON");
+  }
+
+  void write_sidecar() {
+    std::filesystem::path sidecar = path;
+    write_text(sidecar.replace_extension(".xdmf"), xdmf(grid, path, times));
+    in_sidecar = times.size();
+  }
+
+  std::filesystem::path path;
+  Grid grid;
+  Hdf5File file;
+  Hdf5Handle time, step, damage, displacement, velocity;
+  std::vector<double> times;
+  std::size_t in_sidecar = 0;
+};
+
+RunFile::RunFile(const std::filesystem::path& path, const Simulation& simulation,
+                 const Origin& origin)
+    : parts_(std::make_unique<Parts>(path, simulation, origin)) {
+}
+
+RunFile::~RunFile() = default;
+
+void RunFile::add(const Simulation& simulation) {
+  const hsize_t row = parts_->times.size();
+  const double time = simulation.time();
+  const std::int64_t step = simulation.state().step;
+  Hdf5File& file = parts_->file;
+  file.append(parts_->time, row, H5T_NATIVE_DOUBLE, &time);
+  file.append(parts_->step, row, H5T_NATIVE_INT64, &step);
+  file.append(parts_->damage, row, H5T_NATIVE_FLOAT, damage(simulation).values.data());
+  file.append(parts_->displacement, row, H5T_NATIVE_FLOAT,
+              with_zero_z(displacement(simulation)).data());
+  file.append(parts_->velocity, row, H5T_NATIVE_FLOAT, with_zero_z(velocity(simulation)).data());
+  file.flush();
+  file.attribute("records_committed", static_cast<long long>(row) + 1);
+  file.flush();
+  parts_->times.push_back(time);
+  const auto records = static_cast<double>(parts_->times.size());
+  if (records >= sidecar_growth * static_cast<double>(parts_->in_sidecar)) parts_->write_sidecar();
+}
+
+void RunFile::finish() {
+  parts_->write_sidecar();
+  for (Hdf5Handle* dataset :
+       {&parts_->time, &parts_->step, &parts_->damage, &parts_->displacement, &parts_->velocity})
+    dataset->reset();
+  parts_->file.close();
+}
+
+std::filesystem::path RunFile::path() const {
+  return parts_->path;
+}
+
+std::filesystem::path RunFile::sidecar() const {
+  return std::filesystem::path(parts_->path).replace_extension(".xdmf");
+}
+
+std::string RunFile::library_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return fmt::format("HDF5 {}.{}.{}", major, minor, release);
+}
+
+}  // namespace hackle

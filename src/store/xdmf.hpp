@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The XDMF sidecar of a run file: tells ParaView 5.11 and VTK where in the HDF5 file things are.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lattice/grid.hpp"
+
+namespace hackle {
+
+// The XML for the records at these times (s). The nodes are the points of an image, so that
+// ParaView shows a coloured surface at once and can warp it by the displacement.
+std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
+                 const std::vector<double>& times);
+
+}  // namespace hackle

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "output/report.hpp"
+
+#include <gmock/gmock.h>
+
+#include "output/run.hpp"
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Report, SaysWhatWasSolvedAndHow) {
+  hackle::Run run(test::edge_crack(12e6), test::numerics(), {1}, Talk::quiet, {"x.lua", ""});
+  run.run(1e-6);
+  EXPECT_THAT(
+      run.report(),
+      testing::AllOf(HasSubstr("plate 100 x 40 mm, Duran 50 glass"),
+                     HasSubstr("16 000 nodes, 372 854 bonds; spacing 0.5 mm, horizon 2 mm "
+                               "(m = 4); full quadrature"),
+                     HasSubstr("lattice constants: E 65 GPa (material 65 GPa), nu 0.317"),
+                     HasSubstr("steps of 209 ns (limit 232.4 ns)"), HasSubstr("J/m put in")));
+}
+
+TEST(Remarks, AreSilentForAnOrdinaryScene) {
+  EXPECT_THAT(remarks(Simulation(test::edge_crack(12e6), test::numerics())), testing::IsEmpty());
+}
+
+TEST(Remarks, TellOfAPlateThatIsNoWholeNumberOfSpacings) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.width += 0.1e-3;
+  EXPECT_THAT(remarks(Simulation(plate, test::numerics())),
+              testing::ElementsAre(HasSubstr("the lattice is 10 mm x 5 mm")));
+}
+
+TEST(Remarks, TellWhatThePapersConstantsAmountTo) {
+  Numerics numerics = test::numerics();
+  numerics.constants = Constants::paper;
+  EXPECT_THAT(remarks(Simulation(test::bare_plate(20, 10), numerics)),
+              testing::ElementsAre(HasSubstr("paper constants give 0.822 of the material's E and "
+                                             "0.774 of its G0")));
+}
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "output/run.hpp"
+
+#include <filesystem>
+#include <functional>
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// A folder of the test's own, empty at first.
+fs::path fresh_folder() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("hackle_run_" + std::string(test->name()));
+  fs::remove_all(folder);
+  return folder;
+}
+
+hackle::Run small_run() {
+  return hackle::Run(test::bare_plate(40, 20), test::numerics(), {1}, Talk::quiet,
+                     {"small.lua", "-- x"});
+}
+
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Run, WritesNothingBeforeTheFirstStep) {
+  const fs::path folder = fresh_folder();
+  hackle::Run run = small_run();
+  run.movie(folder / "a.mp4", {{}, 1e-6});
+  run.record(folder / "a.h5", {1e-6});
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(Run, LeavesAMovieARecordAndAPicture) {
+  const fs::path folder = fresh_folder();
+  hackle::Run run = small_run();
+  run.movie(folder / "a.mp4", {{"damage", 320}, 1e-6});
+  run.record(folder / "a.h5", {1e-6});
+  run.run(3e-6);
+  run.frame(folder / "a.png", {"damage", 320});
+  run.close();
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(folder)) left.push_back(entry.path().filename());
+  EXPECT_THAT(left, testing::UnorderedElementsAre("a.mp4", "a.h5", "a.xdmf", "a.png"));
+  EXPECT_EQ(run.summary().files.size(), 4U);
+  EXPECT_GT(run.summary().wall.render, 0.0);
+  EXPECT_GT(run.summary().wall.encode, 0.0);
+}
+
+TEST(Run, OutputsDoNotChangeABitOfTheResult) {
+  const fs::path folder = fresh_folder();
+  hackle::Run with = small_run(), without = small_run();
+  with.movie(folder / "a.mp4", {{"damage", 320}, 1e-6});
+  with.record(folder / "a.h5", {1e-6});
+  with.run(3e-6);
+  without.run(3e-6);
+  with.close();
+  EXPECT_EQ(with.summary().hash, without.summary().hash);
+}
+
+TEST(Run, StepsExactlyAsOften) {
+  hackle::Run run = small_run();
+  run.step(7);
+  EXPECT_EQ(run.simulation().state().step, 7);
+  run.run(0.5 * run.simulation().dt());
+  run.step(2);
+  EXPECT_EQ(run.simulation().state().step, 10);
+}
+
+TEST(Run, AfterAnInterruptItsFilesAreComplete) {
+  const fs::path folder = fresh_folder();
+  hackle::Run run = small_run();
+  run.movie(folder / "a.mp4", {{"damage", 320}, 1e-6});
+  request_interrupt();
+  EXPECT_THROW(run.run(10e-6), Error);
+  clear_interrupt();
+  run.close();
+  EXPECT_TRUE(fs::exists(folder / "a.mp4"));
+}
+
+TEST(Run, ClosingTwiceIsHarmless) {
+  hackle::Run run = small_run();
+  run.movie(fresh_folder() / "a.mp4", {{"damage", 320}, 1e-6});
+  run.run(2e-6);
+  run.close();
+  EXPECT_NO_THROW(run.close());
+}
+
+TEST(Run, RefusesImpossibleOutputs) {
+  const fs::path folder = fresh_folder();
+  hackle::Run run = small_run();
+  EXPECT_THAT(refusal([&] {
+                run.movie(folder / "a.mp4", {{"damge"}, 1e-6});
+              }),
+              HasSubstr("there is no field 'damge' (did you mean 'damage'?)"));
+  EXPECT_THAT(refusal([&] {
+                run.movie(folder / "a.mp4", {{"damage", 641}, 1e-6});
+              }),
+              HasSubstr("width is 641 px, it must be even"));
+  EXPECT_THAT(refusal([&] {
+                run.movie(folder / "a.mp4", {{}, 1e-9});
+              }),
+              HasSubstr("less than one time step"));
+  EXPECT_THAT(refusal([&] {
+                run.movie(folder / "a.mp4", {{}, 1e-6, 0.0});
+              }),
+              HasSubstr("fps is 0"));
+  run.movie(folder / "a.mp4", {{}, 1e-6});
+  EXPECT_THAT(refusal([&] { run.record(folder / "a.mp4", {1e-6}); }),
+              HasSubstr("is already written by this simulation"));
+}
+
+TEST(Run, RefusesAFolderThatIsAFile) {
+  EXPECT_THAT(refusal([&] {
+                small_run().movie("/dev/null/a.mp4", {{}, 1e-6});
+              }),
+              HasSubstr("is not a folder"));
+}
+
+}  // namespace
+}  // namespace hackle

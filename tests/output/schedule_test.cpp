@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "output/schedule.hpp"
+
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+Simulation small() {
+  return Simulation(test::bare_plate(20, 10), test::numerics(), {1});
+}
+
+// The steps at which an output asking for `every` sees the state.
+std::vector<std::int64_t> served(double every, std::int64_t steps) {
+  Simulation simulation = small();
+  Schedule schedule("movie", every, simulation);
+  std::vector<std::int64_t> list;
+  for (;;) {
+    if (schedule.reached(simulation)) {
+      list.push_back(simulation.state().step);
+      schedule.advance();
+    }
+    if (simulation.state().step == steps) return list;
+    simulation.step();
+  }
+}
+
+TEST(Schedule, EveryStepServesEveryStep) {
+  EXPECT_THAT(served(small().dt(), 4), testing::ElementsAre(0, 1, 2, 3, 4));
+}
+
+TEST(Schedule, TakesTheNearestStepAndNeverDrifts) {
+  // Moments 0, 2.4, 4.8, 7.2, 9.6, 12 steps.
+  EXPECT_THAT(served(2.4 * small().dt(), 12), testing::ElementsAre(0, 2, 5, 7, 10, 12));
+}
+
+TEST(Schedule, StartsWhereTheSimulationIs) {
+  Simulation simulation = small();
+  simulation.step();
+  simulation.step();
+  const Schedule schedule("movie", 5.0 * simulation.dt(), simulation);
+  EXPECT_TRUE(schedule.reached(simulation));
+}
+
+TEST(Schedule, RefusesLessThanAStepAndNonsense) {
+  const Simulation simulation = small();
+  for (const double every : {0.0, -1.0, 0.9 * simulation.dt(), std::nan("")}) {
+    try {
+      const Schedule schedule("movie", every, simulation);
+      FAIL() << every;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::refused);
+      EXPECT_THAT(error.what(), testing::HasSubstr("less than one time step of"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hackle
