@@ -29,16 +29,16 @@ Hdf5Handle text_type(std::size_t size) {
   return type;
 }
 
-// Whole rows, or parts of one when a row is long.
-std::vector<hsize_t> chunk_of(const std::vector<hsize_t>& row_shape) {
-  std::vector<hsize_t> chunk{1};
-  hsize_t values = 1;
-  for (const hsize_t extent : row_shape) values *= extent;
-  chunk.insert(chunk.end(), row_shape.begin(), row_shape.end());
-  if (!row_shape.empty() && values > most_chunk_values)
-    chunk[1] = std::max<hsize_t>(1, most_chunk_values / (values / row_shape[0]));
-  if (row_shape.empty()) chunk[0] = 1024;
-  return chunk;
+// How a dataset is cut and compressed: along its first extent, in pieces of at most 512 KiB of f32.
+Hdf5Handle storage(std::vector<hsize_t> shape) {
+  hsize_t values_a_row = 1;
+  for (std::size_t k = 1; k < shape.size(); ++k) values_a_row *= shape[k];
+  shape[0] = std::clamp<hsize_t>(most_chunk_values / values_a_row, 1, shape[0]);
+  Hdf5Handle plan(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_chunk(plan.get(), static_cast<int>(shape.size()), shape.data());
+  H5Pset_shuffle(plan.get());
+  H5Pset_deflate(plan.get(), deflate_level);
+  return plan;
 }
 
 }  // namespace
@@ -96,52 +96,42 @@ void Hdf5File::attribute(const std::string& name, long long number) {
   checked(H5Awrite(attribute.get(), H5T_NATIVE_LLONG, &number), "write " + name + " of");
 }
 
-Hdf5Handle Hdf5File::dataset(const std::string& name, hid_t type, std::vector<hsize_t> row_shape,
-                             const std::string& units, const std::string& long_name) {
-  std::vector<hsize_t> shape{0}, most{H5S_UNLIMITED};
-  shape.insert(shape.end(), row_shape.begin(), row_shape.end());
-  most.insert(most.end(), row_shape.begin(), row_shape.end());
-  const std::vector<hsize_t> chunk = chunk_of(row_shape);
-  const auto rank = static_cast<int>(shape.size());
-  const Hdf5Handle space(H5Screate_simple(rank, shape.data(), most.data()), H5Sclose);
-  const Hdf5Handle plan(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_chunk(plan.get(), rank, chunk.data());
-  H5Pset_shuffle(plan.get());
-  H5Pset_deflate(plan.get(), deflate_level);
-  Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT,
-                                        plan.get(), H5P_DEFAULT),
-                             "create " + name + " in"),
-                     H5Dclose);
-  describe(dataset.get(), "units", units);
-  describe(dataset.get(), "long_name", long_name);
-  return dataset;
+Hdf5Handle Hdf5File::series(const std::string& name, hid_t type, const std::string& units,
+                            const std::string& long_name) {
+  const hsize_t none = 0, unlimited = H5S_UNLIMITED;
+  const Hdf5Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
+  const Hdf5Handle plan = storage({1024});
+  Hdf5Handle series(checked(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT,
+                                       plan.get(), H5P_DEFAULT),
+                            "create " + name + " in"),
+                    H5Dclose);
+  describe(series.get(), "units", units);
+  describe(series.get(), "long_name", long_name);
+  return series;
 }
 
-void Hdf5File::append(const Hdf5Handle& dataset, hsize_t row, hid_t type, const void* values) {
-  Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose);
-  std::vector<hsize_t> shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.get())));
-  H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr);
-  shape[0] = row + 1;
-  checked(H5Dset_extent(dataset.get(), shape.data()), "extend");
-  space = {H5Dget_space(dataset.get()), H5Sclose};
-  std::vector<hsize_t> start(shape.size(), 0), count = shape;
-  start[0] = row;
-  count[0] = 1;
-  H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
-  const Hdf5Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
-                          H5Sclose);
-  checked(H5Dwrite(dataset.get(), type, memory.get(), space.get(), H5P_DEFAULT, values), "write");
+void Hdf5File::append(const Hdf5Handle& series, hsize_t index, hid_t type, const void* value) {
+  const hsize_t count = index + 1, one = 1;
+  checked(H5Dset_extent(series.get(), &count), "extend");
+  const Hdf5Handle space(H5Dget_space(series.get()), H5Sclose);
+  H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, &index, nullptr, &one, nullptr);
+  const Hdf5Handle memory(H5Screate_simple(1, &one, nullptr), H5Sclose);
+  checked(H5Dwrite(series.get(), type, memory.get(), space.get(), H5P_DEFAULT, value), "write");
 }
 
-void Hdf5File::write(const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
-                     const void* values, const std::string& units, const std::string& long_name) {
+void Hdf5File::write(const std::string& name, hid_t file_type, hid_t memory_type,
+                     const std::vector<hsize_t>& shape, const void* values,
+                     const std::string& units, const std::string& long_name) {
   const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                          H5Sclose);
-  const Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), name.c_str(), type, space.get(),
-                                              H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  const Hdf5Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(link.get(), 1);
+  const Hdf5Handle plan = storage(shape);
+  const Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(),
+                                              link.get(), plan.get(), H5P_DEFAULT),
                                    "create " + name + " in"),
                            H5Dclose);
-  checked(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write");
+  checked(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write");
   describe(dataset.get(), "units", units);
   describe(dataset.get(), "long_name", long_name);
 }

@@ -43,14 +43,16 @@ class Hdf5File {
   void attribute(const std::string& name, const std::string& text);
   void attribute(const std::string& name, long long number);  // replaces an old value
 
-  // A dataset of rows of `row_shape` values each, which grows by rows, or has `rows` for good.
-  Hdf5Handle dataset(const std::string& name, hid_t type, std::vector<hsize_t> row_shape,
-                     const std::string& units, const std::string& long_name);
-  // Appends one row as row number `row`.
-  void append(const Hdf5Handle& dataset, hsize_t row, hid_t type, const void* values);
-  // A dataset written at once.
-  void write(const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
-             const void* values, const std::string& units, const std::string& long_name);
+  // A dataset of single values that grows by append().
+  Hdf5Handle series(const std::string& name, hid_t type, const std::string& units,
+                    const std::string& long_name);
+  // Appends a value as number `index`.
+  void append(const Hdf5Handle& series, hsize_t index, hid_t type, const void* value);
+  // A dataset written at once, compressed; groups in its name are made. `file_type` is how it is
+  // stored, `memory_type` what `values` points to.
+  void write(const std::string& name, hid_t file_type, hid_t memory_type,
+             const std::vector<hsize_t>& shape, const void* values, const std::string& units,
+             const std::string& long_name);
   // A text of any length as a dataset of its own; attributes end at 64 KiB.
   void write_text(const std::string& name, const std::string& text, const std::string& long_name);
   void flush();

@@ -51,16 +51,27 @@ struct RunFile::Parts {
   Parts(const std::filesystem::path& path_, const Simulation& simulation, const Origin& origin)
       : path(path_), grid(simulation.lattice().grid), file(path_) {
     describe(simulation, origin);
-    const hsize_t nodes = grid.nodes();
-    file.write("nodes", H5T_NATIVE_DOUBLE, {nodes, 3}, places(grid).data(), "m",
-               "places of the nodes");
-    time = file.dataset("time", H5T_IEEE_F64LE, {}, "s", "simulated time of each record");
-    step = file.dataset("step", H5T_STD_I64LE, {}, "", "time steps done at each record");
-    damage = file.dataset("damage", H5T_IEEE_F32LE, {nodes}, "",
-                          "share of the bonds a node was born with that are broken");
-    displacement =
-        file.dataset("displacement", H5T_IEEE_F32LE, {nodes, 3}, "m", "displacement of the nodes");
-    velocity = file.dataset("velocity", H5T_IEEE_F32LE, {nodes, 3}, "m/s", "velocity of the nodes");
+    write("nodes", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 3, places(grid).data(), "m",
+          "places of the nodes");
+    time = file.series("time", H5T_IEEE_F64LE, "s", "simulated time of each record");
+    step = file.series("step", H5T_STD_I64LE, "", "time steps done at each record");
+  }
+
+  // A dataset of `components` values a node.
+  void write(const std::string& name, hid_t file_type, hid_t memory_type, hsize_t components,
+             const void* values, const std::string& units, const std::string& long_name) {
+    std::vector<hsize_t> shape{grid.nodes()};
+    if (components > 1) shape.push_back(components);
+    file.write(name, file_type, memory_type, shape, values, units, long_name);
+  }
+
+  void write_scalar(const std::string& group, const Field& field, const std::string& long_name) {
+    write(group + field.name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, 1, field.values.data(), field.unit,
+          long_name);
+  }
+  void write_vector(const std::string& group, const Field& field, const std::string& long_name) {
+    write(group + field.name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, 3, with_zero_z(field).data(),
+          field.unit, long_name);
   }
 
   void describe(const Simulation& simulation, const Origin& origin) {
@@ -87,7 +98,7 @@ struct RunFile::Parts {
   std::filesystem::path path;
   Grid grid;
   Hdf5File file;
-  Hdf5Handle time, step, damage, displacement, velocity;
+  Hdf5Handle time, step;
   std::vector<double> times;
   std::size_t in_sidecar = 0;
 };
@@ -100,18 +111,20 @@ RunFile::RunFile(const std::filesystem::path& path, const Simulation& simulation
 RunFile::~RunFile() = default;
 
 void RunFile::add(const Simulation& simulation) {
-  const hsize_t row = parts_->times.size();
+  const std::size_t record = parts_->times.size();
+  const std::string group = record_group(record) + "/";
+  parts_->write_scalar(group, damage(simulation),
+                       "share of the bonds a node was born with that are broken");
+  parts_->write_vector(group, displacement(simulation), "displacement of the nodes");
+  parts_->write_vector(group, velocity(simulation), "velocity of the nodes");
+
   const double time = simulation.time();
   const std::int64_t step = simulation.state().step;
   Hdf5File& file = parts_->file;
-  file.append(parts_->time, row, H5T_NATIVE_DOUBLE, &time);
-  file.append(parts_->step, row, H5T_NATIVE_INT64, &step);
-  file.append(parts_->damage, row, H5T_NATIVE_FLOAT, damage(simulation).values.data());
-  file.append(parts_->displacement, row, H5T_NATIVE_FLOAT,
-              with_zero_z(displacement(simulation)).data());
-  file.append(parts_->velocity, row, H5T_NATIVE_FLOAT, with_zero_z(velocity(simulation)).data());
+  file.append(parts_->time, record, H5T_NATIVE_DOUBLE, &time);
+  file.append(parts_->step, record, H5T_NATIVE_INT64, &step);
   file.flush();
-  file.attribute("records_committed", static_cast<long long>(row) + 1);
+  file.attribute("records_committed", static_cast<long long>(record) + 1);
   file.flush();
   parts_->times.push_back(time);
   const auto records = static_cast<double>(parts_->times.size());

@@ -17,16 +17,17 @@ struct Origin {
 };
 
 // RUN.h5 holds, with T records and N nodes (row by row from the lower left):
-//   /nodes        N x 3      f64  m      places of the nodes
-//   /time         T          f64  s
-//   /step         T          i64
-//   /damage       T x N      f32
-//   /displacement T x N x 3  f32  m
-//   /velocity     T x N x 3  f32  m/s
-// Every dataset has `units` and `long_name`; the root has format_version, software, version,
-// git_hash, compiler, created (UTC), script_name, script, plate, numerics and inputs (JSON), and
-// records_committed, which is written after the data of a record: readers trust only so many.
-// The file is flushed after every record, so that a killed run leaves a file that opens.
+//   /nodes                      N x 3  f64  m    places of the nodes
+//   /time                       T      f64  s
+//   /step                       T      i64
+//   /records/00000/damage       N      f32       one group a record
+//   /records/00000/displacement N x 3  f32  m
+//   /records/00000/velocity     N x 3  f32  m/s
+//   /script, /inputs            text             the script; plate and numerics, resolved, in JSON
+// Every dataset has `long_name` and, if it holds numbers, `units`; the root has format_version,
+// software, version, git_hash, compiler, created (UTC), script_name and records_committed, which is
+// written after the data of a record: readers trust only so many. The file is flushed after every
+// record, so that a killed run leaves a file that opens.
 class RunFile {
  public:
   // Creates the file, replacing an old one, and its sidecar beside it (RUN.xdmf). Throws Error

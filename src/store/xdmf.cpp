@@ -31,27 +31,25 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-// One record of a field: row `record` of a dataset of `records` rows.
-std::string attribute(const Grid& grid, const std::string& file, const char* name, int components,
-                      std::size_t record, std::size_t records) {
-  const std::string last = components == 1 ? "" : fmt::format(" {}", components);
-  const std::string zeros = components == 1 ? "" : " 0", ones = components == 1 ? "" : " 1";
+// A field of one record. Whole datasets only: of the two readers of ParaView, XDMF 2 and XDMF 3,
+// each misreads the way in which the other wants parts of a dataset to be named.
+std::string attribute(const Grid& grid, const std::string& source, const char* name,
+                      int components) {
   return fmt::format(
       R"(      <Attribute Name="{name}" AttributeType="{type}" Center="Node">
-        <DataItem ItemType="HyperSlab" Dimensions="1 {ny} {nx}{last}" Type="HyperSlab">
-          <DataItem Dimensions="3 {rank}" Format="XML">{record} 0{zeros} 1 1{ones} 1 {nodes}{last}</DataItem>
-          <DataItem Dimensions="{records} {nodes}{last}" NumberType="Float" Precision="4" Format="HDF">{file}:/{name}</DataItem>
-        </DataItem>
+        <DataItem Dimensions="1 {ny} {nx}{last}" NumberType="Float" Precision="4" Format="HDF">{source}/{name}</DataItem>
       </Attribute>
 )",
       fmt::arg("name", name), fmt::arg("type", components == 1 ? "Scalar" : "Vector"),
-      fmt::arg("ny", grid.ny), fmt::arg("nx", grid.nx), fmt::arg("last", last),
-      fmt::arg("rank", components == 1 ? 2 : 3), fmt::arg("record", record),
-      fmt::arg("zeros", zeros), fmt::arg("ones", ones), fmt::arg("nodes", grid.nodes()),
-      fmt::arg("records", records), fmt::arg("file", file));
+      fmt::arg("ny", grid.ny), fmt::arg("nx", grid.nx),
+      fmt::arg("last", components == 1 ? "" : " 3"), fmt::arg("source", source));
 }
 
 }  // namespace
+
+std::string record_group(std::size_t record) {
+  return fmt::format("records/{:05}", record);
+}
 
 std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
                  const std::vector<double>& times) {
@@ -72,9 +70,10 @@ std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
 )",
                    times[record], grid.ny, grid.nx, first.y(), first.x(), grid.dx, grid.dx,
                    grid.dx);
-    text += attribute(grid, file, "damage", 1, record, times.size());
-    text += attribute(grid, file, "displacement", 3, record, times.size());
-    text += attribute(grid, file, "velocity", 3, record, times.size());
+    const std::string source = file + ":/" + record_group(record);
+    text += attribute(grid, source, "damage", 1);
+    text += attribute(grid, source, "displacement", 3);
+    text += attribute(grid, source, "velocity", 3);
     text += "   </Grid>\n";
   }
   return text + "  </Grid>\n </Domain>\n</Xdmf>\n";

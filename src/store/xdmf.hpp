@@ -2,6 +2,7 @@
 // The XDMF sidecar of a run file: tells ParaView 5.11 and VTK where in the HDF5 file things are.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "lattice/grid.hpp"
 
 namespace hackle {
+
+// The group of a record in the run file, e.g. "records/00012".
+std::string record_group(std::size_t record);
 
 // The XML for the records at these times (s). The nodes are the points of an image, so that
 // ParaView shows a coloured surface at once and can warp it by the displacement.

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_line.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/command_info.hpp"
+#include "app/command_prompt.hpp"
+#include "app/command_run.hpp"
+#include "app/libraries.hpp"
+#include "app/voice.hpp"
+#include "base/text.hpp"
+#include "base/version.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr std::array<std::string_view, 2> commands{"run", "info"};
+constexpr int most_threads = 1024;
+
+// Everything the command line can say.
+struct Request {
+  RunRequest run;
+  std::vector<std::string> settings;
+  bool info_as_json = false;
+};
+
+bool is_command(const std::string& word) {
+  return std::ranges::find(commands, word) != commands.end();
+}
+
+// Takes what follows "--" out of the words.
+std::vector<std::string> cut_script_arguments(std::vector<std::string>& words) {
+  const auto dashes = std::ranges::find(words, "--");
+  if (dashes == words.end()) return {};
+  std::vector<std::string> arguments(std::next(dashes), words.end());
+  words.erase(dashes, words.end());
+  return arguments;
+}
+
+std::string version_text() {
+  return fmt::format("hackle {} (git {}), compiled by {}\n{}", version(), git_hash(), compiler(),
+                     libraries_line());
+}
+
+std::string check_setting(const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  return equals == 0 || equals == std::string::npos ? "'" + setting + "' is not key=value" : "";
+}
+
+void describe_run(CLI::App& app, Request& request) {
+  CLI::App* run = app.add_subcommand("run", "Run a script");
+  run->add_option("FILE", request.run.script, "The script")->required();
+  run->add_option("-o,--output", request.run.output_folder,
+                  "Folder for the files it writes (out/<name of the script>)")
+      ->type_name("DIR");
+  run->add_option("--set", request.settings, "Override an option of the script; repeatable")
+      ->type_name("key=value")
+      ->check(check_setting, "")
+      ->take_all()
+      ->allow_extra_args(false);
+  run->add_option("-j,--threads", request.run.threads, "Threads (one for each core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads));
+  run->add_flag("--json", request.run.json, "Print one JSON object with the results on stdout");
+  run->add_flag("-q,--quiet", request.run.quiet, "Say nothing but errors");
+  run->footer("What follows -- is given to the script, in `arg` and `...`.");
+}
+
+void describe(CLI::App& app, Request& request) {
+  app.name("hackle");
+  app.set_version_flag("--version", version_text);
+  app.require_subcommand(0, 1);
+  describe_run(app, request);
+  CLI::App* info = app.add_subcommand("info", "Show version, libraries and machine");
+  info->add_flag("--json", request.info_as_json, "As one JSON object");
+  app.footer("hackle FILE.lua is short for hackle run FILE.lua; hackle alone opens the prompt.");
+}
+
+// What CLI11 says, in our words where they are better.
+int refuse(const CLI::App& app, const CLI::ParseError& error, const std::string& unknown) {
+  const bool known = app.get_subcommands().empty() && !unknown.empty() && unknown[0] != '-';
+  std::string what = error.what();
+  if (known) what = fmt::format("there is no command or script '{}'", unknown);
+  if (known) what += did_you_mean(unknown, commands);
+  const std::string command = app.got_subcommand("run") ? "hackle run -h" : "hackle -h";
+  tell(Error(ErrorKind::usage, what, command + " lists what there is"));
+  return static_cast<int>(ErrorKind::usage);
+}
+
+int execute(const CLI::App& app, Request& request) {
+  for (const std::string& setting : request.settings) {
+    const std::size_t equals = setting.find('=');
+    request.run.overrides[setting.substr(0, equals)] = setting.substr(equals + 1);
+  }
+  if (app.got_subcommand("run")) return command_run(request.run);
+  if (app.got_subcommand("info")) return command_info(request.info_as_json);
+  return command_prompt();
+}
+
+}  // namespace
+
+std::vector<std::string> with_command(std::vector<std::string> words) {
+  if (words.empty() || is_command(words.front())) return words;
+  const auto is_script = [](const std::string& word) {
+    std::error_code ignored;
+    return word.ends_with(".lua") || std::filesystem::is_regular_file(word, ignored);
+  };
+  if (std::ranges::any_of(words, is_script)) words.insert(words.begin(), "run");
+  return words;
+}
+
+int run_program(std::vector<std::string> words) {
+  Request request;
+  request.run.arguments = cut_script_arguments(words);
+  words = with_command(std::move(words));
+  CLI::App app("Breaks thin brittle plates with peridynamics and films it.");
+  describe(app, request);
+  const std::string first = words.empty() ? "" : words.front();
+  try {
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    app.parse(reversed);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return refuse(app, error, first);
+  }
+  return execute(app, request);
+}
+
+}  // namespace hackle

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_prompt.hpp"
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "app/exit_code.hpp"
+#include "app/voice.hpp"
+#include "base/version.hpp"
+#include "console/prompt.hpp"
+
+namespace hackle {
+namespace {
+
+Prompt::Reader line_reader(bool person) {
+  if (!person) return read_plain_line;
+  fmt::print("Hackle {}  -  help() tells more, Ctrl-D leaves\n", version());
+  const auto editor = std::make_shared<LineEditor>(history_file());
+  return
+      [editor](const std::string& prompt, std::string& line) { return editor->read(prompt, line); };
+}
+
+void print_value(const std::string& value) {
+  fmt::print("{}\n", value);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int command_prompt() {
+  return exit_code_of([] {
+    ConsoleSettings settings;
+    settings.output_folder = "out/prompt";
+    settings.talk = talk(false);
+    Console console(settings);
+    const bool person = isatty(STDIN_FILENO) != 0;
+    Prompt prompt(console, line_reader(person), {print_value, tell});
+    const int first_error = prompt.run();
+    // A person has seen the errors; a program that feeds lines reads them from the code.
+    const int code = person ? console.exit_code().value_or(0) : first_error;
+    const int closing = exit_code_of([&] {
+      console.close_all();
+      return 0;
+    });
+    tell_files(console.simulations());
+    return code != 0 ? code : closing;
+  });
+}
+
+}  // namespace hackle

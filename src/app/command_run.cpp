@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_run.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/exit_code.hpp"
+#include "app/voice.hpp"
+#include "base/interrupt.hpp"
+#include "console/console.hpp"
+
+namespace hackle {
+namespace {
+
+ConsoleSettings settings_of(const RunRequest& request) {
+  ConsoleSettings settings;
+  settings.output_folder = request.output_folder;
+  settings.overrides = request.overrides;
+  settings.threads = request.threads;
+  settings.talk = talk(request.quiet);
+  settings.print_to_stderr = request.json;
+  return settings;
+}
+
+void print_json(const Console& console, const RunRequest& request) {
+  fmt::print("{}\n", json_of(console.simulations(), request.script.string()).dump());
+}
+
+}  // namespace
+
+int command_run(const RunRequest& request) {
+  const InterruptHandler handler;
+  return exit_code_of([&] {
+    Console console(settings_of(request));
+    const int code = exit_code_of([&] {
+      console.run_file(request.script, request.arguments);
+      return console.exit_code().value_or(0);
+    });
+    if (!request.quiet) tell_files(console.simulations());
+    const bool ended = code == 0 || code == static_cast<int>(ErrorKind::interrupted);
+    if (request.json && ended) print_json(console, request);
+    return code;
+  });
+}
+
+nlohmann::ordered_json json_of(const std::vector<Summary>& simulations, const std::string& script) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Summary& summary : simulations) list.push_back(to_json(summary));
+  if (list.empty()) return {{"schema", 1}, {"script", script}, {"simulations", list}};
+  nlohmann::ordered_json json = list.back();
+  if (list.size() > 1) json["simulations"] = std::move(list);
+  return json;
+}
+
+}  // namespace hackle

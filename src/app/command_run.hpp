@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// hackle run FILE
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "output/summary.hpp"
+
+namespace hackle {
+
+struct RunRequest {
+  std::filesystem::path script;
+  std::filesystem::path output_folder;           // "": out/<name of the script>
+  std::map<std::string, std::string> overrides;  // --set key=value
+  std::vector<std::string> arguments;            // after --
+  int threads = 0;
+  bool json = false;
+  bool quiet = false;
+};
+
+// Returns the exit code. On stdout: what the script prints; with --json nothing but the one object,
+// and that only when the script came to its end or was interrupted.
+int command_run(const RunRequest& request);
+
+// The object of --json: the last simulation, with all of them under "simulations" if there are more
+// than one; {"schema":1,"script":...,"simulations":[]} if there is none.
+nlohmann::ordered_json json_of(const std::vector<Summary>& simulations, const std::string& script);
+
+}  // namespace hackle

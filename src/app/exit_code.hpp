@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// How the program ends: 0 ok, 1 run failed, 2 usage, 3 script error, 4 refused input, 5 files,
+// 130 interrupted.
+#pragma once
+
+#include <functional>
+
+namespace hackle {
+
+// The result of `work`, or the code of the Error it threw, which is told on stderr. Any other
+// exception counts as a failed run.
+int exit_code_of(const std::function<int()>& work);
+
+}  // namespace hackle

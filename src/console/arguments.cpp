@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+// Tables are read with raw access only: no metamethod of a script runs in the middle of a check.
+#include "console/arguments.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "base/units.hpp"
+#include "console/guard.hpp"
+#include "console/material_binding.hpp"
+#include "console/session.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr std::size_t longest_quote = 40;
+
+std::string quoted(std::string_view text) {
+  if (text.size() <= longest_quote) return fmt::format("'{}'", text);
+  return fmt::format("'{}...'", text.substr(0, longest_quote));
+}
+
+std::string_view text_at(lua_State* L, int index) {
+  std::size_t size = 0;
+  const char* text = lua_tolstring(L, index, &size);
+  return {text, size};
+}
+
+std::string object_name(lua_State* L, int index) {
+  std::string name = "userdata";
+  if (luaL_getmetafield(L, index, "__name") != LUA_TNIL) {
+    if (lua_type(L, -1) == LUA_TSTRING) name = lua_tostring(L, -1);
+    lua_pop(L, 1);
+  }
+  if (name.starts_with(type_prefix)) name.erase(0, type_prefix.size());
+  return "a " + name;
+}
+
+std::string number_text(double value) {
+  return std::isnan(value) ? "nan" : shortest(value);
+}
+
+std::vector<std::string_view> names_of(const FunctionDoc& doc) {
+  std::vector<std::string_view> names;
+  for (const Option& option : doc.options) names.push_back(option.name);
+  return names;
+}
+
+const Option* find_positional(const FunctionDoc& doc) {
+  const auto found = std::ranges::find(doc.options, true, &Option::positional);
+  return found == doc.options.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string description(lua_State* L, int index) {
+  switch (lua_type(L, index)) {
+    case LUA_TNONE:
+    case LUA_TNIL:
+      return "nothing";
+    case LUA_TBOOLEAN:
+      return lua_toboolean(L, index) ? "true" : "false";
+    case LUA_TNUMBER:
+      return lua_isinteger(L, index) ? std::to_string(lua_tointeger(L, index))
+                                     : number_text(lua_tonumber(L, index));
+    case LUA_TSTRING:
+      return "the text " + quoted(text_at(L, index));
+    case LUA_TUSERDATA:
+      return object_name(L, index);
+    default:
+      return fmt::format("a {}", luaL_typename(L, index));
+  }
+}
+
+Arguments Arguments::from_table(lua_State* L, int index, const FunctionDoc& doc) {
+  Arguments arguments(doc);
+  const Option* positional = find_positional(doc);
+  if (lua_type(L, index) == LUA_TSTRING && positional != nullptr)
+    arguments.read_value(L, index, *positional);
+  else if (lua_type(L, index) == LUA_TTABLE)
+    arguments.read_table(L, lua_absindex(L, index));
+  else
+    throw Error(
+        ErrorKind::refused,
+        fmt::format("{}: expected options in braces, got {}", doc.name, description(L, index)),
+        fmt::format("as in {}", doc.example));
+  arguments.require_all();
+  return arguments;
+}
+
+Arguments Arguments::from_values(lua_State* L, int index, const FunctionDoc& doc) {
+  Arguments arguments(doc);
+  int at = index;
+  for (const Option& option : doc.options) {
+    if (!lua_isnoneornil(L, at)) arguments.read_value(L, at, option);
+    ++at;
+  }
+  if (lua_gettop(L) >= at)
+    arguments.problems.add(
+        fmt::format("{}: {} is one value too many", doc.name, description(L, at)),
+        fmt::format("it is called as {}", signature(doc)));
+  arguments.require_all();
+  return arguments;
+}
+
+void Arguments::read_table(lua_State* L, int index) {
+  lua_pushnil(L);
+  while (lua_next(L, index) != 0) {
+    read_pair(L);
+    lua_pop(L, 1);
+  }
+}
+
+// [-0, +0] The key is at -2 and its value at -1.
+void Arguments::read_pair(lua_State* L) {
+  const Option* option = option_of_key(L);
+  if (option == nullptr) return;
+  if (has(option->name) || at(option->name).bad)
+    return problems.add(fmt::format("{}: {} is given twice", doc_->name, option->name));
+  read_value(L, lua_gettop(L), *option);
+}
+
+// The option that the key at -2 names, or null and a problem.
+const Option* Arguments::option_of_key(lua_State* L) {
+  if (lua_type(L, -2) == LUA_TSTRING) {
+    const std::string_view name = text_at(L, -2);
+    const Option* option = find_option(*doc_, name);
+    if (option == nullptr) unknown_name(name);
+    return option;
+  }
+  const Option* positional = find_positional(*doc_);
+  if (positional != nullptr && lua_isinteger(L, -2) && lua_tointeger(L, -2) == 1) return positional;
+  problems.add(
+      fmt::format("{}: {} stands in the braces without a name", doc_->name, description(L, -1)),
+      fmt::format("write name = value; names: {}", comma_list(names_of(*doc_))));
+  return nullptr;
+}
+
+void Arguments::unknown_name(std::string_view name) {
+  const auto names = names_of(*doc_);
+  const auto near = nearest(name, names);
+  problems.add(fmt::format("{}: unknown option {}", doc_->name, quoted(name)),
+               (near ? fmt::format("did you mean '{}'? ", *near) : "") +
+                   (names.empty() ? "it takes none" : "options: " + comma_list(names)));
+}
+
+void Arguments::require_all() {
+  for (const Option& option : doc_->options)
+    if (option.required && !has(option.name) && !at(option.name).bad)
+      wrong(option, fmt::format("{}: {} is missing", doc_->name, option.name), expectation(option));
+}
+
+void Arguments::read_value(lua_State* L, int index, const Option& option) {
+  switch (option.type) {
+    case OptionType::number:
+      return take_number(L, index, option);
+    case OptionType::integer:
+      return take_integer(L, index, option);
+    case OptionType::text:
+      return take_text(L, index, option);
+    case OptionType::flag:
+      return take_flag(L, index, option);
+    case OptionType::point:
+      return take_point(L, index, option);
+    case OptionType::choice:
+      return take_choice(L, index, option);
+    case OptionType::material:
+      return take_material(L, index, option);
+  }
+}
+
+void Arguments::take_number(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TNUMBER) return wrong_type(L, index, option);
+  const double value = lua_tonumber(L, index);
+  if (!std::isfinite(value))
+    return wrong(option,
+                 fmt::format("{}: {} is {}, expected a finite number{}{}", doc_->name, option.name,
+                             number_text(value), option.unit.empty() ? "" : " in ", option.unit));
+  if (!option.range.holds(value))
+    return wrong(option, fmt::format("{}: {} is {}, it must be {}", doc_->name, option.name,
+                                     quantity(value, option.unit), range_text(option)));
+  keep(option, value);
+}
+
+void Arguments::take_integer(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TNUMBER) return wrong_type(L, index, option);
+  int whole = 0;
+  const lua_Integer value = lua_tointegerx(L, index, &whole);
+  if (whole == 0) return wrong_type(L, index, option);
+  if (!option.range.holds(static_cast<double>(value)))
+    return wrong(option,
+                 fmt::format("{}: {} is {}{}{}, it must be {}", doc_->name, option.name, value,
+                             option.unit.empty() ? "" : " ", option.unit, range_text(option)));
+  keep(option, static_cast<std::int64_t>(value));
+}
+
+void Arguments::take_text(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TSTRING) return wrong_type(L, index, option);
+  const std::string_view text = text_at(L, index);
+  if (text.empty())
+    return wrong(option, fmt::format("{}: {} is an empty text", doc_->name, option.name));
+  if (text.find('\0') != std::string_view::npos)
+    return wrong(option, fmt::format("{}: {} holds a zero byte", doc_->name, option.name));
+  keep(option, std::string(text));
+}
+
+void Arguments::take_flag(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TBOOLEAN) return wrong_type(L, index, option);
+  keep(option, lua_toboolean(L, index) != 0);
+}
+
+void Arguments::take_point(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
+  Vec2 point{0, 0};
+  int found = 0, others = 0;
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+    const lua_Integer place = lua_isinteger(L, -2) ? lua_tointeger(L, -2) : 0;
+    if ((place == 1 || place == 2) && lua_type(L, -1) == LUA_TNUMBER) {
+      point[place - 1] = lua_tonumber(L, -1);
+      ++found;
+    } else {
+      ++others;
+    }
+  }
+  if (found != 2 || others != 0)
+    return wrong(option, fmt::format("{}: {} is not a pair of numbers, expected {}", doc_->name,
+                                     option.name, expectation(option)));
+  if (!point.allFinite())
+    return wrong(option, fmt::format("{}: {} is {{{}, {}}}, expected finite numbers", doc_->name,
+                                     option.name, number_text(point.x()), number_text(point.y())));
+  keep(option, point);
+}
+
+void Arguments::take_choice(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TSTRING) return wrong_type(L, index, option);
+  const std::string_view text = text_at(L, index);
+  const auto found = std::ranges::find(option.choices, text);
+  if (found == option.choices.end())
+    return wrong(option,
+                 fmt::format("{}: {} is {}{}, expected {}", doc_->name, option.name, quoted(text),
+                             did_you_mean(text, option.choices), expectation(option)));
+  keep(option, Choice{static_cast<std::size_t>(found - option.choices.begin())});
+}
+
+void Arguments::take_material(lua_State* L, int index, const Option& option) {
+  if (const Material* material = object_at<Material>(L, index)) return keep(option, *material);
+  if (lua_type(L, index) != LUA_TSTRING) return wrong_type(L, index, option);
+  try {
+    keep(option, session_of(L).materials().find(text_at(L, index)).material);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::refused) throw;
+    const Problem& problem = error.problems().front();
+    wrong(option, fmt::format("{}: {}", doc_->name, problem.what), problem.remedy);
+  }
+}
+
+void Arguments::wrong(const Option& option, std::string what, std::string remedy) {
+  slots_[static_cast<std::size_t>(&option - doc_->options.data())].bad = true;
+  problems.add(std::move(what), std::move(remedy));
+}
+
+void Arguments::wrong_type(lua_State* L, int index, const Option& option) {
+  wrong(option, fmt::format("{}: {} is {}, expected {}", doc_->name, option.name,
+                            description(L, index), expectation(option)));
+}
+
+void Arguments::keep(const Option& option, Value value) {
+  slots_[static_cast<std::size_t>(&option - doc_->options.data())].value = std::move(value);
+}
+
+const Arguments::Slot& Arguments::at(std::string_view name) const {
+  const Option* option = find_option(*doc_, name);
+  assert(option != nullptr);
+  return slots_[static_cast<std::size_t>(option - doc_->options.data())];
+}
+
+bool Arguments::good(std::initializer_list<std::string_view> names) const {
+  return std::ranges::none_of(names, [this](std::string_view name) { return at(name).bad; });
+}
+
+double Arguments::number(std::string_view name, double fallback) const {
+  return value_or(name, fallback);
+}
+
+std::int64_t Arguments::integer(std::string_view name, std::int64_t fallback) const {
+  return value_or(name, fallback);
+}
+
+std::string Arguments::text(std::string_view name, std::string_view fallback) const {
+  return value_or(name, std::string(fallback));
+}
+
+std::string Arguments::text_of_choice(std::string_view name, std::string_view fallback) const {
+  if (!has(name)) return std::string(fallback);
+  return std::string(find_option(*doc_, name)->choices[value_or(name, Choice{}).index]);
+}
+
+bool Arguments::flag(std::string_view name, bool fallback) const {
+  return value_or(name, fallback);
+}
+
+Vec2 Arguments::point(std::string_view name) const {
+  return value_or(name, Vec2(0.0, 0.0));
+}
+
+Material Arguments::material(std::string_view name) const {
+  return value_or(name, Material{});
+}
+
+}  // namespace hackle

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The arguments of one call, checked against the schema of the function.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/error.hpp"
+#include "console/schema.hpp"
+#include "scene/material.hpp"
+#include "scene/vec2.hpp"
+
+namespace hackle {
+
+// Collects every problem of a call; the function adds those of its own to `problems` and then
+// throws them all with problems.throw_if_any(). Until then, a value that was missing or wrong reads
+// as its fallback.
+class Arguments {
+ public:
+  // From the table at `index`. Also takes a text there for the option marked positional.
+  static Arguments from_table(lua_State* L, int index, const FunctionDoc& doc);
+  // From the values at `index` and after it, in the order of the options.
+  static Arguments from_values(lua_State* L, int index, const FunctionDoc& doc);
+
+  bool has(std::string_view name) const { return at(name).value.has_value(); }
+  // Whether none of these was missing or wrong.
+  bool good(std::initializer_list<std::string_view> names) const;
+
+  double number(std::string_view name, double fallback = 0.0) const;
+  std::int64_t integer(std::string_view name, std::int64_t fallback = 0) const;
+  std::string text(std::string_view name, std::string_view fallback = {}) const;
+  bool flag(std::string_view name, bool fallback = false) const;
+  Vec2 point(std::string_view name) const;
+  Material material(std::string_view name) const;
+  // The text itself of a choice.
+  std::string text_of_choice(std::string_view name, std::string_view fallback) const;
+  // The enumerator whose place in its type is that of the text among the choices.
+  template <class Enum>
+  Enum choice(std::string_view name, Enum fallback = {}) const {
+    return static_cast<Enum>(value_or(name, Choice{static_cast<std::size_t>(fallback)}).index);
+  }
+
+  Problems problems;
+
+ private:
+  struct Choice {
+    std::size_t index = 0;
+  };
+  using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice>;
+  struct Slot {
+    std::optional<Value> value;
+    bool bad = false;
+  };
+
+  explicit Arguments(const FunctionDoc& doc) : doc_(&doc), slots_(doc.options.size()) {}
+
+  const Slot& at(std::string_view name) const;
+  template <class T>
+  T value_or(std::string_view name, T fallback) const {
+    const std::optional<Value>& value = at(name).value;
+    return value ? std::get<T>(*value) : fallback;
+  }
+
+  void read_table(lua_State* L, int index);
+  void read_pair(lua_State* L);
+  const Option* option_of_key(lua_State* L);
+  void read_value(lua_State* L, int index, const Option& option);
+  void require_all();
+  void wrong(const Option& option, std::string what, std::string remedy = {});
+  void wrong_type(lua_State* L, int index, const Option& option);
+  void unknown_name(std::string_view name);
+
+  void take_number(lua_State* L, int index, const Option& option);
+  void take_integer(lua_State* L, int index, const Option& option);
+  void take_text(lua_State* L, int index, const Option& option);
+  void take_flag(lua_State* L, int index, const Option& option);
+  void take_point(lua_State* L, int index, const Option& option);
+  void take_choice(lua_State* L, int index, const Option& option);
+  void take_material(lua_State* L, int index, const Option& option);
+  void keep(const Option& option, Value value);
+
+  const FunctionDoc* doc_;
+  std::vector<Slot> slots_;  // one an option
+};
+
+// [-0, +0] What is at `index`, for a message: "the text 'abc'", "3.5", "a table", "nothing".
+std::string description(lua_State* L, int index);
+
+}  // namespace hackle

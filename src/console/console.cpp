@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "console/console.hpp"
+
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include "base/files.hpp"
+#include "console/guard.hpp"
+#include "console/interrupt_hook.hpp"
+#include "console/lua_state.hpp"
+#include "console/material_binding.hpp"
+#include "console/object_type.hpp"
+#include "console/plate_binding.hpp"
+#include "console/process_binding.hpp"
+#include "console/reference.hpp"
+#include "console/simulation_binding.hpp"
+#include "console/units_binding.hpp"
+
+namespace hackle {
+namespace {
+
+// Keeps the numbers of the lines.
+std::string_view without_shebang(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.starts_with('#')) text.remove_prefix(std::min(text.find('\n'), text.size()));
+  return text;
+}
+
+// [-0, +1] Compiles, or pushes the message. Only source text is taken.
+bool load(lua_State* L, std::string_view text, const std::string& chunk) {
+  return luaL_loadbufferx(L, text.data(), text.size(), chunk.c_str(), "t") == LUA_OK;
+}
+
+// [-0, +1] The text as an expression if it is one, or else as statements. False with the message.
+bool load_line(lua_State* L, std::string_view text) {
+  if (text.starts_with('=')) text.remove_prefix(1);
+  if (load(L, "return " + std::string(text), prompt_chunk)) return true;
+  lua_pop(L, 1);
+  return load(L, text, prompt_chunk);
+}
+
+void set_arguments(lua_State* L, const std::string& name,
+                   const std::vector<std::string>& arguments) {
+  lua_createtable(L, static_cast<int>(arguments.size()), 1);
+  push_text(L, name);
+  lua_rawseti(L, -2, 0);
+  lua_Integer place = 0;
+  for (const std::string& argument : arguments) {
+    push_text(L, argument);
+    lua_rawseti(L, -2, ++place);
+  }
+  lua_setglobal(L, "arg");
+}
+
+int to_texts(lua_State* L) {
+  const int count = lua_gettop(L);
+  luaL_checkstack(L, 2, "too many values");
+  for (int i = 1; i <= count; ++i) {
+    luaL_tolstring(L, i, nullptr);
+    lua_replace(L, i);
+  }
+  return count;
+}
+
+// Modules lie beside the script that requires them.
+void look_for_modules_in(lua_State* L, const std::filesystem::path& folder) {
+  lua_getglobal(L, "package");
+  lua_getfield(L, -1, "path");
+  push_text(L, (folder / "?.lua").string() + ";");
+  lua_insert(L, -2);
+  lua_concat(L, 2);
+  lua_setfield(L, -2, "path");
+  lua_pop(L, 1);
+}
+
+// What `work` threw, or nothing.
+std::optional<Error> failure_of(const std::function<void()>& work) {
+  try {
+    work();
+    return std::nullopt;
+  } catch (const Error& error) {
+    return error;
+  }
+}
+
+void throw_both(const std::optional<Error>& first, const std::optional<Error>& second) {
+  if (!first && !second) return;
+  std::vector<Problem> problems;
+  for (const auto& error : {first, second})
+    if (error) problems.insert(problems.end(), error->problems().begin(), error->problems().end());
+  throw Error((first ? first : second)->kind(), std::move(problems));
+}
+
+}  // namespace
+
+struct Console::Parts {
+  explicit Parts(ConsoleSettings settings) : session(std::move(settings)) {
+    set_session(L, &session);
+    open_errors(L);
+    open_units(L);
+    open_type(L, type_name<Material>, material_type());
+    open_type(L, type_name<Plate>, plate_type());
+    open_type(L, type_name<ScriptedRun>, simulation_type());
+    open_functions(L, all_functions());
+    open_exit(L);
+    if (session.settings.print_to_stderr) print_to_stderr(L);
+  }
+
+  // Runs the function under `arguments` values on the stack; os.exit is not a failure.
+  void call(int arguments, int results) {
+    watch_interrupts(L);
+    const auto failure = failure_of([&] { protected_call(L, arguments, results); });
+    watch_interrupts(L);
+    if (failure && !session.exit_code) throw Error(*failure);
+  }
+
+  void run_chunk(const std::string& text, const std::string& chunk,
+                 const std::vector<std::string>& arguments) {
+    lua_settop(L, 0);
+    if (!load(L, without_shebang(text), chunk)) throw take_error(L);
+    set_arguments(L, session.origin.script_name, arguments);
+    luaL_checkstack(L, static_cast<int>(arguments.size()) + 2, "too many arguments");
+    for (const std::string& argument : arguments) push_text(L, argument);
+    call(static_cast<int>(arguments.size()), 0);
+    if (!session.exit_code) session.check_overrides_used();
+  }
+
+  Session session;
+  LuaState L;  // after the session, which its objects use when they are destroyed
+};
+
+Console::Console(ConsoleSettings settings) : parts_(std::make_unique<Parts>(std::move(settings))) {
+}
+
+Console::~Console() = default;
+
+void Console::run_file(const std::filesystem::path& path,
+                       const std::vector<std::string>& arguments) {
+  const std::string text = read_text(path);
+  look_for_modules_in(parts_->L, path.parent_path());
+  if (parts_->session.settings.output_folder.empty())
+    parts_->session.settings.output_folder = std::filesystem::path("out") / path.stem();
+  parts_->session.origin = {path.string(), text};
+  run_text(text, path.string(), arguments);
+}
+
+void Console::run_text(const std::string& text, const std::string& name,
+                       const std::vector<std::string>& arguments) {
+  parts_->session.origin = {name, text};
+  const auto failure = failure_of([&] { parts_->run_chunk(text, "@" + name, arguments); });
+  throw_both(failure, failure_of([this] { close_all(); }));
+}
+
+bool Console::is_incomplete(const std::string& text) const {
+  lua_State* L = parts_->L;
+  const bool complete = load_line(L, text);
+  constexpr std::string_view end = "<eof>";
+  const std::string_view message = complete ? "" : lua_tostring(L, -1);
+  const bool incomplete = !complete && message.ends_with(end);
+  lua_settop(L, 0);
+  return incomplete;
+}
+
+std::vector<std::string> Console::evaluate(const std::string& text) {
+  lua_State* L = parts_->L;
+  lua_settop(L, 0);
+  if (!load_line(L, text)) throw take_error(L);
+  parts_->session.origin.script_text += text + "\n";
+  parts_->call(0, LUA_MULTRET);
+  std::vector<std::string> values;
+  const int count = lua_gettop(L);
+  if (count == 0) return values;
+  lua_pushcfunction(L, to_texts);
+  lua_insert(L, 1);
+  parts_->call(count, LUA_MULTRET);
+  for (int i = 1; i <= lua_gettop(L); ++i) {
+    std::size_t size = 0;
+    const char* value = lua_tolstring(L, i, &size);
+    values.emplace_back(value, size);
+  }
+  lua_settop(L, 0);
+  return values;
+}
+
+void Console::close_all() {
+  parts_->session.close_all();
+}
+
+std::vector<Summary> Console::simulations() const {
+  return parts_->session.summaries();
+}
+
+std::optional<int> Console::exit_code() const {
+  return parts_->session.exit_code;
+}
+
+}  // namespace hackle

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The scene language, ready to run scripts.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "console/session.hpp"
+
+namespace hackle {
+
+class Console {
+ public:
+  explicit Console(ConsoleSettings settings);
+  ~Console();
+
+  // Runs a script with `arguments` in `arg` and `...`. However it ends, every simulation it made is
+  // closed, so that its files are complete. Throws Error: files (it cannot be read), script (syntax
+  // or run-time error of Lua), or the kind of what a function of ours has thrown; the problems of
+  // closing come after it.
+  void run_file(const std::filesystem::path& path, const std::vector<std::string>& arguments = {});
+  // The same with the text of a script.
+  void run_text(const std::string& text, const std::string& name,
+                const std::vector<std::string>& arguments = {});
+
+  // For the prompt. Whether more lines are needed to make sense of the text.
+  bool is_incomplete(const std::string& text) const;
+  // Runs an expression or statements; the values it gives, as text. Closes nothing. Throws Error.
+  std::vector<std::string> evaluate(const std::string& text);
+
+  // Closes every simulation. Throws Error when a file could not be completed.
+  void close_all();
+
+  // Of every simulation so far, in the order they were made.
+  std::vector<Summary> simulations() const;
+  // What the script gave to os.exit.
+  std::optional<int> exit_code() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hackle

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// While a line is edited the terminal sends no signals: Ctrl-C and Ctrl-Z arrive as keys. So no
+// signal handler ever has to reach into libedit.
+#include "console/line_editor.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include <histedit.h>
+
+namespace hackle {
+namespace {
+
+constexpr int longest_history = 2000;
+
+}  // namespace
+
+struct LineEditor::Parts {
+  explicit Parts(std::filesystem::path file_) : file(std::move(file_)) {
+    HistEvent event;
+    history(lines, &event, H_SETSIZE, longest_history);
+    history(lines, &event, H_SETUNIQUE, 1);
+    if (!file.empty()) history(lines, &event, H_LOAD, file.c_str());
+    el_set(editor, EL_CLIENTDATA, this);
+    el_set(editor, EL_PROMPT, show_prompt);
+    el_set(editor, EL_EDITOR, "emacs");
+    el_set(editor, EL_HIST, history, lines);
+    bind_keys();
+    el_source(editor, nullptr);  // ~/.editrc of the user
+    el_set(editor, EL_SETTY, "-d", "-isig", nullptr);
+  }
+  ~Parts() {
+    el_end(editor);
+    history_end(lines);
+  }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  void bind_keys() {
+    el_set(editor, EL_ADDFN, "hackle-clear", "Drops the line", clear);
+    el_set(editor, EL_ADDFN, "hackle-suspend", "Goes to the background", suspend);
+    el_set(editor, EL_BIND, "^C", "hackle-clear", nullptr);
+    el_set(editor, EL_BIND, "^Z", "hackle-suspend", nullptr);
+    el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
+  }
+
+  static Parts& of(EditLine* editor) {
+    Parts* parts = nullptr;
+    el_get(editor, EL_CLIENTDATA, &parts);
+    return *parts;
+  }
+  static char* show_prompt(EditLine* editor) { return of(editor).prompt.data(); }
+  static unsigned char clear(EditLine* editor, int) {
+    of(editor).cleared = true;
+    return CC_EOF;
+  }
+  static unsigned char suspend(EditLine* editor, int) {
+    el_set(editor, EL_PREP_TERM, 0);
+    std::raise(SIGTSTP);
+    el_set(editor, EL_PREP_TERM, 1);
+    return CC_REDISPLAY;
+  }
+
+  void remember(const std::string& line) {
+    HistEvent event;
+    history(lines, &event, H_ENTER, line.c_str());
+    if (file.empty()) return;
+    std::error_code ignored;
+    std::filesystem::create_directories(file.parent_path(), ignored);
+    history(lines, &event, H_SAVE, file.c_str());
+  }
+
+  std::filesystem::path file;
+  std::string prompt;
+  bool cleared = false;
+  EditLine* editor = el_init("hackle", stdin, stdout, stderr);
+  History* lines = history_init();
+};
+
+LineEditor::LineEditor(std::filesystem::path history)
+    : parts_(std::make_unique<Parts>(std::move(history))) {
+}
+
+LineEditor::~LineEditor() = default;
+
+LineEnd LineEditor::read(const std::string& prompt, std::string& line) {
+  parts_->prompt = prompt;
+  parts_->cleared = false;
+  int count = 0;
+  const char* text = el_gets(parts_->editor, &count);
+  if (parts_->cleared) {
+    std::fputs("^C\n", stdout);
+    return LineEnd::cleared;
+  }
+  if (text == nullptr || count <= 0) {
+    std::fputc('\n', stdout);
+    return LineEnd::end_of_input;
+  }
+  line.assign(text, static_cast<std::size_t>(count));
+  while (line.ends_with('\n') || line.ends_with('\r')) line.pop_back();
+  if (!line.empty()) parts_->remember(line);
+  return LineEnd::entered;
+}
+
+std::filesystem::path history_file() {
+  const char* state = std::getenv("XDG_STATE_HOME");
+  if (state != nullptr && *state == '/') return std::filesystem::path(state) / "hackle/history";
+  const char* home = std::getenv("HOME");
+  if (home == nullptr || *home == '\0') return {};
+  return std::filesystem::path(home) / ".local/state/hackle/history";
+}
+
+}  // namespace hackle

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Lines from a person at a terminal: editing and history with libedit.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace hackle {
+
+enum class LineEnd { entered, cleared, end_of_input };
+
+class LineEditor {
+ public:
+  // The history is read from and kept in `history`; a file that cannot be is no error.
+  explicit LineEditor(std::filesystem::path history);
+  ~LineEditor();
+
+  // One line without its end. `cleared`: Ctrl-C was pressed; `end_of_input`: Ctrl-D on an empty
+  // line, or the terminal is gone.
+  LineEnd read(const std::string& prompt, std::string& line);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// $XDG_STATE_HOME/hackle/history, by default below ~/.local/state; "" without a home.
+std::filesystem::path history_file();
+
+}  // namespace hackle

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "console/process_binding.hpp"
+
+#include <cstdio>
+
+#include "console/guard.hpp"
+#include "console/interrupt_hook.hpp"
+#include "console/session.hpp"
+
+namespace hackle {
+namespace {
+
+int exit_script(lua_State* L) {
+  int code = 0;
+  if (lua_isboolean(L, 1))
+    code = lua_toboolean(L, 1) != 0 ? 0 : 1;
+  else if (!lua_isnoneornil(L, 1))
+    code = static_cast<int>(luaL_checkinteger(L, 1));
+  session_of(L).exit_code = code;
+  throw Error(ErrorKind::interrupted, "os.exit");
+}
+
+// As Lua's print, on stderr.
+int print(lua_State* L) {
+  const int count = lua_gettop(L);
+  for (int i = 1; i <= count; ++i) {
+    std::size_t size = 0;
+    const char* text = luaL_tolstring(L, i, &size);
+    if (i > 1) std::fputc('\t', stderr);
+    std::fwrite(text, 1, size, stderr);
+    lua_pop(L, 1);
+  }
+  std::fputc('\n', stderr);
+  return 0;
+}
+
+}  // namespace
+
+void open_exit(lua_State* L) {
+  lua_getglobal(L, "os");
+  lua_pushcfunction(L, guarded<exit_script>);
+  lua_setfield(L, -2, "exit");
+  lua_pop(L, 1);
+}
+
+void print_to_stderr(lua_State* L) {
+  lua_pushcfunction(L, print);
+  lua_setglobal(L, "print");
+  luaL_loadstring(L, "io.output(io.stderr)");
+  protected_call(L, 0, 0);
+}
+
+}  // namespace hackle

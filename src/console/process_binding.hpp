@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// What of Lua's own library must know that simulations are open: print and os.exit.
+#pragma once
+
+#include "console/lua_state.hpp"
+
+namespace hackle {
+
+// os.exit ends the script, not the process, so that every simulation is closed first.
+void open_exit(lua_State* L);
+
+// print and io.write go to stderr.
+void print_to_stderr(lua_State* L);
+
+}  // namespace hackle

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "console/prompt.hpp"
+
+#include <iostream>
+#include <utility>
+
+#include "base/interrupt.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr const char* first_prompt = "> ";
+constexpr const char* next_prompt = ">> ";
+
+}  // namespace
+
+Prompt::Prompt(Console& console, Reader reader, Voice voice)
+    : console_(console), reader_(std::move(reader)), voice_(std::move(voice)) {
+}
+
+int Prompt::run() {
+  std::string chunk;
+  while (!console_.exit_code() && read_chunk(chunk))
+    if (!chunk.empty()) evaluate(chunk);
+  return console_.exit_code().value_or(first_code_);
+}
+
+// Lines until they make sense together; false at the end of the input.
+bool Prompt::read_chunk(std::string& chunk) {
+  chunk.clear();
+  std::string line;
+  for (;;) {
+    const LineEnd end = reader_(chunk.empty() ? first_prompt : next_prompt, line);
+    if (end == LineEnd::cleared) {
+      chunk.clear();
+      continue;
+    }
+    // What was begun and never finished is still run, for its error.
+    if (end == LineEnd::end_of_input) return !chunk.empty();
+    chunk += chunk.empty() ? line : "\n" + line;
+    if (!console_.is_incomplete(chunk)) return true;
+  }
+}
+
+void Prompt::evaluate(const std::string& chunk) {
+  const InterruptHandler handler;
+  clear_interrupt();
+  try {
+    for (const std::string& value : console_.evaluate(chunk)) voice_.value(value);
+  } catch (const Error& error) {
+    voice_.error(error);
+    if (first_code_ == 0) first_code_ = static_cast<int>(error.kind());
+  }
+  clear_interrupt();
+}
+
+LineEnd read_plain_line(const std::string&, std::string& line) {
+  return std::getline(std::cin, line) ? LineEnd::entered : LineEnd::end_of_input;
+}
+
+}  // namespace hackle

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The prompt: reads what a person types, runs it and shows what it gives, as lua does.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "base/error.hpp"
+#include "console/console.hpp"
+#include "console/line_editor.hpp"
+
+namespace hackle {
+
+class Prompt {
+ public:
+  // Where lines come from; the argument is the prompt to show.
+  using Reader = std::function<LineEnd(const std::string& prompt, std::string& line)>;
+  // What becomes of values and errors.
+  struct Voice {
+    std::function<void(const std::string&)> value;
+    std::function<void(const Error&)> error;
+  };
+
+  Prompt(Console& console, Reader reader, Voice voice);
+
+  // Until the input ends or a line calls os.exit. Returns the code of os.exit, or else that of the
+  // first error, or 0.
+  int run();
+
+ private:
+  bool read_chunk(std::string& chunk);
+  void evaluate(const std::string& chunk);
+
+  Console& console_;
+  Reader reader_;
+  Voice voice_;
+  int first_code_ = 0;
+};
+
+// Lines of stdin without any prompt.
+LineEnd read_plain_line(const std::string& prompt, std::string& line);
+
+}  // namespace hackle

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "console/schema.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "base/units.hpp"
+
+namespace hackle {
+namespace {
+
+std::string with_unit(std::string text, std::string_view unit) {
+  return unit.empty() ? text : text.append(" ").append(unit);
+}
+
+std::string option_names(const FunctionDoc& doc) {
+  std::string names;
+  for (const Option& option : doc.options)
+    names.append(names.empty() ? "" : ", ").append(option.name);
+  return names;
+}
+
+}  // namespace
+
+std::string signature(const FunctionDoc& doc) {
+  const std::string name =
+      doc.owner.empty() ? std::string(doc.name) : fmt::format("{}:{}", doc.owner, doc.name);
+  const std::string names = option_names(doc);
+  if (doc.leading.starts_with('{')) return fmt::format("{} {}", name, doc.leading);
+  if (doc.call != Call::options) {
+    const bool both = !doc.leading.empty() && !names.empty();
+    return fmt::format("{}({}{}{})", name, doc.leading, both ? ", " : "", names);
+  }
+  if (doc.leading.empty()) return fmt::format("{} {{ {} }}", name, names);
+  return fmt::format("{}({}, {{ {} }})", name, doc.leading, names);
+}
+
+std::string expectation(const Option& option) {
+  const std::string in_unit = option.unit.empty() ? "" : fmt::format(" in {}", option.unit);
+  switch (option.type) {
+    case OptionType::number:
+      return "a number" + in_unit;
+    case OptionType::integer:
+      return "a whole number" + (option.unit.empty() ? "" : fmt::format(" of {}", option.unit));
+    case OptionType::text:
+      return "a text in quotes";
+    case OptionType::flag:
+      return "true or false";
+    case OptionType::point:
+      return "{x, y}, two numbers" + in_unit;
+    case OptionType::choice:
+      return "one of " + comma_list(option.choices);
+    case OptionType::material:
+      return "the name of a material, or material { ... }";
+  }
+  return "?";
+}
+
+std::string range_text(const Option& option) {
+  const Range& range = option.range;
+  const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
+  const std::string most = with_unit(shortest(range.most), option.unit);
+  if (low && high) return fmt::format("between {} and {}", shortest(range.least), most);
+  if (high) return "at most " + most;
+  if (!low) return "";
+  const std::string least = with_unit(shortest(range.least), option.unit);
+  return (range.least_is_in ? "at least " : "above ") + least;
+}
+
+const Option* find_option(const FunctionDoc& doc, std::string_view name) {
+  for (const Option& option : doc.options)
+    if (option.name == name) return &option;
+  return nullptr;
+}
+
+}  // namespace hackle

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// What a function of the scene language takes, as data. The checker (arguments.hpp), help() and the
+// reference pages all read it.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "console/lua_state.hpp"
+
+namespace hackle {
+
+enum class OptionType {
+  number,    // finite
+  integer,   // whole number
+  text,      // not empty
+  flag,      // true or false
+  point,     // {x, y}, two finite numbers; a place or a vector
+  choice,    // one of `choices`
+  material,  // the name of one, or what material{...} returns
+};
+
+// A range of numbers, each end included or not.
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_is_in = true;
+
+  constexpr bool holds(double value) const {
+    return (least_is_in ? value >= least : value > least) && value <= most;
+  }
+};
+
+constexpr Range above(double least) {
+  return {.least = least, .least_is_in = false};
+}
+constexpr Range at_least(double least) {
+  return {.least = least};
+}
+constexpr Range between(double least, double most) {
+  return {.least = least, .most = most};
+}
+
+struct Option {
+  std::string_view name;
+  OptionType type = OptionType::number;
+  std::string_view unit{};  // "" for none
+  Range range{};
+  bool required = false;
+  bool positional = false;      // may be given as [1], without its name
+  std::string_view fallback{};  // what holds when it is left out, for a reader
+  std::span<const std::string_view> choices{};
+  std::string_view sentence{};
+};
+
+// How a function is called.
+enum class Call {
+  options,  // f { name = value, ... }
+  values,   // f(value, ...): the options in order
+  free,     // the function looks at its arguments itself
+};
+
+struct FunctionDoc {
+  std::string_view name;
+  std::string_view owner{};    // "p" for p:crack, "" for a global function
+  std::string_view leading{};  // arguments before the options, "p"
+  Call call = Call::options;
+  std::string_view sentence{};
+  std::span<const Option> options{};
+  std::string_view example{};  // runs as it is, p being a plate and s a simulation
+};
+
+// A function of the scene language: what it takes and what it does.
+struct Function {
+  const FunctionDoc* doc = nullptr;
+  lua_CFunction call = nullptr;
+};
+
+// A value of an object that can only be read.
+struct Field {
+  std::string_view name;
+  std::string_view unit{};
+  std::string_view sentence{};
+  lua_CFunction push = nullptr;  // [-0, +1], the object being at index 1
+};
+
+// A type of the scene language.
+struct TypeDoc {
+  std::string_view name;  // "plate"
+  std::string_view sentence{};
+  std::span<const Function> methods{};
+  std::span<const Field> fields{};
+  lua_CFunction to_text = nullptr;
+  lua_CFunction destroy = nullptr;
+};
+
+// "p:crack { from, to, born }", "s:run(duration)"
+std::string signature(const FunctionDoc& doc);
+
+// "a number in m", "one of left, right": what an option wants to be.
+std::string expectation(const Option& option);
+
+// "above 0 m", "between 320 and 7680 px", or "" for any number.
+std::string range_text(const Option& option);
+
+// The option of this name, or null.
+const Option* find_option(const FunctionDoc& doc, std::string_view name);
+
+}  // namespace hackle

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "console/simulation_binding.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "base/machine.hpp"
+#include "base/units.hpp"
+#include "console/arguments.hpp"
+#include "console/plate_binding.hpp"
+#include "console/simulation_docs.hpp"
+
+namespace hackle {
+namespace {
+
+Numerics numerics_of(const Arguments& arguments) {
+  Numerics numerics;
+  numerics.spacing = arguments.number("spacing");
+  numerics.horizon = arguments.number("horizon");
+  numerics.precision = arguments.choice<Precision>("precision");
+  numerics.quadrature = arguments.choice<Quadrature>("quadrature");
+  numerics.constants = arguments.choice<Constants>("constants");
+  if (arguments.has("step")) numerics.step = arguments.number("step");
+  numerics.force_step = arguments.flag("force_step");
+  return numerics;
+}
+
+const Plate& plate_at(lua_State* L, int index) {
+  if (const Plate* plate = object_at<Plate>(L, index)) return *plate;
+  throw Error(ErrorKind::refused,
+              fmt::format("simulate: expected a plate first, got {}", description(L, index)),
+              fmt::format("as in {}", simulate_doc.example));
+}
+
+int simulate(lua_State* L) {
+  Session& session = session_of(L);
+  session.check_overrides_used();
+  const Plate& plate = plate_at(L, 1);
+  Arguments arguments = Arguments::from_table(L, 2, simulate_doc);
+  const Numerics numerics = numerics_of(arguments);
+  check(plate, arguments.problems);
+  if (arguments.has("spacing") && arguments.good({"horizon", "step"}))
+    check(plate, numerics, available_memory(), arguments.problems);
+  arguments.problems.throw_if_any();
+  // Simulations that the script has let go of give back their memory before the next is built.
+  lua_gc(L, LUA_GCCOLLECT);
+  push_object(L, ScriptedRun(session.simulate(plate, numerics), session));
+  return 1;
+}
+
+void check_still_writable(const ScriptedRun& scripted) {
+  for (const std::filesystem::path& path : scripted.promised) check_writable(path);
+}
+
+int run(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, run_doc);
+  const Arguments arguments = Arguments::from_values(L, 2, run_doc);
+  arguments.problems.throw_if_any();
+  check_still_writable(scripted);
+  scripted.run().run(arguments.number("duration"));
+  return 0;
+}
+
+int step(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, step_doc);
+  const Arguments arguments = Arguments::from_values(L, 2, step_doc);
+  arguments.problems.throw_if_any();
+  check_still_writable(scripted);
+  scripted.run().step(arguments.integer("count", 1));
+  return 0;
+}
+
+PictureOptions picture_of(const Arguments& arguments) {
+  PictureOptions picture;
+  picture.field = arguments.text_of_choice("field", picture.field);
+  picture.width = static_cast<int>(arguments.integer("width", picture.width));
+  return picture;
+}
+
+int movie(lua_State* L) {
+  ScriptedRun& scripted = self<ScriptedRun>(L, movie_doc);
+  const Arguments arguments = Arguments::from_table(L, 2, movie_doc);
+  arguments.problems.throw_if_any();
+  MovieOptions options;
+  options.picture = picture_of(arguments);
+  options.every = arguments.number("every");
+  options.fps = arguments.number("fps", options.fps);
+  const auto path = session_of(L).output_path(arguments.text("file"));
+  scripted.run().movie(path, options);
+  scripted.promised.push_back(path);
+  return 0;
+}
+
+int frame(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, frame_doc);
+  const Arguments arguments = Arguments::from_table(L, 2, frame_doc);
+  arguments.problems.throw_if_any();
+  scripted.run().frame(session_of(L).output_path(arguments.text("file")), picture_of(arguments));
+  return 0;
+}
+
+int record(lua_State* L) {
+  ScriptedRun& scripted = self<ScriptedRun>(L, record_doc);
+  const Arguments arguments = Arguments::from_table(L, 2, record_doc);
+  arguments.problems.throw_if_any();
+  RecordOptions options;
+  options.every = arguments.number("every");
+  const auto path = session_of(L).output_path(arguments.text("file"));
+  scripted.run().record(path, options);
+  scripted.promised.push_back(path);
+  return 0;
+}
+
+int report(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, report_doc);
+  Arguments::from_values(L, 2, report_doc).problems.throw_if_any();
+  push_text(L, scripted.run().report());
+  return 1;
+}
+
+int close(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, close_doc);
+  Arguments::from_values(L, 2, close_doc).problems.throw_if_any();
+  scripted.run().close();
+  return 0;
+}
+
+constexpr std::array functions{Function{&simulate_doc, guarded<simulate>}};
+constexpr std::array methods{
+    Function{&run_doc, guarded<run>},       Function{&step_doc, guarded<step>},
+    Function{&movie_doc, guarded<movie>},   Function{&frame_doc, guarded<frame>},
+    Function{&record_doc, guarded<record>}, Function{&report_doc, guarded<report>},
+    Function{&close_doc, guarded<close>}};
+
+// 371 234 is "371 k": what a person takes in at a glance.
+std::string rounded_count(std::int64_t count) {
+  constexpr std::int64_t exact_below = 100000;
+  if (count < exact_below) return grouped(count);
+  if (count < 1000 * exact_below)
+    return grouped(std::llround(1e-3 * static_cast<double>(count))) + " k";
+  return grouped(std::llround(1e-6 * static_cast<double>(count))) + " M";
+}
+
+int to_text(lua_State* L) {
+  const Simulation& simulation = object_at<ScriptedRun>(L, 1)->simulation();
+  const Numerics& numerics = simulation.numerics();
+  std::string text =
+      fmt::format("{} nodes, {} bonds, horizon {} (m = {:.4g}), step {} (limit {}), {}",
+                  grouped(static_cast<std::int64_t>(simulation.lattice().grid.nodes())),
+                  rounded_count(simulation.lattice().bonds_born()),
+                  quantity(numerics.horizon_or_default(), "m"), numerics.m(),
+                  quantity(simulation.dt(), "s"), quantity(simulation.lattice().step_limit, "s"),
+                  quantity(memory_needed(simulation.plate(), numerics), "B"));
+  if (simulation.state().step > 0)
+    text += fmt::format("; at {}, step {}", quantity(simulation.time(), "s"),
+                        grouped(simulation.state().step));
+  push_text(L, text);
+  return 1;
+}
+
+const Simulation& simulation_of(lua_State* L) {
+  return object_at<ScriptedRun>(L, 1)->simulation();
+}
+
+int push_time(lua_State* L) {
+  lua_pushnumber(L, simulation_of(L).time());
+  return 1;
+}
+
+int push_steps(lua_State* L) {
+  lua_pushinteger(L, simulation_of(L).state().step);
+  return 1;
+}
+
+int push_dt(lua_State* L) {
+  lua_pushnumber(L, simulation_of(L).dt());
+  return 1;
+}
+
+int push_dt_limit(lua_State* L) {
+  lua_pushnumber(L, simulation_of(L).lattice().step_limit);
+  return 1;
+}
+
+int push_nodes(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(simulation_of(L).lattice().grid.nodes()));
+  return 1;
+}
+
+int push_bonds(lua_State* L) {
+  lua_pushinteger(L, simulation_of(L).lattice().bonds_born());
+  return 1;
+}
+
+int push_hash(lua_State* L) {
+  push_text(L, simulation_of(L).state().hash());
+  return 1;
+}
+
+void set_number(lua_State* L, const char* name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
+int push_energy(lua_State* L) {
+  const Energy ledger = energy(simulation_of(L));
+  lua_createtable(L, 0, 5);
+  set_number(L, "kinetic", ledger.kinetic);
+  set_number(L, "strain", ledger.strain);
+  set_number(L, "broken", ledger.broken);
+  set_number(L, "external", ledger.external);
+  set_number(L, "residual", ledger.residual());
+  return 1;
+}
+
+int push_damage(lua_State* L) {
+  const DamageCount count = count_damage(simulation_of(L));
+  lua_createtable(L, 0, 2);
+  lua_pushinteger(L, count.broken_bonds);
+  lua_setfield(L, -2, "broken_bonds");
+  set_number(L, "most", count.most);
+  return 1;
+}
+
+constexpr std::array fields{
+    Field{"time", "s", "Simulated so far.", push_time},
+    Field{"steps", "", "Taken so far.", push_steps},
+    Field{"dt", "s", "The time step.", push_dt},
+    Field{"dt_limit", "s", "The longest stable time step.", push_dt_limit},
+    Field{"nodes", "", "Of the lattice.", push_nodes},
+    Field{"bonds", "", "The plate was born with.", push_bonds},
+    Field{"energy", "J/m", "kinetic, strain, broken, external and residual.", push_energy},
+    Field{"damage", "", "broken_bonds since the start, and the most damage of a node.",
+          push_damage},
+    Field{"hash", "", "Of the state; equal only when every bit is.", push_hash},
+};
+
+constexpr TypeDoc type{.name = "simulation",
+                       .sentence = "A plate being solved, and what it leaves behind.",
+                       .methods = methods,
+                       .fields = fields,
+                       .to_text = guarded<to_text>,
+                       .destroy = destroy_object<ScriptedRun>};
+
+}  // namespace
+
+const TypeDoc& simulation_type() {
+  return type;
+}
+
+std::span<const Function> simulation_functions() {
+  return functions;
+}
+
+}  // namespace hackle

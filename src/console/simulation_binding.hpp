@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// simulate(p, { ... }) and what can be done with a simulation.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "console/object_type.hpp"
+#include "console/session.hpp"
+
+namespace hackle {
+
+// What a script holds of a simulation. When the collector takes it, the run is closed.
+class ScriptedRun {
+ public:
+  ScriptedRun(std::shared_ptr<Run> run, Session& session)
+      : run_(std::move(run)), session_(&session) {}
+  ScriptedRun(ScriptedRun&&) = default;
+  ~ScriptedRun() {
+    if (run_) session_->retire(run_.get());
+  }
+
+  Run& run() const { return *run_; }
+  const Simulation& simulation() const { return run_->simulation(); }
+
+  // Files that movie() and record() will write.
+  std::vector<std::filesystem::path> promised;
+
+ private:
+  std::shared_ptr<Run> run_;
+  Session* session_;
+};
+
+template <>
+inline constexpr const char* type_name<ScriptedRun> = "hackle.simulation";
+
+const TypeDoc& simulation_type();
+std::span<const Function> simulation_functions();
+
+}  // namespace hackle

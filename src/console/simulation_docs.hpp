@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// What simulate and the methods of a simulation take.
+#pragma once
+
+#include <array>
+
+#include "console/schema.hpp"
+#include "lattice/numerics.hpp"
+#include "output/run.hpp"
+
+namespace hackle {
+
+inline constexpr std::array simulate_options{
+    Option{.name = "spacing",
+           .unit = "m",
+           .range = above(0.0),
+           .required = true,
+           .sentence = "Distance of two nodes of the lattice, dx."},
+    Option{.name = "horizon",
+           .unit = "m",
+           .range = above(0.0),
+           .fallback = "4 spacings",
+           .sentence = "How far bonds reach, delta; 2 to 16 spacings."},
+    Option{.name = "precision",
+           .type = OptionType::choice,
+           .fallback = "f64",
+           .choices = precision_names,
+           .sentence = "The numbers it computes with."},
+    Option{.name = "quadrature",
+           .type = OptionType::choice,
+           .fallback = "full",
+           .choices = quadrature_names,
+           .sentence = "How nodes near the rim of the horizon count."},
+    Option{.name = "constants",
+           .type = OptionType::choice,
+           .fallback = "lattice",
+           .choices = constants_names,
+           .sentence = "Where stiffness and strength of a bond come from."},
+    Option{.name = "step",
+           .unit = "s",
+           .range = above(0.0),
+           .fallback = "0.9 of the stability limit",
+           .sentence = "The time step."},
+    Option{.name = "force_step",
+           .type = OptionType::flag,
+           .fallback = "false",
+           .sentence = "Accept a step above the stability limit, to see it blow up."},
+};
+
+inline constexpr FunctionDoc simulate_doc{
+    .name = "simulate",
+    .leading = "p",
+    .sentence = "Puts a copy of the plate on a lattice, ready to run.",
+    .options = simulate_options,
+    .example = "s = simulate(p, { spacing = 0.5*mm, horizon = 2*mm })"};
+
+inline constexpr std::array run_options{
+    Option{.name = "duration",
+           .unit = "s",
+           .range = at_least(0.0),
+           .required = true,
+           .sentence = "Simulated time to go on for."},
+};
+
+inline constexpr FunctionDoc run_doc{.name = "run",
+                                     .owner = "s",
+                                     .call = Call::values,
+                                     .sentence = "Goes on for so much simulated time.",
+                                     .options = run_options,
+                                     .example = "s:run(1*us)"};
+
+inline constexpr std::array step_options{
+    Option{.name = "count",
+           .type = OptionType::integer,
+           .unit = "steps",
+           .range = between(0.0, 1e12),
+           .fallback = "1",
+           .sentence = "How many."},
+};
+
+inline constexpr FunctionDoc step_doc{.name = "step",
+                                      .owner = "s",
+                                      .call = Call::values,
+                                      .sentence = "Goes on for so many time steps.",
+                                      .options = step_options,
+                                      .example = "s:step(10)"};
+
+inline constexpr Option file_option{.name = "file",
+                                    .type = OptionType::text,
+                                    .required = true,
+                                    .positional = true,
+                                    .sentence = "Its name, in the output folder if relative."};
+inline constexpr Option field_option{.name = "field",
+                                     .type = OptionType::choice,
+                                     .fallback = "damage",
+                                     .choices = field_names,
+                                     .sentence = "What is painted."};
+inline constexpr Option width_option{.name = "width",
+                                     .type = OptionType::integer,
+                                     .unit = "px",
+                                     .range = between(320.0, 7680.0),
+                                     .fallback = "1280",
+                                     .sentence = "Of the picture, even."};
+inline constexpr Option every_option{.name = "every",
+                                     .unit = "s",
+                                     .range = above(0.0),
+                                     .required = true,
+                                     .sentence = "Simulated time from one to the next."};
+
+inline constexpr std::array movie_options{
+    file_option,
+    field_option,
+    every_option,
+    width_option,
+    Option{.name = "fps",
+           .range = between(1.0, 240.0),
+           .fallback = "30",
+           .sentence = "Frames a second when it is played."},
+};
+
+inline constexpr FunctionDoc movie_doc{
+    .name = "movie",
+    .owner = "s",
+    .sentence = "Films what follows, in H.264.",
+    .options = movie_options,
+    .example = "s:movie { \"crack.mp4\", field = \"damage\", every = 0.25*us }"};
+
+inline constexpr std::array frame_options{file_option, field_option, width_option};
+
+inline constexpr FunctionDoc frame_doc{.name = "frame",
+                                       .owner = "s",
+                                       .sentence = "Writes a picture of the state as it is, a PNG.",
+                                       .options = frame_options,
+                                       .example = "s:frame { \"crack.png\", width = 640 }"};
+
+inline constexpr std::array record_options{file_option, every_option};
+
+inline constexpr FunctionDoc record_doc{
+    .name = "record",
+    .owner = "s",
+    .sentence = "Records what follows in an HDF5 file that ParaView opens.",
+    .options = record_options,
+    .example = "s:record { \"crack.h5\", every = 1*us }"};
+
+inline constexpr FunctionDoc report_doc{.name = "report",
+                                        .owner = "s",
+                                        .call = Call::values,
+                                        .sentence = "What happened so far, as a text.",
+                                        .example = "print(s:report())"};
+
+inline constexpr FunctionDoc close_doc{
+    .name = "close",
+    .owner = "s",
+    .call = Call::values,
+    .sentence = "Completes its movies and records; the end of the script does it too.",
+    .example = "s:close()"};
+
+}  // namespace hackle

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// The program from outside: exit codes, what goes to stdout and stderr, files.
+#include "app/program.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "base/files.hpp"
+
+namespace hackle {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+class ProgramTest : public testing::Test {
+ protected:
+  test::Ended run(const std::string& script, std::vector<std::string> words = {}) {
+    write_text(folder_.path / "a.lua", script);
+    words.insert(words.begin(), {"run", "a.lua"});
+    return program_.run(words);
+  }
+
+  test::Folder folder_;
+  test::Program program_{folder_};
+};
+
+const std::string film = test::scene + R"(
+  s:movie { "a.mp4", every = 1*us, width = 320 }
+  s:run(3*us)
+)";
+
+TEST_F(ProgramTest, ExitCodesTellWhatWentWrong) {
+  EXPECT_EQ(run("print 'hello'").code, 0);
+  EXPECT_EQ(run("", {"--nonsense"}).code, 2);
+  EXPECT_EQ(run("", {"--set", "novalue"}).code, 2);
+  EXPECT_EQ(run("", {"-j", "0"}).code, 2);
+  EXPECT_EQ(run("error 'x'").code, 3);
+  EXPECT_EQ(run("local = 5").code, 3);
+  EXPECT_EQ(run("plate { width = -1 }").code, 4);
+  EXPECT_EQ(program_.run({"run", "missing.lua"}).code, 5);
+  EXPECT_EQ(run("os.exit(42)").code, 42);
+}
+
+TEST_F(ProgramTest, ABlownUpRunIsAFailedRun) {
+  const auto ended = run(R"(
+    p = plate { width = 20*mm, height = 20*mm, material = "duran50" }
+    p:traction { edge = "top", stress = {0, 12*MPa} }
+    p:nofail { from = {0, 0}, to = {20*mm, 20*mm} }
+    s = simulate(p, { spacing = 1*mm, step = 1*us, force_step = true })
+    s:run(10e-3))");
+  EXPECT_EQ(ended.code, 1) << ended.err;
+}
+
+TEST_F(ProgramTest, ErrorsGoToStderrWithFileAndLine) {
+  const auto ended = run("\nplate { widht = 1 }");
+  EXPECT_EQ(ended.out, "");
+  EXPECT_THAT(ended.err, StartsWith("error: a.lua:2: plate: "));
+  EXPECT_THAT(ended.err, HasSubstr("did you mean 'width'?"));
+}
+
+TEST_F(ProgramTest, JsonIsOneObjectWithEveryDocumentedKey) {
+  const auto ended = run("print 'talk'\n io.write('more\\n')\n" + film, {"--json", "-q"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto json = nlohmann::json::parse(ended.out);
+  for (const char* key : {"schema", "script", "nodes", "bonds", "steps", "time_s", "dt_s",
+                          "dt_limit_s", "precision", "threads", "wall_s", "node_steps_per_s",
+                          "energy_J_per_m", "damage", "peak_rss_bytes", "hash", "files"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_EQ(json["script"], "a.lua");
+  EXPECT_EQ(json["files"], nlohmann::json::array({"out/a/a.mp4"}));
+  EXPECT_THAT(ended.err, HasSubstr("talk\nmore\n"));
+}
+
+TEST_F(ProgramTest, AnErrorLeavesNoJson) {
+  const auto ended = run("plate { }", {"--json"});
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_THAT(ended.err, HasSubstr("width is missing"));
+}
+
+TEST_F(ProgramTest, FilesGoToTheFolderOfTheScriptAndAreNamedAtTheEnd) {
+  const auto ended = run(film);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(test::is_whole_mp4(folder_.path / "out/a/a.mp4"));
+  EXPECT_THAT(ended.err, HasSubstr("wrote out/a/a.mp4"));
+}
+
+TEST_F(ProgramTest, AnotherFolderCanBeChosenAndQuietSaysNothing) {
+  const auto ended = run(film, {"-o", "here and there", "-q"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_TRUE(test::is_whole_mp4(folder_.path / "here and there/a.mp4"));
+  EXPECT_FALSE(fs::exists(folder_.path / "out"));
+}
+
+TEST_F(ProgramTest, ARefusedScriptWritesNothing) {
+  EXPECT_EQ(run(test::scene + "s:movie { 'a.mp4', every = 1*us, widht = 5 }").code, 4);
+  EXPECT_FALSE(fs::exists(folder_.path / "out"));
+}
+
+TEST_F(ProgramTest, AFolderThatCannotBeWrittenIsRefused) {
+  write_text(folder_.path / "file", "");
+  const auto ended = run(film, {"-o", "file/out"});
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_THAT(ended.err, HasSubstr("is not a folder (choose another folder with -o)"));
+}
+
+TEST_F(ProgramTest, OptionsOfTheScriptCanBeSetTwice) {
+  const auto ended = run("local o = options { a = 1*mm, b = 'x' }\nprint(o.a, o.b)",
+                         {"--set", "a=2*mm", "--set", "b=y = z"});
+  EXPECT_EQ(ended.out, "0.002\ty = z\n") << ended.err;
+}
+
+TEST_F(ProgramTest, WhatFollowsTheDashesIsForTheScript) {
+  EXPECT_EQ(run("print(#arg, arg[1], ...)", {"--", "-o", "x"}).out, "2\t-o\t-o\tx\n");
+}
+
+TEST_F(ProgramTest, AScriptWithASpaceInItsPathIsRunWithoutTheWordRun) {
+  fs::create_directories(folder_.path / "my scenes");
+  write_text(folder_.path / "my scenes/first one.lua", film);
+  EXPECT_EQ(program_.run({"my scenes/first one.lua"}).code, 0);
+  EXPECT_TRUE(fs::exists(folder_.path / "out/first one/a.mp4"));
+}
+
+TEST_F(ProgramTest, TheHashDoesNotDependOnThreads) {
+  const std::string script = test::scene + "s:run(20*us)";
+  const auto hash = [&](const char* threads) {
+    return nlohmann::json::parse(run(script, {"--json", "-j", threads}).out)["hash"];
+  };
+  EXPECT_EQ(hash("1"), hash("3"));
+}
+
+TEST_F(ProgramTest, CtrlCCompletesTheMovie) {
+  program_.at_first_word = [](pid_t process) { kill(process, SIGINT); };
+  const auto ended = run(test::scene + R"(
+    s:movie { "a.mp4", every = 1*us, width = 320 }
+    print "go" io.stdout:flush()
+    s:run(1)
+  )");
+  EXPECT_EQ(ended.code, 130) << ended.err;
+  EXPECT_TRUE(test::is_whole_mp4(folder_.path / "out/a/a.mp4"));
+  EXPECT_FALSE(fs::exists(folder_.path / "out/a/.a.partial.mp4"));
+  EXPECT_THAT(ended.err, HasSubstr("error: a.lua:9: interrupted after step"));
+}
+
+TEST_F(ProgramTest, CtrlCStopsALoopThatCatchesEverything) {
+  program_.at_first_word = [](pid_t process) { kill(process, SIGINT); };
+  EXPECT_EQ(run("print 'go' io.stdout:flush() while true do pcall(error) end").code, 130);
+}
+
+TEST_F(ProgramTest, AnUnknownCommandGetsTheNearest) {
+  const auto ended = program_.run({"inof"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("there is no command or script 'inof' (did you mean 'info'?)"));
+}
+
+TEST_F(ProgramTest, HelpIsEverywhere) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"-h"}, {"run", "-h"}, {"info", "--help"}}) {
+    const auto ended = program_.run(words);
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_THAT(ended.out, HasSubstr("Usage: hackle"));
+  }
+}
+
+TEST_F(ProgramTest, VersionNamesCompilerAndLibraries) {
+  const auto ended = program_.run({"--version"});
+  EXPECT_EQ(ended.code, 0);
+  for (const char* part : {"hackle ", "git ", "Lua 5.4", "HDF5 1.", "libavcodec", "Cairo 1."})
+    EXPECT_THAT(ended.out, HasSubstr(part));
+}
+
+TEST_F(ProgramTest, InfoDescribesTheMachine) {
+  const auto json = nlohmann::json::parse(program_.run({"info", "--json"}).out);
+  for (const char* key : {"schema", "version", "git", "compiler", "libraries", "gl_renderer",
+                          "processor", "instruction_set", "cores", "memory_bytes"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_THAT(program_.run({"info"}).out, HasSubstr("OpenGL"));
+}
+
+TEST_F(ProgramTest, LinesOfStdinAreAPrompt) {
+  program_.input = "x = 20\nfor i = 1, 2 do\nx = x + 1\nend\nx\nplate { }\n1\n";
+  const auto ended = program_.run({});
+  EXPECT_EQ(ended.out, "22\n1\n");
+  EXPECT_THAT(ended.err, StartsWith("error: plate: width is missing"));
+  EXPECT_EQ(ended.code, 4);
+}
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "console/schema.hpp"
+
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "console/reference.hpp"
+#include "console/scripts.hpp"
+
+namespace hackle {
+namespace {
+
+std::vector<const FunctionDoc*> all_docs() {
+  std::vector<const FunctionDoc*> docs;
+  for (const Function& function : all_functions()) docs.push_back(function.doc);
+  for (const TypeDoc* type : all_types())
+    for (const Function& method : type->methods) docs.push_back(method.doc);
+  return docs;
+}
+
+bool is_sentence(std::string_view text) {
+  return text.size() > 4 && text.ends_with('.') &&
+         std::isupper(static_cast<unsigned char>(text[0]));
+}
+
+TEST(Schema, EveryFunctionAndOptionHasASentence) {
+  for (const FunctionDoc* doc : all_docs()) {
+    EXPECT_TRUE(is_sentence(doc->sentence)) << doc->name;
+    for (const Option& option : doc->options)
+      EXPECT_TRUE(is_sentence(option.sentence)) << doc->name << ", " << option.name;
+  }
+}
+
+TEST(Schema, EveryFieldAndTypeIsExplained) {
+  for (const TypeDoc* type : all_types()) {
+    EXPECT_TRUE(is_sentence(type->sentence)) << type->name;
+    for (const Field& field : type->fields) {
+      EXPECT_TRUE(field.sentence.ends_with('.')) << field.name;
+      EXPECT_NE(field.push, nullptr) << field.name;
+    }
+  }
+}
+
+TEST(Schema, NamesOfOptionsDifferAndChoicesAreNotEmpty) {
+  for (const FunctionDoc* doc : all_docs()) {
+    std::set<std::string_view> names;
+    for (const Option& option : doc->options) {
+      EXPECT_TRUE(names.insert(option.name).second) << doc->name << ", " << option.name;
+      EXPECT_EQ(option.type == OptionType::choice, !option.choices.empty()) << option.name;
+    }
+  }
+}
+
+TEST(Schema, WhatIsNotRequiredSaysItsDefault) {
+  for (const FunctionDoc* doc : all_docs())
+    for (const Option& option : doc->options)
+      if (doc->name != "nofail") {
+        EXPECT_NE(option.required, !option.fallback.empty()) << doc->name << ", " << option.name;
+      }
+}
+
+TEST(Schema, EveryExampleRuns) {
+  const test::Folder folder;
+  for (const FunctionDoc* doc : all_docs())
+    EXPECT_EQ(test::message_of(test::scene + "s = simulate(p, { spacing = 0.5*mm })\n" +
+                                   std::string(doc->example),
+                               test::quiet(folder.path)),
+              "")
+        << doc->name;
+}
+
+TEST(Schema, SignaturesReadAsCalls) {
+  const Option file{.name = "file"}, every{.name = "every"};
+  const std::array options{file, every};
+  EXPECT_EQ(signature({.name = "movie", .owner = "s", .options = options}),
+            "s:movie { file, every }");
+  EXPECT_EQ(signature({.name = "f", .leading = "p", .options = options}), "f(p, { file, every })");
+  EXPECT_EQ(signature({.name = "run", .owner = "s", .call = Call::values, .options = options}),
+            "s:run(file, every)");
+}
+
+TEST(Schema, RangesSayWhetherTheirEndsBelong) {
+  EXPECT_EQ(range_text({.name = "x", .unit = "m", .range = above(0.0)}), "above 0 m");
+  EXPECT_EQ(range_text({.name = "x", .range = at_least(1.0)}), "at least 1");
+  EXPECT_EQ(range_text({.name = "x", .unit = "px", .range = between(2.0, 8.0)}),
+            "between 2 and 8 px");
+  EXPECT_FALSE(above(0.0).holds(0.0));
+  EXPECT_TRUE(at_least(0.0).holds(0.0));
+}
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Running a script in a test.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "console/console.hpp"
+
+namespace hackle::test {
+
+// A folder of this test alone, removed at the end.
+class Folder {
+ public:
+  Folder() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    path = std::filesystem::path(testing::TempDir()) /
+           (std::string("hackle_") + info->test_suite_name() + "_" + info->name());
+    std::filesystem::remove_all(path);
+    std::filesystem::create_directories(path);
+  }
+  ~Folder() { std::filesystem::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::filesystem::path path;
+};
+
+inline ConsoleSettings quiet(const std::filesystem::path& output_folder = "unused") {
+  ConsoleSettings settings;
+  settings.output_folder = output_folder;
+  settings.talk = Talk::quiet;
+  settings.threads = 1;
+  return settings;
+}
+
+// Plate p of 100 x 40 mm with an edge crack under load, and simulation s with 50 x 20 nodes.
+inline const std::string scene = R"(
+p = plate { width = 100*mm, height = 40*mm, material = "duran50" }
+p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }
+p:traction { edge = "top", stress = {0, 12*MPa} }
+p:traction { edge = "bottom", stress = {0, -12*MPa} }
+s = simulate(p, { spacing = 2*mm })
+)";
+
+// What the script throws, or nothing.
+inline std::optional<Error> failure_of(const std::string& script, ConsoleSettings settings) {
+  try {
+    Console console(std::move(settings));
+    console.run_text(script, "test.lua");
+    return std::nullopt;
+  } catch (const Error& error) {
+    return error;
+  }
+}
+
+// Its text, or "".
+inline std::string message_of(const std::string& script, ConsoleSettings settings = quiet()) {
+  const auto failure = failure_of(script, std::move(settings));
+  return failure ? failure->what() : "";
+}
+
+}  // namespace hackle::test

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "console/simulation_binding.hpp"
+
+#include <gmock/gmock.h>
+
+#include "base/files.hpp"
+#include "console/scripts.hpp"
+
+namespace hackle {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+TEST(SimulationBinding, FieldsSayWhatWasSolved) {
+  EXPECT_EQ(test::message_of(test::scene + R"(
+    assert(s.nodes == 1000 and s.bonds > 15000 and s.steps == 0 and s.time == 0)
+    s:step(3)
+    s:step()
+    assert(s.steps == 4 and s.dt < s.dt_limit and math.abs(s.time - 4*s.dt) < 1e-12)
+    assert(s.energy.external > 0 and s.damage.broken_bonds >= 0 and s.damage.most < 1 and #s.hash == 16)
+    s:run(2*us)
+    assert(s.time >= 4*s.dt + 2*us - 1e-12)
+  )"),
+            "");
+}
+
+TEST(SimulationBinding, ReadsInOneLine) {
+  EXPECT_EQ(test::message_of(test::scene + R"(
+    local text = tostring(s)
+    assert(text:find("^1 000 nodes, %d+ %d+ bonds, horizon 8 mm %(m = 4%), step %d+ ns "), text)
+  )"),
+            "");
+}
+
+TEST(SimulationBinding, SolvesACopyOfThePlate) {
+  EXPECT_EQ(test::message_of(test::scene + R"(
+    local bonds = s.bonds
+    p:crack { from = {60*mm, 20*mm}, to = {90*mm, 20*mm}, born = "absent" }
+    assert(s.bonds == bonds)
+    assert(simulate(p, { spacing = 2*mm }).bonds < bonds)
+  )"),
+            "");
+}
+
+TEST(SimulationBinding, ExpectsAPlateFirst) {
+  EXPECT_THAT(test::message_of("simulate { spacing = 1*mm }"),
+              HasSubstr("simulate: expected a plate first, got a table (as in s = simulate(p, {"));
+}
+
+TEST(SimulationBinding, FilesOfAClosedRunAreComplete) {
+  const test::Folder folder;
+  Console console(test::quiet(folder.path));
+  console.run_text(test::scene + R"(
+    s:movie { "a.mp4", every = 0.9*us }
+    s:record { file = "sub/a.h5", every = 1*us }
+    s:run(2*us)
+    s:frame "a.png"
+  )",
+                   "test.lua");
+  for (const char* name : {"a.mp4", "sub/a.h5", "sub/a.xdmf", "a.png"})
+    EXPECT_TRUE(fs::exists(folder.path / name)) << name;
+  ASSERT_EQ(console.simulations().size(), 1u);
+  EXPECT_EQ(console.simulations()[0].files.size(), 4u);
+}
+
+TEST(SimulationBinding, FilesAreCompleteAfterAnErrorToo) {
+  const test::Folder folder;
+  EXPECT_THAT(
+      test::message_of(test::scene + "s:movie { 'a.mp4', every = 1*us }\ns:run(1*us)\nerror 'oops'",
+                       test::quiet(folder.path)),
+      HasSubstr("oops"));
+  EXPECT_TRUE(fs::exists(folder.path / "a.mp4"));
+}
+
+TEST(SimulationBinding, AbsoluteNamesAreTakenAsTheyAre) {
+  const test::Folder folder;
+  const std::string name = (folder.path / "there.png").string();
+  EXPECT_EQ(test::message_of(test::scene + "s:frame { '" + name + "' }",
+                             test::quiet(folder.path / "elsewhere")),
+            "");
+  EXPECT_TRUE(fs::exists(name));
+  EXPECT_FALSE(fs::exists(folder.path / "elsewhere"));
+}
+
+TEST(SimulationBinding, AForgottenSimulationGivesBackItsMemoryAndKeepsItsSummary) {
+  Console console(test::quiet());
+  console.run_text(test::scene + R"(
+    s:step(2)
+    local watch = setmetatable({ s }, { __mode = "v" })
+    s = nil
+    s = simulate(p, { spacing = 4*mm, horizon = 8*mm })
+    assert(watch[1] == nil)
+  )",
+                   "test.lua");
+  const auto list = console.simulations();
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].steps, 2);
+  EXPECT_EQ(list[0].nodes, 1000);
+  EXPECT_EQ(list[1].nodes, 250);
+}
+
+}  // namespace
+}  // namespace hackle
