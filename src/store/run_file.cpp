@@ -133,9 +133,8 @@ void RunFile::add(const Simulation& simulation) {
 
 void RunFile::finish() {
   parts_->write_sidecar();
-  for (Hdf5Handle* dataset :
-       {&parts_->time, &parts_->step, &parts_->damage, &parts_->displacement, &parts_->velocity})
-    dataset->reset();
+  parts_->time.reset();
+  parts_->step.reset();
   parts_->file.close();
 }
 
