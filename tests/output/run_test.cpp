@@ -8,22 +8,15 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "support/folder.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
 namespace {
 
 namespace fs = std::filesystem;
+using test::fresh_folder;
 using testing::HasSubstr;
-
-// A folder of the test's own, empty at first.
-fs::path fresh_folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder =
-      fs::path(testing::TempDir()) / ("hackle_run_" + std::string(test->name()));
-  fs::remove_all(folder);
-  return folder;
-}
 
 hackle::Run small_run() {
   return hackle::Run(test::bare_plate(40, 20), test::numerics(), {1}, Talk::quiet,
@@ -40,7 +33,7 @@ std::string refusal(const std::function<void()>& call) {
 }
 
 TEST(Run, WritesNothingBeforeTheFirstStep) {
-  const fs::path folder = fresh_folder();
+  const fs::path folder = fresh_folder() / "new";
   hackle::Run run = small_run();
   run.movie(folder / "a.mp4", {{}, 1e-6});
   run.record(folder / "a.h5", {1e-6});

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "base/text.hpp"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace hackle {
+namespace {
+
+constexpr std::array<std::string_view, 4> words{"crack", "traction", "nofail", "width"};
+
+TEST(Nearest, FindsSlipsOfTheFinger) {
+  EXPECT_EQ(nearest("crck", words), "crack");
+  EXPECT_EQ(nearest("tracton", words), "traction");
+  EXPECT_EQ(nearest("widht", words), "width");
+  EXPECT_EQ(nearest("crack", words), "crack");
+}
+
+TEST(Nearest, SaysNothingRatherThanMislead) {
+  EXPECT_FALSE(nearest("pressure", words));
+  EXPECT_FALSE(nearest("", words));
+  EXPECT_FALSE(nearest("x", {}));
+}
+
+TEST(DidYouMean, IsReadyForAMessage) {
+  EXPECT_EQ(did_you_mean("crck", words), " (did you mean 'crack'?)");
+  EXPECT_EQ(did_you_mean("pressure", words), "");
+}
+
+TEST(CommaList, JoinsWords) {
+  EXPECT_EQ(comma_list(words), "crack, traction, nofail, width");
+  EXPECT_EQ(comma_list({}), "");
+}
+
+}  // namespace
+}  // namespace hackle
