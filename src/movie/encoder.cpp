@@ -7,7 +7,6 @@ extern "C" {
 }
 
 #include <atomic>
-#include <cmath>
 #include <system_error>
 #include <utility>
 
@@ -16,6 +15,7 @@ extern "C" {
 #include "base/error.hpp"
 #include "base/files.hpp"
 #include "base/stopwatch.hpp"
+#include "base/units.hpp"
 #include "base/worker.hpp"
 #include "movie/video_stream.hpp"
 
@@ -31,23 +31,38 @@ void check(const MovieFormat& format) {
     if (size < 2 || size > most_pixels || size % 2 != 0)
       problems.add(fmt::format("movie: the {} is {} px, it must be even and between 2 and {} px",
                                name, size, most_pixels));
-  if (!(format.fps > 0.0) || !std::isfinite(format.fps))
-    problems.add(fmt::format("movie: fps is {}, it must be above 0", format.fps));
+  if (!(format.fps >= 0.1 && format.fps <= 1000.0))
+    problems.add(
+        fmt::format("movie: fps is {}, it must lie between 0.1 and 1000", shortest(format.fps)));
+  if (format.crf < 1 || format.crf > 51)
+    problems.add(fmt::format("movie: crf is {}, it must lie between 1 and 51", format.crf));
+  if (format.threads < 1)
+    problems.add(fmt::format("movie: threads is {}, it must be at least 1", format.threads));
   problems.throw_if_any();
 }
+
+// Leaves no partial file behind, whatever happens: after publish() there is none.
+struct PartialFile {
+  std::filesystem::path path;
+
+  ~PartialFile() {
+    std::error_code ignored;
+    std::filesystem::remove(partial_name(path), ignored);
+  }
+};
 
 }  // namespace
 
 struct Encoder::Parts {
   Parts(const std::filesystem::path& path_, const MovieFormat& format_)
-      : path(path_), format(format_), stream(path_, format_) {}
+      : path(path_), format(format_), partial{path_}, stream(path_, format_) {}
 
   std::filesystem::path path;
   MovieFormat format;
+  PartialFile partial;
   VideoStream stream;
   std::atomic<double> seconds = 0.0;
   int frames = 0;
-  bool complete = false;
   // Last, so that its thread ends before what it works on.
   Worker<Image> thread{waiting_frames, [this](const Image& image) { encode(image); }};
 
@@ -66,13 +81,7 @@ Encoder::Encoder(const std::filesystem::path& path, const MovieFormat& format) {
   parts_ = std::make_unique<Parts>(path, format);
 }
 
-Encoder::~Encoder() {
-  if (!parts_ || parts_->complete) return;
-  const std::filesystem::path partial = partial_name(parts_->path);
-  parts_.reset();
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
-}
+Encoder::~Encoder() = default;
 
 void Encoder::add(Image frame) {
   if (frame.width != parts_->format.width || frame.height != parts_->format.height)
@@ -90,7 +99,6 @@ void Encoder::finish() {
     publish(parts_->path);
   }
   parts_->seconds += taken;
-  parts_->complete = true;
 }
 
 int Encoder::frames() const {

@@ -13,9 +13,9 @@ namespace hackle {
 struct MovieFormat {
   int width = 0;      // px, even
   int height = 0;     // px, even
-  double fps = 30.0;  // frames a second, > 0
-  int crf = 18;       // x264 quality, 0 (lossless) .. 51
-  int threads = 1;    // of the encoder
+  double fps = 30.0;  // frames a second, 0.1 .. 1000
+  int crf = 18;       // x264 quality, 1 (best) .. 51; 0 is lossless, which few players take
+  int threads = 1;    // of the encoder, at least 1
   std::string title;  // metadata; may be empty
 };
 
@@ -24,9 +24,11 @@ struct MovieFormat {
 class Encoder {
  public:
   // Opens the file. Throws Error (files) when it cannot be written, Error (run_failed) when FFmpeg
-  // has no H.264 encoder (names the package), Error (refused) for odd or absurd sizes.
+  // has no H.264 encoder (names the package), Error (refused) for impossible formats,
+  // all problems at once.
   Encoder(const std::filesystem::path& path, const MovieFormat& format);
-  // Removes the partial file unless finish() was called.
+  // Removes the partial file unless finish() has completed it. A file of the same name from an
+  // earlier run stays as it is until then.
   ~Encoder();
 
   // Hands a frame over; waits while the queue is full. Frame k is shown at k/fps. Errors of the

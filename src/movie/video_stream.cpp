@@ -8,6 +8,7 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -83,13 +84,13 @@ void VideoStream::fail(const char* doing, int code) const {
 void VideoStream::open_encoder() {
   const AVCodec* codec = h264_encoder();
   codec_.reset(avcodec_alloc_context3(codec));
-  const AVRational rate = av_d2q(format_.fps, 1000);
+  const AVRational rate = av_d2q(format_.fps, 100000);
   codec_->width = format_.width;
   codec_->height = format_.height;
   codec_->pix_fmt = AV_PIX_FMT_YUV420P;  // what every player takes
   codec_->time_base = av_inv_q(rate);
   codec_->framerate = rate;
-  codec_->gop_size = static_cast<int>(std::lround(2.0 * format_.fps));
+  codec_->gop_size = std::max(1, static_cast<int>(std::lround(2.0 * format_.fps)));
   codec_->thread_count = format_.threads;
   codec_->profile = FF_PROFILE_H264_HIGH;
   codec_->color_range = AVCOL_RANGE_MPEG;

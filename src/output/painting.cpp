@@ -30,6 +30,7 @@ PictureStyle style_of(const PictureOptions& options, const Simulation& simulatio
   PictureStyle style;
   style.grid = simulation.lattice().grid;
   style.width = options.width;
+  style.title = simulation.plate().material.name;
   // A straight crack has damage 0.4 to 0.5 on its sides: the whole map up to there, the rest
   // saturates.
   style.colour_map = "damage";

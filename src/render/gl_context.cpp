@@ -45,12 +45,18 @@ struct GlContext::Parts {
 };
 
 GlContext::GlContext(int width, int height) : parts_(std::make_unique<Parts>(width, height)) {
-  Parts& parts = *parts_;
-  if (!parts.context || OSMesaMakeCurrent(parts.context.get(), parts.image.pixels.data(),
-                                          GL_UNSIGNED_BYTE, width, height) == GL_FALSE)
-    throw Error(ErrorKind::run_failed, "OSMesa gives no OpenGL 3.3 context",
-                "install the Debian package libosmesa6");
+  make_current();
   OSMesaPixelStore(OSMESA_Y_UP, 0);
+}
+
+void GlContext::make_current() {
+  Parts& parts = *parts_;
+  if (parts.context &&
+      OSMesaMakeCurrent(parts.context.get(), parts.image.pixels.data(), GL_UNSIGNED_BYTE,
+                        parts.image.width, parts.image.height) == GL_TRUE)
+    return;
+  throw Error(ErrorKind::run_failed, "OSMesa gives no OpenGL 3.3 context",
+              "install the Debian package libosmesa6");
 }
 
 GlContext::~GlContext() = default;

@@ -19,6 +19,9 @@ class GlContext {
   GlContext(int width, int height);
   ~GlContext();
 
+  // Sends the GL calls of this thread to this context, as the constructor does.
+  void make_current();
+
   // The entry point of a GL function. Never null, even for unknown names: check the version
   // instead.
   static Function function(const char* name);

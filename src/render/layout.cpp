@@ -27,22 +27,25 @@ Layout make_layout(const Grid& grid, int width) {
   const int margin = static_cast<int>(std::round(1.5 * layout.font));
   const int inner = width - 2 * margin;
 
-  layout.caption = {margin, margin, inner, static_cast<int>(std::ceil(1.3 * layout.font))};
   const double cell = cell_size(grid, inner, width);
   const int plate_width = std::max(1, static_cast<int>(std::lround(cell * grid.nx)));
   const int plate_height = std::max(1, static_cast<int>(std::lround(cell * grid.ny)));
-  layout.plate = {(width - plate_width) / 2, layout.caption.bottom() + margin / 2, plate_width,
+  // Captions and legend are flush with the plate, unless it is too narrow for them.
+  const int side = plate_width > inner * 9 / 10 ? (width - plate_width) / 2 : margin;
+  layout.caption = {side, margin * 2 / 3, width - 2 * side,
+                    static_cast<int>(std::ceil(1.3 * layout.font))};
+  layout.plate = {(width - plate_width) / 2, layout.caption.bottom() + margin / 3, plate_width,
                   plate_height};
 
   // The legend: the name of the field, the bar, then its ticks below.
-  const int legend = layout.plate.bottom() + margin;
-  const int bar_x = margin + static_cast<int>(std::ceil(6.5 * layout.font));
+  const int legend = layout.plate.bottom() + margin * 5 / 6;
+  const int bar_x = side + static_cast<int>(std::ceil(6.0 * layout.font));
   const int bar_height = static_cast<int>(std::round(0.8 * layout.font));
   layout.bar = {bar_x, legend, static_cast<int>(0.28 * width), bar_height};
   const int legend_height =
       bar_height + static_cast<int>(std::ceil(0.4 * layout.font + 1.3 * layout.small_font));
   const int scale_x = layout.bar.right() + 3 * margin / 2;
-  layout.scale = {scale_x, legend, width - margin - scale_x, legend_height};
+  layout.scale = {scale_x, legend, width - side - scale_x, legend_height};
   layout.height = even(legend + legend_height + 0.6 * margin);
   return layout;
 }

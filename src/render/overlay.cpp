@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -70,20 +71,29 @@ void draw_colours(Canvas& canvas, const Rectangle& bar, const ColourMap& map) {
   }
 }
 
+// The distance of ticks: neat, at most five intervals, and numbers that do not touch.
+double tick_step(double span, double bar_width, double font) {
+  const double intervals = std::clamp(bar_width / (3.0 * font), 1.0, 5.0);
+  const double least = span / intervals * (1.0 - 1e-9);
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0})
+    if (factor * decade >= least) return factor * decade;
+  return span;
+}
+
 void draw_ticks(Canvas& canvas, const Layout& layout, const OverlayText& text) {
   const Rectangle& bar = layout.bar;
   const double span = text.most - text.least;
-  // Ticks at most five, and fewer when their numbers would touch.
-  const double room = bar.width / (4.0 * layout.small_font);
-  double step = neat_at_most(span / std::min(5.0, std::max(1.0, room)));
-  while (span / step > std::max(1.0, room) * 1.001 && step < span) step *= 2.5;
-  const double base = bar.bottom() + 0.35 * layout.font + 0.85 * layout.small_font;
+  const double step = tick_step(span, bar.width, layout.small_font);
+  const double base = bar.bottom() + 0.4 * layout.font + 0.85 * layout.small_font;
+  canvas.colour(quiet_colour);
   for (double value = text.least; value <= text.most + 1e-9 * span; value += step) {
-    const double x = bar.x + (value - text.least) / span * bar.width;
-    const bool last = value > text.most - 0.5 * step;
-    canvas.colour(quiet_colour);
-    canvas.fill(std::round(x) - (last ? 1 : 0), bar.bottom(), 1, std::round(0.25 * layout.font));
+    const double share = (value - text.least) / span;
+    const bool last = share > 1.0 - 1e-6;
+    const double x = bar.x + std::round(share * (bar.width - 1));
+    canvas.fill(x, bar.bottom(), 1, std::round(0.25 * layout.font));
     const double shown = std::abs(value) < 1e-12 * span ? 0.0 : value;
+    // The last colour stands for everything above, too.
     canvas.write(fmt::format("{}{:.4g}", last ? "≥" : "", shown), x, base, layout.small_font, 0.5);
   }
 }
@@ -102,7 +112,7 @@ void draw_scale(Canvas& canvas, const Layout& layout, double metres_per_pixel) {
   canvas.fill(right - std::max(1.0, thickness / 2), y - serif, std::max(1.0, thickness / 2),
               2 * serif);
   canvas.write(fmt::format("{:.4g} mm", length * 1e3), right - 0.5 * pixels,
-               layout.bar.bottom() + 0.35 * layout.font + 0.85 * layout.small_font,
+               layout.bar.bottom() + 0.4 * layout.font + 0.85 * layout.small_font,
                layout.small_font, 0.5);
 }
 
@@ -117,7 +127,7 @@ void draw_frame(Image& image, const Layout& layout, const ColourMap& map, const 
   draw_scale(canvas, layout, text.metres_per_pixel);
   canvas.colour(text_colour);
   const std::string name = text.unit.empty() ? text.field : text.field + " (" + text.unit + ")";
-  canvas.write(name, layout.caption.x, layout.bar.bottom() - 0.02 * layout.font, layout.font, 0.0);
+  canvas.write(name, layout.caption.x, layout.bar.bottom(), layout.font, 0.0);
   if (!text.title.empty())
     canvas.write(text.title, layout.caption.x, layout.caption.y + layout.font, layout.font, 0.0);
 }

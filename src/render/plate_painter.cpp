@@ -76,7 +76,10 @@ struct PlatePainter::Parts {
     gl.Uniform4f(program.uniform("background"), background_colour.red / 255.0F,
                  background_colour.green / 255.0F, background_colour.blue / 255.0F, 1.0F);
   }
-  ~Parts() { gl.DeleteVertexArrays(1, &no_vertices); }
+  ~Parts() {
+    context.make_current();  // the textures go to the context they came from
+    gl.DeleteVertexArrays(1, &no_vertices);
+  }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
@@ -128,6 +131,7 @@ int PlatePainter::height() const {
 }
 
 Image PlatePainter::paint(const Field& field, double time) {
+  parts_->context.make_current();
   parts_->draw_field(field);
   Image image = parts_->context.finish();
   draw_frame(image, parts_->layout, parts_->map, parts_->text_for(field));

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "render/overlay.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace hackle {
+namespace {
+
+// Pixels of a rectangle that are not black.
+int lit(const Image& image, const Rectangle& area) {
+  int count = 0;
+  for (int y = area.y; y < area.bottom(); ++y)
+    for (int x = area.x; x < area.right(); ++x) {
+      const auto* pixel = &image.pixels[static_cast<std::size_t>(y * image.stride() + 4 * x)];
+      count += pixel[0] + pixel[1] + pixel[2] > 0 ? 1 : 0;
+    }
+  return count;
+}
+
+class Overlay : public testing::TestWithParam<int> {
+ protected:
+  Layout layout = make_layout({200, 80, 0.5e-3, {0.05, 0.02}}, GetParam());
+  Image image{layout.width, layout.height};
+  OverlayText text{"", "damage", "", 0.0, 0.5, 0.1 / layout.plate.width};
+};
+
+TEST_P(Overlay, DrawsBarScaleAndTimeWhereTheyBelong) {
+  draw_frame(image, layout, load_colour_map("damage"), text);
+  EXPECT_EQ(lit(image, layout.bar), layout.bar.width * layout.bar.height);
+  EXPECT_GT(lit(image, layout.scale), 0);
+  EXPECT_EQ(lit(image, layout.plate), 0) << "the plate is not painted over";
+  EXPECT_EQ(lit(image, layout.caption), 0);
+  draw_time(image, layout, 22.5e-6);
+  EXPECT_GT(lit(image, layout.caption), 0);
+}
+
+TEST_P(Overlay, StaysInsideThePicture) {
+  text.title = "A title";
+  draw_frame(image, layout, load_colour_map("damage"), text);
+  draw_time(image, layout, 1e-4);
+  const int w = layout.width, h = layout.height;
+  EXPECT_EQ(lit(image, {0, 0, w, 1}) + lit(image, {0, h - 1, w, 1}), 0);
+  EXPECT_EQ(lit(image, {0, 0, 1, h}) + lit(image, {w - 1, 0, 1, h}), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, Overlay, testing::Values(320, 640, 1280, 3840));
+
+TEST(TimeText, HasTwoDecimalsSoThatItDoesNotDance) {
+  EXPECT_EQ(time_text(0.0), "0.00 µs");
+  EXPECT_EQ(time_text(22.5e-6), "22.50 µs");
+  EXPECT_EQ(time_text(1.25e-3), "1.2500 ms");
+}
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "render/plate_painter.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "render/colour_map.hpp"
+#include "render/layout.hpp"
+#include "render/overlay.hpp"
+
+namespace hackle {
+namespace {
+
+PictureStyle style(int nx, int ny, int width = 640) {
+  PictureStyle style;
+  style.grid = {nx, ny, 1e-3, {0.5e-3 * nx, 0.5e-3 * ny}};
+  style.width = width;
+  return style;
+}
+
+Field field(const PictureStyle& style, float value) {
+  return {"damage", "", 1, std::vector<float>(style.grid.nodes(), value)};
+}
+
+Colour pixel(const Image& image, int x, int y) {
+  const auto* at = &image.pixels[static_cast<std::size_t>(y * image.stride() + 4 * x)];
+  return {at[2], at[1], at[0]};
+}
+
+// The pixel in the middle of a cell.
+Colour cell(const Image& image, const PictureStyle& style, int i, int j) {
+  const Rectangle plate = make_layout(style.grid, style.width).plate;
+  const double x = (i + 0.5) / style.grid.nx, y = 1.0 - (j + 0.5) / style.grid.ny;
+  return pixel(image, plate.x + static_cast<int>(x * plate.width),
+               plate.y + static_cast<int>(y * plate.height));
+}
+
+void expect_near(Colour seen, Colour wanted) {
+  EXPECT_NEAR(seen.red, wanted.red, 2);
+  EXPECT_NEAR(seen.green, wanted.green, 2);
+  EXPECT_NEAR(seen.blue, wanted.blue, 2);
+}
+
+TEST(PlatePainter, GivesEveryValueItsColour) {
+  const PictureStyle s = style(16, 8);
+  Field f = field(s, 0.0F);
+  for (int i = 0; i < 16; ++i) f.values[s.grid.index(i, 3)] = static_cast<float>(i) / 30.0F;
+  const Image image = PlatePainter(s).paint(f, 0.0);
+  const ColourMap map = load_colour_map("damage");
+  for (int i = 0; i < 16; ++i)
+    expect_near(cell(image, s, i, 3), map.colours[static_cast<std::size_t>(i * 17)]);
+}
+
+TEST(PlatePainter, ClampsValuesOutsideTheRange) {
+  const PictureStyle s = style(4, 4);
+  Field f = field(s, 0.0F);
+  f.values[0] = -7.0F;
+  f.values[1] = std::numeric_limits<float>::infinity();
+  const Image image = PlatePainter(s).paint(f, 0.0);
+  const ColourMap map = load_colour_map("damage");
+  expect_near(cell(image, s, 0, 0), map.colours.front());
+  expect_near(cell(image, s, 1, 0), map.colours.back());
+}
+
+TEST(PlatePainter, ShowsBackgroundWhereThereIsNoMaterial) {
+  const PictureStyle s = style(4, 4);
+  Field f = field(s, 0.2F);
+  f.values[s.grid.index(2, 1)] = std::nanf("");
+  expect_near(cell(PlatePainter(s).paint(f, 0.0), s, 2, 1), background_colour);
+}
+
+TEST(PlatePainter, TheFirstRowIsAtTheBottom) {
+  const PictureStyle s = style(4, 4);
+  Field f = field(s, 0.0F);
+  f.values[s.grid.index(0, 0)] = 1.0F;
+  const Image image = PlatePainter(s).paint(f, 0.0);
+  const Rectangle plate = make_layout(s.grid, s.width).plate;
+  const Colour bright = load_colour_map("damage").colours.back();
+  expect_near(pixel(image, plate.x + 2, plate.bottom() - 3), bright);
+}
+
+TEST(PlatePainter, ACrackOneCellWideStaysVisibleWhenCellsAreSmallerThanPixels) {
+  const PictureStyle s = style(4000, 1600, 640);  // seven cells to a pixel
+  Field f = field(s, 0.0F);
+  for (int i = 0; i < 4000; ++i) f.values[s.grid.index(i, 803)] = 1.0F;
+  const Image image = PlatePainter(s).paint(f, 0.0);
+  const Rectangle plate = make_layout(s.grid, s.width).plate;
+  const Colour bright = load_colour_map("damage").colours.back();
+  for (int x = plate.x + 1; x < plate.right() - 1; x += 7) {
+    int seen = 0;
+    for (int y = plate.y; y < plate.bottom(); ++y) seen += pixel(image, x, y) == bright ? 1 : 0;
+    EXPECT_GE(seen, 1) << x;
+    EXPECT_LE(seen, 2) << x;
+  }
+}
+
+TEST(PlatePainter, ASymmetricFieldGivesASymmetricPlate) {
+  for (const int nx : {50, 51, 1111}) {
+    const PictureStyle s = style(nx, nx / 2);
+    Field f = field(s, 0.0F);
+    for (int j = 0; j < s.grid.ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        const int from_middle = std::abs(2 * j + 1 - s.grid.ny);
+        f.values[s.grid.index(i, j)] = static_cast<float>((i * 7 + from_middle * 13) % 50) / 100.0F;
+      }
+    const Image image = PlatePainter(s).paint(f, 0.0);
+    const Rectangle plate = make_layout(s.grid, s.width).plate;
+    int different = 0;
+    for (int y = 0; y < plate.height / 2; ++y)
+      for (int x = 0; x < plate.width; ++x)
+        different += pixel(image, plate.x + x, plate.y + y) ==
+                             pixel(image, plate.x + x, plate.bottom() - 1 - y)
+                         ? 0
+                         : 1;
+    EXPECT_EQ(different, 0) << nx;
+  }
+}
+
+TEST(PlatePainter, PaintsTheSameTwice) {
+  const PictureStyle s = style(30, 20);
+  PlatePainter painter(s);
+  const Image first = painter.paint(field(s, 0.3F), 1e-6);
+  painter.paint(field(s, 0.1F), 2e-6);
+  EXPECT_EQ(painter.paint(field(s, 0.3F), 1e-6).pixels, first.pixels);
+}
+
+TEST(PlatePainter, ManyCanFollowAndLiveBesideOneAnother) {
+  const PictureStyle small = style(4, 4, 320), large = style(40, 10, 1280);
+  PlatePainter one(small);
+  const Image before = one.paint(field(small, 0.3F), 0.0);
+  {
+    PlatePainter other(large);
+    EXPECT_EQ(other.paint(field(large, 0.3F), 0.0).width, 1280);
+  }
+  EXPECT_EQ(one.paint(field(small, 0.3F), 0.0).pixels, before.pixels);
+}
+
+}  // namespace
+}  // namespace hackle
