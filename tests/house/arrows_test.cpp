@@ -81,6 +81,7 @@ TEST(House, NoIncludeRunsAgainstTheArrows) {
 
 TEST(House, LibrariesStayInTheirRooms) {
   for_each_include([&](const Include& include) {
+    if (include.file == "app/libraries.cpp") return;  // names the version of each
     for (const auto& [library, rooms] : rooms_of_library) {
       if (!include.target.starts_with(library)) continue;
       EXPECT_TRUE(rooms.contains(include.room))

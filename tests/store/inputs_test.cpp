@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "store/inputs.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+TEST(Inputs, SayEverythingThatARunWasMadeFrom) {
+  const Simulation simulation(test::edge_crack(12e6), test::numerics());
+  const auto json = nlohmann::json::parse(inputs_of(simulation));
+  const auto& plate = json["plate"];
+  EXPECT_EQ(plate["width_m"], 0.1);
+  EXPECT_EQ(plate["material"]["E_Pa"], 65e9);
+  EXPECT_EQ(plate["cracks"][0]["to_m"][0], 0.05);
+  EXPECT_EQ(plate["cracks"][0]["born"], "broken");
+  EXPECT_EQ(plate["tractions"][0]["edge"], "top");
+  EXPECT_EQ(plate["tractions"][0]["stress_Pa"][1], 12e6);
+  EXPECT_EQ(plate["no_fail"].size(), 2U);
+  const auto& numerics = json["numerics"];
+  EXPECT_EQ(numerics["nx"], 200);
+  EXPECT_EQ(numerics["horizon_m"], 2e-3);
+  EXPECT_EQ(numerics["constants"], "lattice");
+  EXPECT_EQ(numerics["step_s"], simulation.dt());
+  EXPECT_EQ(numerics["critical_stretch"], simulation.lattice().calibration.s0);
+}
+
+}  // namespace
+}  // namespace hackle

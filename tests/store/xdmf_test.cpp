@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "store/xdmf.hpp"
+
+#include <gmock/gmock.h>
+
+namespace hackle {
+namespace {
+
+const Grid grid{4, 3, 0.5e-3, {1e-3, 0.75e-3}};
+
+TEST(Xdmf, PlacesTheNodesAndNamesTheDatasets) {
+  const std::string text = xdmf(grid, "/some/where/run.h5", {0.0, 1e-6});
+  EXPECT_THAT(text, testing::HasSubstr("TopologyType=\"3DCoRectMesh\" Dimensions=\"1 3 4\""));
+  EXPECT_THAT(text, testing::HasSubstr(">0 0.00025 0.00025<"));
+  EXPECT_THAT(text, testing::HasSubstr("<Time Value=\"1e-06\"/>"));
+  EXPECT_THAT(text, testing::HasSubstr(">run.h5:/records/00001/displacement<"));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("/some/where")));
+}
+
+TEST(Xdmf, HasOneGridARecord) {
+  const std::string text = xdmf(grid, "run.h5", {0.0, 1e-6, 2e-6});
+  std::size_t grids = 0;
+  for (std::size_t at = text.find("GridType=\"Uniform\""); at != std::string::npos;
+       at = text.find("GridType=\"Uniform\"", at + 1))
+    ++grids;
+  EXPECT_EQ(grids, 3U);
+}
+
+TEST(Xdmf, EscapesTheNameOfTheFile) {
+  EXPECT_THAT(xdmf(grid, "a&b<c>.h5", {0.0}), testing::HasSubstr("a&amp;b&lt;c&gt;.h5:/records"));
+}
+
+}  // namespace
+}  // namespace hackle
