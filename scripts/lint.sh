@@ -21,9 +21,9 @@ git ls-files '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
 echo "formatting: clean"
 
 if [ "${1:-}" = --tidy ]; then
-  [ -f build/ci/compile_commands.json ] || cmake --preset ci
-  cmake --build --preset ci --target hackle_git_hash
+  cmake --preset release
+  cmake --build --preset release --target hackle_git_hash
   git ls-files 'src/*.cpp' | xargs -d '\n' -P "$(nproc)" -n 4 \
-    clang-tidy -p build/ci --quiet --warnings-as-errors='*'
+    clang-tidy -p build/release --quiet --warnings-as-errors='*'
   echo "clang-tidy: clean"
 fi

@@ -63,8 +63,12 @@ void write_text(const fs::path& path, const std::string& text) {
   std::ofstream file(partial, std::ios::binary);
   file << text;
   file.close();
-  if (!file)
-    throw Error(ErrorKind::files, "cannot write '" + path.string() + "': " + std::strerror(errno));
+  if (!file) {
+    const std::string reason = std::strerror(errno);
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    throw Error(ErrorKind::files, "cannot write '" + path.string() + "': " + reason);
+  }
   publish(path);
 }
 

@@ -2,6 +2,10 @@
 // Work on the rows of the lattice with a fixed number of threads.
 #pragma once
 
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
+
 #include <memory>
 #include <optional>
 
@@ -13,6 +17,24 @@
 #include <oneapi/tbb/task_arena.h>
 
 namespace hackle {
+
+// oneTBB is not instrumented: ThreadSanitizer must be told that what came before release() on one
+// thread is seen after acquire() on another. Nothing in other builds.
+struct Handover {
+#ifdef __SANITIZE_THREAD__
+  void release() {
+    __tsan_release(this);
+  }
+  void acquire() {
+    __tsan_acquire(this);
+  }
+#else
+  void release() {
+  }
+  void acquire() {
+  }
+#endif
+};
 
 class Threads {
  public:
@@ -28,9 +50,16 @@ class Threads {
   template <class Work>
   void for_rows(int rows, const Work& work) const {
     const tbb::blocked_range<int> range(0, rows, rows_per_task);
-    const auto task = [&](const tbb::blocked_range<int>& part) { work(part.begin(), part.end()); };
-    if (count() == 1) return task(range);
+    if (count() == 1) return work(0, rows);
+    Handover start, end;
+    const auto task = [&](const tbb::blocked_range<int>& part) {
+      start.acquire();
+      work(part.begin(), part.end());
+      end.release();
+    };
+    start.release();
     pool_->arena.execute([&] { tbb::parallel_for(range, task, tbb::simple_partitioner{}); });
+    end.acquire();
   }
 
  private:

@@ -2,6 +2,7 @@
 #include "store/hdf5.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "base/error.hpp"
 
@@ -9,7 +10,17 @@ namespace hackle {
 namespace {
 
 constexpr hsize_t most_chunk_values = 1 << 17;  // 512 KiB of f32: good for compression and reading
+constexpr hsize_t series_chunk = 2048;
 constexpr unsigned deflate_level = 4;
+
+// What the system said, e.g. "No space left on device", out of the many details of the driver.
+std::string system_message(const std::string& text) {
+  constexpr std::string_view before = "error message = '";
+  const std::size_t begin = text.find(before);
+  if (begin == std::string::npos) return text;
+  const std::string rest = text.substr(begin + before.size());
+  return rest.substr(0, rest.find('\''));
+}
 
 // The innermost message of HDF5's error stack, which names the cause.
 std::string cause() {
@@ -19,12 +30,13 @@ std::string cause() {
     return 0;
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &text);
-  return text.empty() ? "unknown reason" : text;
+  return text.empty() ? "unknown reason" : system_message(text);
 }
 
 Hdf5Handle text_type(std::size_t size) {
   Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type.get(), std::max<std::size_t>(size, 1));
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);  // no room for a terminator
   H5Tset_cset(type.get(), H5T_CSET_UTF8);
   return type;
 }
@@ -96,11 +108,30 @@ void Hdf5File::attribute(const std::string& name, long long number) {
   checked(H5Awrite(attribute.get(), H5T_NATIVE_LLONG, &number), "write " + name + " of");
 }
 
+Hdf5Handle Hdf5File::group(unsigned members) {
+  constexpr unsigned name_length = 12;
+  const Hdf5Handle plan(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  // Groups of the old kind spread their names over three structures, which a flush writes one after
+  // the other. Tracking the order makes a group of the new kind, and the two limits keep all of its
+  // names in its header, which is written at once.
+  H5Pset_link_creation_order(plan.get(), H5P_CRT_ORDER_TRACKED);
+  H5Pset_link_phase_change(plan.get(), 0xFFFF, 0xFFFF);
+  H5Pset_est_link_info(plan.get(), members, name_length);
+  return {checked(H5Gcreate_anon(file_.get(), plan.get(), H5P_DEFAULT), "write"), H5Gclose};
+}
+
+void Hdf5File::name(const Hdf5Handle& group, const std::string& name) {
+  checked(H5Olink(group.get(), file_.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "write");
+}
+
 Hdf5Handle Hdf5File::series(const std::string& name, hid_t type, const std::string& units,
                             const std::string& long_name) {
   const hsize_t none = 0, unlimited = H5S_UNLIMITED;
   const Hdf5Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
-  const Hdf5Handle plan = storage({1024});
+  // Not compressed: a chunk that grows under compression moves in the file, and a process killed in
+  // between would leave an index that points to where it was.
+  const Hdf5Handle plan(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_chunk(plan.get(), 1, &series_chunk);
   Hdf5Handle series(checked(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT,
                                        plan.get(), H5P_DEFAULT),
                             "create " + name + " in"),
@@ -119,16 +150,14 @@ void Hdf5File::append(const Hdf5Handle& series, hsize_t index, hid_t type, const
   checked(H5Dwrite(series.get(), type, memory.get(), space.get(), H5P_DEFAULT, value), "write");
 }
 
-void Hdf5File::write(const std::string& name, hid_t file_type, hid_t memory_type,
-                     const std::vector<hsize_t>& shape, const void* values,
+void Hdf5File::write(const Hdf5Handle& group, const std::string& name, hid_t file_type,
+                     hid_t memory_type, const std::vector<hsize_t>& shape, const void* values,
                      const std::string& units, const std::string& long_name) {
   const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                          H5Sclose);
-  const Hdf5Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(link.get(), 1);
   const Hdf5Handle plan = storage(shape);
-  const Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(),
-                                              link.get(), plan.get(), H5P_DEFAULT),
+  const Hdf5Handle dataset(checked(H5Dcreate2(group.get(), name.c_str(), file_type, space.get(),
+                                              H5P_DEFAULT, plan.get(), H5P_DEFAULT),
                                    "create " + name + " in"),
                            H5Dclose);
   checked(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write");
@@ -154,7 +183,7 @@ void Hdf5File::flush() {
 }
 
 void Hdf5File::close() {
-  if (!file_.reset()) throw Error(ErrorKind::files, "cannot close '" + path_.string() + "'");
+  checked(file_.reset() ? 0 : -1, "close");
 }
 
 }  // namespace hackle

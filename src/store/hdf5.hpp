@@ -43,18 +43,25 @@ class Hdf5File {
   void attribute(const std::string& name, const std::string& text);
   void attribute(const std::string& name, long long number);  // replaces an old value
 
+  // A group for at most `members` things, that cannot be found yet: when it is filled and flushed,
+  // name() puts it where it belongs. The names of its members are kept in one block of that size,
+  // so that a process killed while one is added leaves the others readable.
+  Hdf5Handle group(unsigned members);
+  void name(const Hdf5Handle& group, const std::string& name);
+
   // A dataset of single values that grows by append().
   Hdf5Handle series(const std::string& name, hid_t type, const std::string& units,
                     const std::string& long_name);
   // Appends a value as number `index`.
   void append(const Hdf5Handle& series, hsize_t index, hid_t type, const void* value);
-  // A dataset written at once, compressed; groups in its name are made. `file_type` is how it is
-  // stored, `memory_type` what `values` points to.
-  void write(const std::string& name, hid_t file_type, hid_t memory_type,
+  // A dataset written at once, compressed. `file_type` is how it is stored, `memory_type` what
+  // `values` points to.
+  void write(const Hdf5Handle& group, const std::string& name, hid_t file_type, hid_t memory_type,
              const std::vector<hsize_t>& shape, const void* values, const std::string& units,
              const std::string& long_name);
   // A text of any length as a dataset of its own; attributes end at 64 KiB.
   void write_text(const std::string& name, const std::string& text, const std::string& long_name);
+  const Hdf5Handle& root() const { return file_; }
   void flush();
   void close();
 

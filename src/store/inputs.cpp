@@ -68,8 +68,11 @@ Json numerics_of(const Simulation& simulation) {
 
 }  // namespace
 
-Json inputs_of(const Simulation& simulation) {
-  return {{"plate", to_json(simulation.plate())}, {"numerics", numerics_of(simulation)}};
+std::string inputs_of(const Simulation& simulation) {
+  const Json inputs = {{"plate", to_json(simulation.plate())},
+                       {"numerics", numerics_of(simulation)}};
+  // The name of a material may hold bytes that are no UTF-8.
+  return inputs.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace hackle

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "store/run_file.hpp"
 
+#include <cmath>
 #include <ctime>
-#include <utility>
+#include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
 #include "base/files.hpp"
 #include "base/version.hpp"
 #include "measure/field.hpp"
@@ -20,6 +22,7 @@ namespace hackle {
 namespace {
 
 constexpr int format_version = 1;
+constexpr unsigned most_groups = 1000;  // of a thousand records each
 
 std::vector<double> places(const Grid& grid) {
   std::vector<double> list;
@@ -30,6 +33,14 @@ std::vector<double> places(const Grid& grid) {
       list.insert(list.end(), {place.x(), place.y(), 0.0});
     }
   return list;
+}
+
+void require_finite(const Field& field) {
+  for (const float value : field.values)
+    if (!std::isfinite(value))
+      throw Error(ErrorKind::run_failed,
+                  fmt::format("record: the {} is not a finite number everywhere", field.name),
+                  "take a smaller step");
 }
 
 // ParaView wants three components.
@@ -45,32 +56,51 @@ std::vector<float> with_zero_z(const Field& field) {
 // stays linear in the number of records and a killed run leaves one that opens.
 constexpr double sidecar_growth = 1.1;
 
+std::filesystem::path sidecar_of(std::filesystem::path run_file) {
+  return run_file.replace_extension(".xdmf");
+}
+
+// Refuses a name that the sidecar takes, and removes the sidecar of an older run file.
+const std::filesystem::path& prepared(const std::filesystem::path& path) {
+  if (sidecar_of(path) == path)
+    throw Error(ErrorKind::files, fmt::format("cannot write a run file to '{}'", path.string()),
+                "end its name in .h5; the .xdmf beside it is written for you");
+  std::error_code ignored;
+  std::filesystem::remove(sidecar_of(path), ignored);
+  return path;
+}
+
 }  // namespace
 
 struct RunFile::Parts {
   Parts(const std::filesystem::path& path_, const Simulation& simulation, const Origin& origin)
-      : path(path_), grid(simulation.lattice().grid), file(path_) {
+      : path(path_), grid(simulation.lattice().grid), file(prepared(path_)) {
     describe(simulation, origin);
-    write("nodes", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 3, places(grid).data(), "m",
+    write(file.root(), "nodes", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 3, places(grid).data(), "m",
           "places of the nodes");
     time = file.series("time", H5T_IEEE_F64LE, "s", "simulated time of each record");
     step = file.series("step", H5T_STD_I64LE, "", "time steps done at each record");
+    file.name(file.group(most_groups), "records");
+    file.flush();
   }
 
   // A dataset of `components` values a node.
-  void write(const std::string& name, hid_t file_type, hid_t memory_type, hsize_t components,
-             const void* values, const std::string& units, const std::string& long_name) {
+  void write(const Hdf5Handle& group, const std::string& name, hid_t file_type, hid_t memory_type,
+             hsize_t components, const void* values, const std::string& units,
+             const std::string& long_name) {
     std::vector<hsize_t> shape{grid.nodes()};
     if (components > 1) shape.push_back(components);
-    file.write(name, file_type, memory_type, shape, values, units, long_name);
+    file.write(group, name, file_type, memory_type, shape, values, units, long_name);
   }
 
-  void write_scalar(const std::string& group, const Field& field, const std::string& long_name) {
-    write(group + field.name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, 1, field.values.data(), field.unit,
+  void write_scalar(const Hdf5Handle& group, const Field& field, const std::string& long_name) {
+    require_finite(field);
+    write(group, field.name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, 1, field.values.data(), field.unit,
           long_name);
   }
-  void write_vector(const std::string& group, const Field& field, const std::string& long_name) {
-    write(group + field.name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, 3, with_zero_z(field).data(),
+  void write_vector(const Hdf5Handle& group, const Field& field, const std::string& long_name) {
+    require_finite(field);
+    write(group, field.name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, 3, with_zero_z(field).data(),
           field.unit, long_name);
   }
 
@@ -85,13 +115,18 @@ struct RunFile::Parts {
                    fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
     file.attribute("script_name", origin.script_name);
     file.write_text("script", origin.script_text, "the script that made this run");
-    file.write_text("inputs", inputs_of(simulation).dump(),
-                    "plate and numerics, resolved, in JSON");
+    file.write_text("inputs", inputs_of(simulation), "plate and numerics, resolved, in JSON");
+  }
+
+  // A group for the next thousand records.
+  void begin_thousand() {
+    const Hdf5Handle group = file.group(records_a_group);
+    file.flush();
+    file.name(group, "records/" + std::to_string(times.size() / records_a_group));
   }
 
   void write_sidecar() {
-    std::filesystem::path sidecar = path;
-    write_text(sidecar.replace_extension(".xdmf"), xdmf(grid, path, times));
+    hackle::write_text(sidecar_of(path), xdmf(grid, path, times));
     in_sidecar = times.size();
   }
 
@@ -112,15 +147,20 @@ RunFile::~RunFile() = default;
 
 void RunFile::add(const Simulation& simulation) {
   const std::size_t record = parts_->times.size();
-  const std::string group = record_group(record) + "/";
+  Hdf5File& file = parts_->file;
+  if (record % records_a_group == 0) parts_->begin_thousand();
+  // Three flushes: first what nothing points to yet, then the names, then the word that it counts.
+  // At no moment does anything committed depend on bytes that are still to come.
+  const Hdf5Handle group = file.group(3);
   parts_->write_scalar(group, damage(simulation),
                        "share of the bonds a node was born with that are broken");
   parts_->write_vector(group, displacement(simulation), "displacement of the nodes");
   parts_->write_vector(group, velocity(simulation), "velocity of the nodes");
+  file.flush();
 
   const double time = simulation.time();
   const std::int64_t step = simulation.state().step;
-  Hdf5File& file = parts_->file;
+  file.name(group, record_group(record));
   file.append(parts_->time, record, H5T_NATIVE_DOUBLE, &time);
   file.append(parts_->step, record, H5T_NATIVE_INT64, &step);
   file.flush();
@@ -132,7 +172,7 @@ void RunFile::add(const Simulation& simulation) {
 }
 
 void RunFile::finish() {
-  parts_->write_sidecar();
+  if (!parts_->times.empty()) parts_->write_sidecar();
   parts_->time.reset();
   parts_->step.reset();
   parts_->file.close();
@@ -143,7 +183,7 @@ std::filesystem::path RunFile::path() const {
 }
 
 std::filesystem::path RunFile::sidecar() const {
-  return std::filesystem::path(parts_->path).replace_extension(".xdmf");
+  return sidecar_of(parts_->path);
 }
 
 std::string RunFile::library_version() {

@@ -17,25 +17,28 @@ struct Origin {
 };
 
 // RUN.h5 holds, with T records and N nodes (row by row from the lower left):
-//   /nodes                      N x 3  f64  m    places of the nodes
-//   /time                       T      f64  s
-//   /step                       T      i64
-//   /records/00000/damage       N      f32       one group a record
-//   /records/00000/displacement N x 3  f32  m
-//   /records/00000/velocity     N x 3  f32  m/s
-//   /script, /inputs            text             the script; plate and numerics, resolved, in JSON
+//   /nodes                        N x 3  f64  m    places of the nodes
+//   /time                         T      f64  s
+//   /step                         T      i64
+//   /records/0/00000/damage       N      f32       a group for each thousand, in it one a record
+//   /records/0/00000/displacement N x 3  f32  m
+//   /records/0/00000/velocity     N x 3  f32  m/s
+//   /script, /inputs              text             the script; plate and numerics, resolved, in
+//   JSON
 // Every dataset has `long_name` and, if it holds numbers, `units`; the root has format_version,
 // software, version, git_hash, compiler, created (UTC), script_name and records_committed, which is
-// written after the data of a record: readers trust only so many. The file is flushed after every
-// record, so that a killed run leaves a file that opens.
+// written after the data of a record: readers trust only so many (of /time and /step too). A run
+// that is killed at whatever moment leaves a file in which they are whole; its sidecar may lack the
+// last tenth.
 class RunFile {
  public:
-  // Creates the file, replacing an old one, and its sidecar beside it (RUN.xdmf). Throws Error
-  // (files).
+  // Creates the file, replacing an old one; its sidecar RUN.xdmf comes beside it with the first
+  // record. Throws Error (files).
   RunFile(const std::filesystem::path& path, const Simulation& simulation, const Origin& origin);
   ~RunFile();
 
-  // Appends the state as it is now. Throws Error (files), e.g. when the disk is full.
+  // Appends the state as it is now. Throws Error (files), e.g. when the disk is full: what was
+  // committed before stays. Throws Error (run_failed) when a value is not a finite float.
   void add(const Simulation& simulation);
   // Closes the file and completes the sidecar. Once only.
   void finish();

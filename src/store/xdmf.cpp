@@ -48,7 +48,7 @@ std::string attribute(const Grid& grid, const std::string& source, const char* n
 }  // namespace
 
 std::string record_group(std::size_t record) {
-  return fmt::format("records/{:05}", record);
+  return fmt::format("records/{}/{:05}", record / records_a_group, record);
 }
 
 std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,

@@ -11,7 +11,8 @@
 
 namespace hackle {
 
-// The group of a record in the run file, e.g. "records/00012".
+// The group of a record in the run file, e.g. "records/1/01234": a group for every thousand.
+inline constexpr std::size_t records_a_group = 1000;
 std::string record_group(std::size_t record);
 
 // The XML for the records at these times (s). The nodes are the points of an image, so that

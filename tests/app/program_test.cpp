@@ -142,7 +142,7 @@ TEST_F(ProgramTest, CtrlCCompletesTheMovie) {
   EXPECT_EQ(ended.code, 130) << ended.err;
   EXPECT_TRUE(test::is_whole_mp4(folder_.path / "out/a/a.mp4"));
   EXPECT_FALSE(fs::exists(folder_.path / "out/a/.a.partial.mp4"));
-  EXPECT_THAT(ended.err, HasSubstr("error: a.lua:9: interrupted after step"));
+  EXPECT_THAT(ended.err, HasSubstr("error: a.lua:10: interrupted after step"));
 }
 
 TEST_F(ProgramTest, CtrlCStopsALoopThatCatchesEverything) {

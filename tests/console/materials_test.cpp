@@ -20,7 +20,8 @@ TEST(Materials, Duran50IsThatOfThePaper) {
 }
 
 TEST(Materials, EveryMaterialSaysItsSource) {
-  for (const KnownMaterial& known : Materials(data_file("assets/materials.lua")).list())
+  const Materials materials(data_file("assets/materials.lua"));
+  for (const KnownMaterial& known : materials.list())
     EXPECT_GT(known.source.size(), 10u) << known.key;
 }
 

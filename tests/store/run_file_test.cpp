@@ -116,8 +116,8 @@ TEST(RunFile, HoldsWhatWasSimulated) {
   EXPECT_EQ(reader.shape("nodes"), (std::vector<hsize_t>{600, 3}));
   EXPECT_DOUBLE_EQ(reader.numbers("nodes")[3], simulation.lattice().grid.position(1, 0).x());
   const Field u = displacement(simulation), phi = damage(simulation);
-  const std::vector<double> stored = reader.numbers("records/00001/displacement");
-  const std::vector<double> stored_phi = reader.numbers("records/00001/damage");
+  const std::vector<double> stored = reader.numbers("records/0/00001/displacement");
+  const std::vector<double> stored_phi = reader.numbers("records/0/00001/damage");
   ASSERT_EQ(stored.size(), 1800U);
   for (std::size_t node = 0; node < 600; ++node) {
     EXPECT_EQ(stored[3 * node], u.values[2 * node]);
@@ -142,8 +142,8 @@ TEST(RunFile, DescribesItself) {
   EXPECT_THAT(reader.attribute("/", "created"), testing::MatchesRegex("20..-..-..T..:..:..Z"));
   EXPECT_EQ(reader.attribute("nodes", "units"), "m");
   EXPECT_EQ(reader.attribute("time", "units"), "s");
-  EXPECT_EQ(reader.attribute("records/00000/velocity", "units"), "m/s");
-  EXPECT_FALSE(reader.attribute("records/00000/damage", "long_name").empty());
+  EXPECT_EQ(reader.attribute("records/0/00000/velocity", "units"), "m/s");
+  EXPECT_FALSE(reader.attribute("records/0/00000/damage", "long_name").empty());
 }
 
 TEST(RunFile, ItsSidecarNamesDatasetsThatExistWithTheirShapes) {
