@@ -73,11 +73,11 @@ int push_name(lua_State* L) {
 }
 
 constexpr std::array fields{
-    Field{"name", "", "What reports call it.", push_name},
-    Field{"E", "Pa", "Young's modulus.", push_value<&Material::E>},
-    Field{"rho", "kg/m3", "Density.", push_value<&Material::rho>},
-    Field{"nu", "", "Poisson's ratio of the real material.", push_value<&Material::nu>},
-    Field{"G0", "J/m2", "Fracture energy.", push_value<&Material::G0>},
+    Property{"name", "", "What reports call it.", push_name},
+    Property{"E", "Pa", "Young's modulus.", push_value<&Material::E>},
+    Property{"rho", "kg/m3", "Density.", push_value<&Material::rho>},
+    Property{"nu", "", "Poisson's ratio of the real material.", push_value<&Material::nu>},
+    Property{"G0", "J/m2", "Fracture energy.", push_value<&Material::G0>},
 };
 
 constexpr TypeDoc type{.name = "material",

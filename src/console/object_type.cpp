@@ -19,7 +19,7 @@ const TypeDoc& type_of_closure(lua_State* L) {
 [[noreturn]] void refuse_name(const TypeDoc& type, std::string_view name) {
   std::vector<std::string_view> names;
   for (const Function& method : type.methods) names.push_back(method.doc->name);
-  for (const Field& field : type.fields) names.push_back(field.name);
+  for (const Property& field : type.fields) names.push_back(field.name);
   const auto near = nearest(name, names);
   throw Error(ErrorKind::refused, fmt::format("{} has no '{}'", type.name, name.substr(0, 40)),
               near ? fmt::format("did you mean '{}'?", *near) : "it has " + comma_list(names));
@@ -34,7 +34,7 @@ int index(lua_State* L) {
       lua_pushcfunction(L, method.call);
       return 1;
     }
-  for (const Field& field : type.fields)
+  for (const Property& field : type.fields)
     if (field.name == name) return field.push(L);
   refuse_name(type, name);
 }

@@ -53,11 +53,12 @@ constexpr std::array crack_options{
            .sentence = "Whether the bonds it cuts count as damage or were never there."},
 };
 
-constexpr FunctionDoc crack_doc{.name = "crack",
-                                .owner = "p",
-                                .sentence = "Cuts every bond that a straight line touches.",
-                                .options = crack_options,
-                                .example = "p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }"};
+constexpr FunctionDoc crack_doc{
+    .name = "crack",
+    .owner = "p",
+    .sentence = "Cuts every bond that a straight crack crosses; its two ends do not belong to it.",
+    .options = crack_options,
+    .example = "p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }"};
 
 constexpr std::array traction_options{
     Option{.name = "edge",
@@ -185,8 +186,8 @@ int push_value(lua_State* L) {
 }
 
 constexpr std::array fields{
-    Field{"width", "m", "Size along x.", push_value<&Plate::width>},
-    Field{"height", "m", "Size along y.", push_value<&Plate::height>},
+    Property{"width", "m", "Size along x.", push_value<&Plate::width>},
+    Property{"height", "m", "Size along y.", push_value<&Plate::height>},
 };
 
 constexpr TypeDoc type{.name = "plate",

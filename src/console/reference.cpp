@@ -78,7 +78,7 @@ std::string function_lines(std::span<const Function> functions) {
 
 std::string field_lines(const TypeDoc& type) {
   std::string text;
-  for (const Field& field : type.fields)
+  for (const Property& field : type.fields)
     text += fmt::format("  {:<9}  {:<5}  {}\n", field.name, field.unit, field.sentence);
   return text;
 }

@@ -79,7 +79,7 @@ struct Function {
 };
 
 // A value of an object that can only be read.
-struct Field {
+struct Property {
   std::string_view name;
   std::string_view unit{};
   std::string_view sentence{};
@@ -91,7 +91,7 @@ struct TypeDoc {
   std::string_view name;  // "plate"
   std::string_view sentence{};
   std::span<const Function> methods{};
-  std::span<const Field> fields{};
+  std::span<const Property> fields{};
   lua_CFunction to_text = nullptr;
   lua_CFunction destroy = nullptr;
 };

@@ -228,16 +228,16 @@ int push_damage(lua_State* L) {
 }
 
 constexpr std::array fields{
-    Field{"time", "s", "Simulated so far.", push_time},
-    Field{"steps", "", "Taken so far.", push_steps},
-    Field{"dt", "s", "The time step.", push_dt},
-    Field{"dt_limit", "s", "The longest stable time step.", push_dt_limit},
-    Field{"nodes", "", "Of the lattice.", push_nodes},
-    Field{"bonds", "", "The plate was born with.", push_bonds},
-    Field{"energy", "J/m", "kinetic, strain, broken, external and residual.", push_energy},
-    Field{"damage", "", "broken_bonds since the start, and the most damage of a node.",
-          push_damage},
-    Field{"hash", "", "Of the state; equal only when every bit is.", push_hash},
+    Property{"time", "s", "Simulated so far.", push_time},
+    Property{"steps", "", "Taken so far.", push_steps},
+    Property{"dt", "s", "The time step.", push_dt},
+    Property{"dt_limit", "s", "The longest stable time step.", push_dt_limit},
+    Property{"nodes", "", "Of the lattice.", push_nodes},
+    Property{"bonds", "", "The plate was born with.", push_bonds},
+    Property{"energy", "J/m", "kinetic, strain, broken, external and residual.", push_energy},
+    Property{"damage", "", "broken_bonds since the start, and the most damage of a node.",
+             push_damage},
+    Property{"hash", "", "Of the state; equal only when every bit is.", push_hash},
 };
 
 constexpr TypeDoc type{.name = "simulation",
