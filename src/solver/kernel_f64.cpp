@@ -35,50 +35,35 @@ inline Force bond_force(const BondClass& images, double a, double b, double hx, 
   return {held * g * (a + hx), held * g * (b + hy)};
 }
 
-// Adds the bonds of four images to a row of nodes. Pointers to its first node; `restrict` on
-// parameters (not on locals or members) is what lets the loop be vectorised.
-template <bool guarded>
-void add_quad(const BondClass k, int nx, const double* __restrict ux, const double* __restrict uy,
-              double* __restrict ax, double* __restrict ay, std::uint64_t* __restrict bonds,
-              const std::uint64_t* __restrict unbreakable) {
+// Adds the bonds of the images of one offset, four or (on an axis) two, to a row of nodes. Pointers
+// to its first node; `restrict` on parameters (not on locals or members) is what lets the loop be
+// vectorised.
+template <bool guarded, int images>
+void add_images(const BondClass k, int nx, const double* __restrict ux, const double* __restrict uy,
+                double* __restrict ax, double* __restrict ay, std::uint64_t* __restrict bonds,
+                const std::uint64_t* __restrict unbreakable) {
   const std::ptrdiff_t pp = k.rows + k.columns, pm = k.columns - k.rows;
   const std::uint64_t bit = std::uint64_t{1} << k.first_bit;
   for (int i = 0; i < nx; ++i) {
     const double x = ux[i], y = uy[i];
     const std::uint64_t safe = guarded ? unbreakable[i] : 0;
     std::uint64_t held = bonds[i];
-    const Force f1 =
-        bond_force<guarded>(k, k.a, k.b, ux[i + pp] - x, uy[i + pp] - y, bit, safe, held);
-    const Force f2 =
-        bond_force<guarded>(k, k.a, -k.b, ux[i + pm] - x, uy[i + pm] - y, bit << 1, safe, held);
-    const Force f3 =
-        bond_force<guarded>(k, -k.a, k.b, ux[i - pm] - x, uy[i - pm] - y, bit << 2, safe, held);
-    const Force f4 =
-        bond_force<guarded>(k, -k.a, -k.b, ux[i - pp] - x, uy[i - pp] - y, bit << 3, safe, held);
+    const auto force = [&](double a, double b, std::ptrdiff_t to, int image) {
+      return bond_force<guarded>(k, a, b, ux[i + to] - x, uy[i + to] - y, bit << image, safe, held);
+    };
+    const Force first = force(k.a, k.b, pp, 0);
+    if constexpr (images == 4) {
+      const Force f2 = force(k.a, -k.b, pm, 1);
+      const Force f3 = force(-k.a, k.b, -pm, 2);
+      const Force f4 = force(-k.a, -k.b, -pp, 3);
+      ax[i] += (first.x + f2.x) + (f3.x + f4.x);
+      ay[i] += (first.y + f2.y) + (f3.y + f4.y);
+    } else {
+      const Force opposite = force(-k.a, -k.b, -pp, 1);
+      ax[i] += first.x + opposite.x;
+      ay[i] += first.y + opposite.y;
+    }
     bonds[i] = held;
-    ax[i] += (f1.x + f2.x) + (f3.x + f4.x);
-    ay[i] += (f1.y + f2.y) + (f3.y + f4.y);
-  }
-}
-
-// The same for the two images of an offset on an axis.
-template <bool guarded>
-void add_pair(const BondClass k, int nx, const double* __restrict ux, const double* __restrict uy,
-              double* __restrict ax, double* __restrict ay, std::uint64_t* __restrict bonds,
-              const std::uint64_t* __restrict unbreakable) {
-  const std::ptrdiff_t to = k.rows + k.columns;
-  const std::uint64_t bit = std::uint64_t{1} << k.first_bit;
-  for (int i = 0; i < nx; ++i) {
-    const double x = ux[i], y = uy[i];
-    const std::uint64_t safe = guarded ? unbreakable[i] : 0;
-    std::uint64_t held = bonds[i];
-    const Force f1 =
-        bond_force<guarded>(k, k.a, k.b, ux[i + to] - x, uy[i + to] - y, bit, safe, held);
-    const Force f2 =
-        bond_force<guarded>(k, -k.a, -k.b, ux[i - to] - x, uy[i - to] - y, bit << 1, safe, held);
-    bonds[i] = held;
-    ax[i] += f1.x + f2.x;
-    ay[i] += f1.y + f2.y;
   }
 }
 
@@ -92,7 +77,7 @@ void force_rows(const KernelData& data, int row_begin, int row_end) {
     for (int c = 0; c < data.class_count; ++c) {
       const BondClass& k = data.classes[c];
       const std::ptrdiff_t in_bits = k.word * data.plane + in_a;
-      const auto add = k.images == 4 ? add_quad<guarded> : add_pair<guarded>;
+      const auto add = k.images == 4 ? add_images<guarded, 4> : add_images<guarded, 2>;
       add(k, data.nx, data.ux + in_u, data.uy + in_u, ax, ay, data.bonds + in_bits,
           guarded ? data.unbreakable + in_bits : nullptr);
     }

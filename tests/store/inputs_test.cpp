@@ -28,5 +28,12 @@ TEST(Inputs, SayEverythingThatARunWasMadeFrom) {
   EXPECT_EQ(numerics["critical_stretch"], simulation.lattice().calibration.s0);
 }
 
+TEST(Inputs, AreJsonWhateverBytesAMaterialIsCalled) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.material.name = "gl\xE4s";  // Latin-1
+  const auto json = nlohmann::json::parse(inputs_of(Simulation(plate, test::numerics())));
+  EXPECT_EQ(json["plate"]["material"]["name"], "gl\uFFFDs");
+}
+
 }  // namespace
 }  // namespace hackle

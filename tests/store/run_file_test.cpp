@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <gmock/gmock.h>
-#include <hdf5.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,6 +18,7 @@
 #include "measure/field.hpp"
 #include "store/xdmf.hpp"
 #include "support/folder.hpp"
+#include "support/run_file_reader.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
@@ -25,6 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::fresh_folder;
+using test::RunFileReader;
 
 Simulation moving_plate() {
   Plate plate = test::bare_plate(30, 20);
@@ -32,72 +34,6 @@ Simulation moving_plate() {
   plate.tractions.push_back({Edge::top, {1e6, 5e6}});
   return Simulation(plate, test::numerics(), {1});
 }
-
-// Reads a run file.
-class Reader {
- public:
-  explicit Reader(const fs::path& path)
-      : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {}
-  ~Reader() {
-    if (file_ >= 0) H5Fclose(file_);
-  }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
-
-  bool opens() const { return file_ >= 0; }
-
-  std::vector<hsize_t> shape(const std::string& name) const {
-    const hid_t dataset = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
-    const hid_t space = H5Dget_space(dataset);
-    std::vector<hsize_t> extents(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-    H5Sget_simple_extent_dims(space, extents.data(), nullptr);
-    H5Sclose(space);
-    H5Dclose(dataset);
-    return extents;
-  }
-
-  std::vector<double> numbers(const std::string& name) const {
-    std::size_t count = 1;
-    for (const hsize_t extent : shape(name)) count *= extent;
-    std::vector<double> values(count);
-    const hid_t dataset = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
-    H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-    H5Dclose(dataset);
-    return values;
-  }
-
-  std::string text(const std::string& name) const {
-    const hid_t dataset = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
-    const hid_t type = H5Dget_type(dataset);
-    std::string value(H5Tget_size(type), '\0');
-    H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data());
-    H5Tclose(type);
-    H5Dclose(dataset);
-    return value;
-  }
-
-  std::string attribute(const std::string& object, const std::string& name) const {
-    const hid_t attribute =
-        H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
-    const hid_t type = H5Aget_type(attribute);
-    std::string value(H5Tget_size(type), '\0');
-    H5Aread(attribute, type, value.data());
-    H5Tclose(type);
-    H5Aclose(attribute);
-    return value;
-  }
-
-  long long committed() const {
-    const hid_t attribute = H5Aopen(file_, "records_committed", H5P_DEFAULT);
-    long long value = -1;
-    H5Aread(attribute, H5T_NATIVE_LLONG, &value);
-    H5Aclose(attribute);
-    return value;
-  }
-
- private:
-  hid_t file_;
-};
 
 TEST(RunFile, HoldsWhatWasSimulated) {
   const fs::path path = fresh_folder() / "a.h5";
@@ -108,7 +44,7 @@ TEST(RunFile, HoldsWhatWasSimulated) {
   file.add(simulation);
   file.finish();
 
-  const Reader reader(path);
+  const RunFileReader reader(path);
   ASSERT_TRUE(reader.opens());
   EXPECT_EQ(reader.committed(), 2);
   EXPECT_EQ(reader.numbers("time"), (std::vector<double>{0.0, simulation.time()}));
@@ -134,7 +70,7 @@ TEST(RunFile, DescribesItself) {
   RunFile file(path, simulation, {"a.lua", script});
   file.add(simulation);
   file.finish();
-  const Reader reader(path);
+  const RunFileReader reader(path);
   EXPECT_EQ(reader.text("script"), script);
   EXPECT_THAT(reader.text("inputs"), testing::HasSubstr("\"E_Pa\": 65000000000.0"));
   EXPECT_EQ(reader.attribute("/", "software"), "Hackle");
@@ -157,7 +93,12 @@ TEST(RunFile, ItsSidecarNamesDatasetsThatExistWithTheirShapes) {
   file.finish();
   EXPECT_EQ(file.sidecar(), fs::path(path).replace_extension(".xdmf"));
   const std::string text = read_text(file.sidecar());
-  const Reader reader(path);
+  const RunFileReader reader(path);
+  const std::regex time(R"re(<Time Value="([^"]*)"/>)re");
+  std::vector<double> times;
+  for (std::sregex_iterator it(text.begin(), text.end(), time), end; it != end; ++it)
+    times.push_back(std::stod((*it)[1]));
+  EXPECT_EQ(times, reader.numbers("time"));
   const std::regex item(R"re(Dimensions="1 20 30( 3)?"[^>]*>a\.h5:(/records/[^<]*)<)re");
   int items = 0;
   for (std::sregex_iterator it(text.begin(), text.end(), item), end; it != end; ++it, ++items) {
@@ -188,7 +129,7 @@ TEST(RunFile, AKilledRunLeavesAFileThatOpens) {
   close(pipe_ends[0]);
   close(pipe_ends[1]);
 
-  const Reader reader(path);
+  const RunFileReader reader(path);
   ASSERT_TRUE(reader.opens());
   ASSERT_GE(reader.committed(), 8);
   for (long long record = 0; record < reader.committed(); ++record) {
@@ -196,6 +137,93 @@ TEST(RunFile, AKilledRunLeavesAFileThatOpens) {
     for (const double value : reader.numbers(velocity)) ASSERT_TRUE(std::isfinite(value));
   }
   EXPECT_THAT(read_text(fs::path(path).replace_extension(".xdmf")), testing::EndsWith("</Xdmf>\n"));
+}
+
+TEST(RunFile, NothingButFiniteNumbersReachesIt) {
+  const fs::path path = fresh_folder() / "a.h5";
+  Simulation simulation = moving_plate();
+  RunFile file(path, simulation, {});
+  file.add(simulation);
+  State state = simulation.state();
+  state.vy[7] = 1e300;  // finite, but not as a float
+  simulation.restore(state);
+  try {
+    file.add(simulation);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::run_failed);
+    EXPECT_THAT(error.what(), testing::HasSubstr("the velocity is not a finite number"));
+  }
+  file.finish();
+  EXPECT_EQ(RunFileReader(path).committed(), 1);
+}
+
+// HDF5 does not free what belongs to a file that it could not close.
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libhdf5";
+}
+
+// While it lives, no file can grow beyond so many bytes: a disk that fills up.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) : former_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &former_);
+    const rlimit small{bytes, former_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() {
+    setrlimit(RLIMIT_FSIZE, &former_);
+    std::signal(SIGXFSZ, former_handler_);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+ private:
+  rlimit former_{};
+  void (*former_handler_)(int);
+};
+
+TEST(RunFile, AFullDiskIsOneErrorAndKeepsWhatWasCommitted) {
+  const fs::path path = fresh_folder() / "a.h5";
+  Simulation simulation = moving_plate();
+  long long added = 0;
+  try {
+    const SmallDisk disk(300000);  // room for some twenty records
+    RunFile file(path, simulation, {});
+    for (; added < 1000; ++added) {
+      file.add(simulation);
+      simulation.step();
+    }
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::files);
+    EXPECT_EQ(error.what(), "cannot write '" + path.string() + "': File too large");
+  }
+  const RunFileReader reader(path);
+  ASSERT_TRUE(reader.opens());
+  EXPECT_GT(added, 0);
+  EXPECT_EQ(reader.committed(), added);
+  for (long long record = 0; record < added; ++record)
+    EXPECT_EQ(reader.numbers(record_group(static_cast<std::size_t>(record)) + "/velocity").size(),
+              1800U);
+}
+
+TEST(RunFile, TheSidecarOfAnOlderRunDoesNotOutliveIt) {
+  const fs::path path = fresh_folder() / "a.h5";
+  const fs::path sidecar = fs::path(path).replace_extension(".xdmf");
+  write_text(sidecar, "old");
+  const RunFile file(path, moving_plate(), {});
+  EXPECT_FALSE(fs::exists(sidecar));
+}
+
+TEST(RunFile, RefusesTheNameOfTheSidecar) {
+  try {
+    const RunFile file(fresh_folder() / "a.xdmf", moving_plate(), {});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::files);
+    EXPECT_THAT(error.what(), testing::HasSubstr("end its name in .h5"));
+  }
 }
 
 TEST(RunFile, AFolderThatIsNotThereIsAnErrorWithItsCause) {

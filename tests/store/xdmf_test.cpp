@@ -17,6 +17,13 @@ TEST(Xdmf, PlacesTheNodesAndNamesTheDatasets) {
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("/some/where")));
 }
 
+TEST(RecordGroup, HoldsAThousandRecordsEach) {
+  EXPECT_EQ(record_group(0), "records/0/00000");
+  EXPECT_EQ(record_group(999), "records/0/00999");
+  EXPECT_EQ(record_group(1000), "records/1/01000");
+  EXPECT_EQ(record_group(123456), "records/123/123456");
+}
+
 TEST(Xdmf, HasOneGridARecord) {
   const std::string text = xdmf(grid, "run.h5", {0.0, 1e-6, 2e-6});
   std::size_t grids = 0;
