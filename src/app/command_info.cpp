@@ -9,7 +9,6 @@
 #include "app/exit_code.hpp"
 #include "app/libraries.hpp"
 #include "base/error.hpp"
-#include "base/error.hpp"
 #include "base/machine.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -108,37 +109,41 @@ Arguments Arguments::from_values(lua_State* L, int index, const FunctionDoc& doc
   return arguments;
 }
 
+// In the order of the options, then what is none of them by name: Lua orders its tables anew in
+// every process, and messages must not change with it.
 void Arguments::read_table(lua_State* L, int index) {
-  lua_pushnil(L);
-  while (lua_next(L, index) != 0) {
-    read_pair(L);
+  for (const Option& option : doc_->options) {
+    lua_pushlstring(L, option.name.data(), option.name.size());
+    if (lua_rawget(L, index) != LUA_TNIL) read_value(L, lua_gettop(L), option);
     lua_pop(L, 1);
   }
-}
-
-// [-0, +0] The key is at -2 and its value at -1.
-void Arguments::read_pair(lua_State* L) {
-  const Option* option = option_of_key(L);
-  if (option == nullptr) return;
-  if (has(option->name) || at(option->name).bad)
-    return problems.add(fmt::format("{}: {} is given twice", doc_->name, option->name));
-  read_value(L, lua_gettop(L), *option);
-}
-
-// The option that the key at -2 names, or null and a problem.
-const Option* Arguments::option_of_key(lua_State* L) {
-  if (lua_type(L, -2) == LUA_TSTRING) {
-    const std::string_view name = text_at(L, -2);
-    const Option* option = find_option(*doc_, name);
-    if (option == nullptr) unknown_name(name);
-    return option;
-  }
   const Option* positional = find_positional(*doc_);
-  if (positional != nullptr && lua_isinteger(L, -2) && lua_tointeger(L, -2) == 1) return positional;
-  problems.add(
-      fmt::format("{}: {} stands in the braces without a name", doc_->name, description(L, -1)),
-      fmt::format("write name = value; names: {}", comma_list(names_of(*doc_))));
-  return nullptr;
+  if (positional != nullptr) read_positional(L, index, *positional);
+  report_others(L, index, positional != nullptr);
+}
+
+void Arguments::read_positional(lua_State* L, int index, const Option& option) {
+  if (lua_rawgeti(L, index, 1) != LUA_TNIL) {
+    if (has(option.name) || at(option.name).bad)
+      problems.add(fmt::format("{}: {} is given twice", doc_->name, option.name));
+    else
+      read_value(L, lua_gettop(L), option);
+  }
+  lua_pop(L, 1);
+}
+
+void Arguments::report_others(lua_State* L, int index, bool first_is_known) {
+  std::set<std::string> unknown, nameless;
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+    const bool named = lua_type(L, -2) == LUA_TSTRING;
+    const bool first = lua_isinteger(L, -2) && lua_tointeger(L, -2) == 1;
+    if (named && find_option(*doc_, text_at(L, -2)) == nullptr) unknown.emplace(text_at(L, -2));
+    if (!named && !(first && first_is_known)) nameless.insert(description(L, -1));
+  }
+  for (const std::string& name : unknown) unknown_name(name);
+  for (const std::string& value : nameless)
+    problems.add(fmt::format("{}: {} stands in the braces without a name", doc_->name, value),
+                 fmt::format("write name = value; names: {}", comma_list(names_of(*doc_))));
 }
 
 void Arguments::unknown_name(std::string_view name) {

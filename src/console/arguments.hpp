@@ -67,8 +67,8 @@ class Arguments {
   }
 
   void read_table(lua_State* L, int index);
-  void read_pair(lua_State* L);
-  const Option* option_of_key(lua_State* L);
+  void read_positional(lua_State* L, int index, const Option& option);
+  void report_others(lua_State* L, int index, bool first_is_known);
   void read_value(lua_State* L, int index, const Option& option);
   void require_all();
   void wrong(const Option& option, std::string what, std::string remedy = {});

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,12 +40,11 @@ void check_defaults(lua_State* L, Problems& problems) {
   }
 }
 
-std::vector<std::string> declare(lua_State* L, Session& session) {
-  std::vector<std::string> names;
-  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
-    names.emplace_back(lua_tostring(L, -2));
-    session.declared_options.insert(names.back());
-  }
+// Ordered: the order of a Lua table changes from process to process.
+std::set<std::string> declare(lua_State* L, Session& session) {
+  std::set<std::string> names;
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) names.emplace(lua_tostring(L, -2));
+  session.declared_options.insert(names.begin(), names.end());
   return names;
 }
 
@@ -111,7 +111,7 @@ int options(lua_State* L) {
   Problems problems;
   check_defaults(L, problems);
   problems.throw_if_any();
-  const std::vector<std::string> names = declare(L, session);
+  const std::set<std::string> names = declare(L, session);
   check_known(session, problems);
   lua_newtable(L);
   const int result = lua_gettop(L);

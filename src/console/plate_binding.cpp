@@ -53,12 +53,11 @@ constexpr std::array crack_options{
            .sentence = "Whether the bonds it cuts count as damage or were never there."},
 };
 
-constexpr FunctionDoc crack_doc{
-    .name = "crack",
-    .owner = "p",
-    .sentence = "Cuts every bond that a straight crack crosses; its two ends do not belong to it.",
-    .options = crack_options,
-    .example = "p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }"};
+constexpr FunctionDoc crack_doc{.name = "crack",
+                                .owner = "p",
+                                .sentence = "Cuts every bond that a straight crack crosses.",
+                                .options = crack_options,
+                                .example = "p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }"};
 
 constexpr std::array traction_options{
     Option{.name = "edge",

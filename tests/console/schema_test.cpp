@@ -35,7 +35,7 @@ TEST(Schema, EveryFunctionAndOptionHasASentence) {
 TEST(Schema, EveryFieldAndTypeIsExplained) {
   for (const TypeDoc* type : all_types()) {
     EXPECT_TRUE(is_sentence(type->sentence)) << type->name;
-    for (const Field& field : type->fields) {
+    for (const Property& field : type->fields) {
       EXPECT_TRUE(field.sentence.ends_with('.')) << field.name;
       EXPECT_NE(field.push, nullptr) << field.name;
     }
