@@ -7,5 +7,5 @@ set -euo pipefail
 here=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 out=$(realpath -m -- "${1:-$here/out/edge_crack}")
 
-"$here/scripts/setup.sh" release
+"$here/scripts/setup.sh" release hackle
 "$here/build/release/bin/hackle" run "$here/scripts/samples/edge_crack.lua" -o "$out"

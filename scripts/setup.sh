@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that Hackle needs and builds a release.
 #
-#   scripts/setup.sh [PRESET]      default preset: release
+#   scripts/setup.sh [PRESET [TARGET]]      default: release, everything
 #
 # Does nothing that is already done. Works as root, through sudo, or, when every package is there, as anybody.
 set -euo pipefail
 cd "$(dirname -- "${BASH_SOURCE[0]}")/.."
 preset=${1:-release}
+target=${2:-all}
 
 packages=(
   g++ cmake ninja-build pkg-config git
   libeigen3-dev libosmesa6-dev liblua5.4-dev libhdf5-dev
   libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libedit-dev
-  libcairo2-dev fonts-dejavu-core libgtest-dev
+  libcairo2-dev fonts-dejavu-core libgtest-dev libgmock-dev
 )
 
 missing=()
@@ -47,4 +48,4 @@ if [ ${#missing[@]} -gt 0 ]; then
 fi
 
 cmake --preset "$preset"
-cmake --build --preset "$preset"
+cmake --build --preset "$preset" --target "$target"
