@@ -11,4 +11,4 @@ preset=${1:-release}
 
 "$here/scripts/setup.sh" "$preset"
 cd "$here"
-ctest --preset "$preset" --parallel "$(nproc)" "$@"
+ctest --preset "$preset" --parallel "$(nproc)" --no-label-summary "$@"
