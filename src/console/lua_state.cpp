@@ -20,13 +20,15 @@ LuaState::~LuaState() {
 
 // Lua keeps the size of a pointer for its host in every state; a new coroutine gets a copy of the
 // main one's.
+static_assert(LUA_EXTRASPACE == sizeof(void*));
+
 void set_session(lua_State* L, Session* session) {
-  std::memcpy(lua_getextraspace(L), &session, sizeof session);
+  std::memcpy(lua_getextraspace(L), &session, LUA_EXTRASPACE);
 }
 
 Session* find_session(lua_State* L) {
   Session* session = nullptr;
-  std::memcpy(&session, lua_getextraspace(L), sizeof session);
+  std::memcpy(&session, lua_getextraspace(L), LUA_EXTRASPACE);
   return session;
 }
 

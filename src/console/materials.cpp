@@ -15,7 +15,7 @@ namespace {
 
 std::string text_field(lua_State* L, const char* name) {
   lua_getfield(L, -1, name);
-  const std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+  std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
   lua_pop(L, 1);
   return text;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/files.hpp"
 
 namespace hackle {
@@ -73,8 +75,8 @@ void Session::check_overrides_used() const {
   Problems problems;
   for (const auto& [key, value] : settings.overrides)
     if (!declared_options.contains(key))
-      problems.add("--set " + key + "=" + value + ": the script has no options to set",
-                   "declare them in it: local o = options { " + key + " = ... }");
+      problems.add(fmt::format("--set {}={}: the script has no options to set", key, value),
+                   fmt::format("declare them in it: local o = options {{ {} = ... }}", key));
   problems.throw_if_any();
 }
 

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
@@ -47,7 +49,8 @@ ColourMap load_colour_map(const std::string& name) {
     unsigned red = 0, green = 0, blue = 0;
     const bool read = std::sscanf(line.c_str(), "%u,%u,%u", &red, &green, &blue) == 3;
     if (!read || std::max({red, green, blue}) > 255 || count >= map.colours.size())
-      throw Error(ErrorKind::files, "the colour map '" + name + "' is damaged at '" + line + "'");
+      throw Error(ErrorKind::files,
+                  fmt::format("the colour map '{}' is damaged at '{}'", name, line));
     map.colours[count++] = {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
                             static_cast<std::uint8_t>(blue)};
   }

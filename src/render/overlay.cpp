@@ -87,7 +87,9 @@ void draw_ticks(Canvas& canvas, const Layout& layout, const OverlayText& text) {
   const double step = tick_step(span, bar.width, layout.small_font);
   const double base = bar.bottom() + 0.4 * layout.font + 0.85 * layout.small_font;
   canvas.colour(quiet_colour);
-  for (double value = text.least; value <= text.most + 1e-9 * span; value += step) {
+  const int intervals = static_cast<int>(span / step + 1e-9);
+  for (int tick = 0; tick <= intervals; ++tick) {
+    const double value = text.least + tick * step;
     const double share = (value - text.least) / span;
     const bool last = share > 1.0 - 1e-6;
     const double x = bar.x + std::round(share * (bar.width - 1));
