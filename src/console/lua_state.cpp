@@ -20,8 +20,6 @@ LuaState::~LuaState() {
 
 // Lua keeps the size of a pointer for its host in every state; a new coroutine gets a copy of the
 // main one's.
-static_assert(LUA_EXTRASPACE == sizeof(void*));
-
 void set_session(lua_State* L, Session* session) {
   std::memcpy(lua_getextraspace(L), &session, LUA_EXTRASPACE);
 }
