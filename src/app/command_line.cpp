@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "app/command_bench.hpp"
 #include "app/command_info.hpp"
 #include "app/command_prompt.hpp"
 #include "app/command_run.hpp"
@@ -22,12 +23,13 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 2> commands{"run", "info"};
+constexpr std::array<std::string_view, 3> commands{"run", "bench", "info"};
 constexpr int most_threads = 1024;
 
 // Everything the command line can say.
 struct Request {
   RunRequest run;
+  BenchRequest bench;
   std::vector<std::string> settings;
   bool info_as_json = false;
 };
@@ -74,11 +76,32 @@ void describe_run(CLI::App& app, Request& request) {
   run->footer("What follows -- is given to the script, in `arg` and `...`.");
 }
 
+void describe_bench(CLI::App& app, Request& request) {
+  CLI::App* bench = app.add_subcommand("bench", "Measure how fast this machine solves a plate");
+  bench->add_option("--peer", request.bench.peer, "Compare with it: lammps or none")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "lammps", "none"}));
+  bench->add_option("--rounds", request.bench.rounds, "Times that everything is measured (5)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  bench->add_option("--nodes", request.bench.nodes, "Size of the plate (64000)")
+      ->type_name("N")
+      ->check(CLI::Range(1000, 100000000));
+  bench->add_option("-j,--threads", request.bench.threads, "Threads (one for each core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads));
+  bench->add_flag("--accuracy", request.bench.accuracy,
+                  "Measure what speed costs in accuracy instead");
+  bench->add_flag("--json", request.bench.json, "Print one JSON object on stdout");
+  bench->add_flag("-q,--quiet", request.bench.quiet, "Say nothing but errors");
+}
+
 void describe(CLI::App& app, Request& request) {
   app.name("hackle");
   app.set_version_flag("--version", version_text);
   app.require_subcommand(0, 1);
   describe_run(app, request);
+  describe_bench(app, request);
   CLI::App* info = app.add_subcommand("info", "Show version, libraries and machine");
   info->add_flag("--json", request.info_as_json, "As one JSON object");
   app.footer("hackle FILE.lua is short for hackle run FILE.lua; hackle alone opens the prompt.");
@@ -101,6 +124,7 @@ int execute(const CLI::App& app, Request& request) {
     request.run.overrides[setting.substr(0, equals)] = setting.substr(equals + 1);
   }
   if (app.got_subcommand("run")) return command_run(request.run);
+  if (app.got_subcommand("bench")) return command_bench(request.bench);
   if (app.got_subcommand("info")) return command_info(request.info_as_json);
   return command_prompt();
 }

@@ -23,6 +23,9 @@ Numerics numerics_of(const Arguments& arguments) {
   numerics.spacing = arguments.number("spacing");
   numerics.horizon = arguments.number("horizon");
   numerics.precision = arguments.choice<Precision>("precision");
+  numerics.fused = arguments.flag("fused");
+  numerics.fidelity = arguments.number("fidelity", 0.0);
+  numerics.breaking = arguments.choice<Breaking>("breaking");
   numerics.quadrature = arguments.choice<Quadrature>("quadrature");
   numerics.constants = arguments.choice<Constants>("constants");
   if (arguments.has("step")) numerics.step = arguments.number("step");

@@ -1,56 +1,57 @@
 // SPDX-License-Identifier: MIT
-// One bit for each directed bond of each node.
+// One bit for each bond.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "lattice/node_layout.hpp"
+
 namespace hackle {
 
-// Bit k of node n says whether its bond to the k-th offset of the family holds. Kept as planes:
-// word w of all nodes, then word w + 1. Both ends of a bond have their own bit; they always agree.
+// Bit k at a node says whether the k-th bond that it keeps (see Family) holds. Places are those of
+// a NodeLayout. Kept as planes: word w of all places, then word w + 1.
 class BondBits {
  public:
   BondBits() = default;
-  BondBits(std::size_t nodes, int words)
-      : nodes_(nodes), bits_(nodes * static_cast<std::size_t>(words)) {}
+  BondBits(const NodeLayout& layout, int words)
+      : plane_(layout.size()), words_(plane_ * static_cast<std::size_t>(words)) {}
 
-  bool holds(std::size_t node, int bond) const { return (word(node, bond) >> (bond & 63)) & 1U; }
-  void set(std::size_t node, int bond) { word(node, bond) |= mask(bond); }
-  void clear(std::size_t node, int bond) { word(node, bond) &= ~mask(bond); }
-
-  // Bonds of the node that hold.
-  int count(std::size_t node) const {
-    int sum = 0;
-    for (std::size_t at = node; at < bits_.size(); at += nodes_) sum += std::popcount(bits_[at]);
-    return sum;
+  bool holds(std::ptrdiff_t at, int bond) const { return (words_[index(at, bond)] & mask(bond)) != 0; }
+  void set(std::ptrdiff_t at, int bond) { words_[index(at, bond)] |= mask(bond); }
+  void clear(std::ptrdiff_t at, int bond) { words_[index(at, bond)] &= ~mask(bond); }
+  void clear_all(std::ptrdiff_t at) {
+    for (auto place = static_cast<std::size_t>(at); place < words_.size(); place += plane_)
+      words_[place] = 0;
   }
-  // Directed bonds that hold; every bond counts twice.
+
+  // Clears bits of one word of a place.
+  void clear(std::ptrdiff_t at, int word, std::uint32_t bits) {
+    words_[static_cast<std::size_t>(word) * plane_ + static_cast<std::size_t>(at)] &= ~bits;
+  }
+
+  // Bonds that hold.
   std::int64_t count() const {
     std::int64_t sum = 0;
-    for (const std::uint64_t word : bits_) sum += std::popcount(word);
+    for (const std::uint32_t word : words_) sum += std::popcount(word);
     return sum;
   }
 
-  std::size_t nodes() const { return nodes_; }
-  bool empty() const { return bits_.empty(); }
-  std::vector<std::uint64_t>& planes() { return bits_; }
-  const std::vector<std::uint64_t>& planes() const { return bits_; }
+  std::size_t plane() const { return plane_; }  // words between two planes
+  bool empty() const { return words_.empty(); }
+  const std::vector<std::uint32_t>& words() const { return words_; }
 
   friend bool operator==(const BondBits&, const BondBits&) = default;
 
  private:
-  static std::uint64_t mask(int bond) { return std::uint64_t{1} << (bond & 63); }
-  std::uint64_t& word(std::size_t node, int bond) {
-    return bits_[static_cast<std::size_t>(bond / 64) * nodes_ + node];
-  }
-  const std::uint64_t& word(std::size_t node, int bond) const {
-    return bits_[static_cast<std::size_t>(bond / 64) * nodes_ + node];
+  static std::uint32_t mask(int bond) { return std::uint32_t{1} << (bond & 31); }
+  std::size_t index(std::ptrdiff_t at, int bond) const {
+    return static_cast<std::size_t>(bond / 32) * plane_ + static_cast<std::size_t>(at);
   }
 
-  std::size_t nodes_ = 0;
-  std::vector<std::uint64_t> bits_;
+  std::size_t plane_ = 0;
+  std::vector<std::uint32_t> words_;
 };
 
 }  // namespace hackle

@@ -10,12 +10,14 @@ using std::numbers::pi;
 
 Moduli moduli(const Family& family, double c, double dx) {
   double xx = 0.0, xy = 0.0;
-  family.for_each_bond([&](int a, int b, double weight, int) {
-    const double r2 = a * a + b * b, r3 = r2 * std::sqrt(r2);
-    xx += weight * (a * a * a * a) / r3;
-    xy += weight * (a * a * b * b) / r3;
+  family.for_each_bond([&](int, int, const Vec2& xi, double weight, int) {
+    const Vec2 squares = xi.cwiseAbs2();
+    const double r2 = xi.squaredNorm(), r3 = r2 * std::sqrt(r2);
+    xx += weight * squares.x() * squares.x() / r3;
+    xy += weight * squares.x() * squares.y() / r3;
   });
-  const double scale = 0.5 * c * dx * dx * dx;  // V = dx^2, and x^4/r^3 carries one dx
+  // Half, times two for the opposite bonds; V = dx^2, and x^4/r^3 carries one dx.
+  const double scale = c * dx * dx * dx;
   Moduli moduli;
   moduli.C11 = scale * xx;
   moduli.C12 = scale * xy;
@@ -27,11 +29,10 @@ Moduli moduli(const Family& family, double c, double dx) {
 
 double fracture_energy(const Family& family, double c, double s0, double dx, const Vec2& normal) {
   double sum = 0.0;
-  family.for_each_bond([&](int a, int b, double weight, int) {
-    const Vec2 xi(a, b);
+  family.for_each_bond([&](int, int, const Vec2& xi, double weight, int) {
     sum += weight * xi.norm() * std::abs(xi.dot(normal));
   });
-  return 0.25 * c * s0 * s0 * (dx * dx) * (dx * dx) * sum;
+  return 0.5 * c * s0 * s0 * (dx * dx) * (dx * dx) * sum;
 }
 
 Calibration calibrate(const Family& family, const Material& material, double dx,

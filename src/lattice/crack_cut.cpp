@@ -60,9 +60,9 @@ void cut(const Crack& crack, const Grid& grid, const Family& family, BondBits& b
   const Range rows = near(segment.from.y(), segment.to.y(), grid.ny, family.reach());
   for (int j = rows.first; j <= rows.last; ++j)
     for (int i = columns.first; i <= columns.last; ++i)
-      family.for_each_bond([&](int a, int b, double, int bit) {
+      family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
         const Segment bond{grid.from_centre(i, j), grid.from_centre(i + a, j + b)};
-        if (crosses(segment, bond)) bonds.clear(grid.index(i, j), bit);
+        if (crosses(segment, bond)) bonds.clear(grid.layout().at(i, j), bit);
       });
 }
 

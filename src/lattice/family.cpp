@@ -19,33 +19,18 @@ double weight_of(double length, double m, Quadrature quadrature) {
 
 }  // namespace
 
-int Images::column(int k) const {
-  if (is_quad()) return k < 2 ? a : -a;
-  return k == 0 ? a : -a;
-}
-
-int Images::row(int k) const {
-  if (is_quad()) return k % 2 == 0 ? b : -b;
-  return k == 0 ? b : -b;
-}
-
-double Images::length() const {
-  return std::sqrt(static_cast<double>(a * a + b * b));
-}
-
 Family::Family(double m, Quadrature quadrature)
     : m_(whole_if_near(m)), quadrature_(quadrature), reach_(static_cast<int>(m_)) {
-  const auto add = [&](int a, int b) {
-    if (static_cast<double>(a * a + b * b) > m_ * m_) return;
-    Images image{a, b, 0.0, bonds_};
-    image.weight = weight_of(image.length(), m_, quadrature_);
-    images_.push_back(image);
-    bonds_ += image.count();
-  };
-  for (int b = 1; b <= reach_; ++b)
-    for (int a = 1; a <= reach_; ++a) add(a, b);
-  for (int a = 1; a <= reach_; ++a) add(a, 0);
-  for (int b = 1; b <= reach_; ++b) add(0, b);
+  for (int b = reach_; b >= 0; --b)
+    for (int a = b == 0 ? 1 : 0; a <= reach_; ++a) {
+      if (static_cast<double>(a * a + b * b) > m_ * m_) continue;
+      Images image{a, b, Vec2(a, b), 0.0, bits_};
+      image.weight = weight_of(image.length(), m_, quadrature_);
+      if (image.is_quad() && image.first_bit % 32 == 31) ++image.first_bit;
+      images_.push_back(image);
+      kept_ += image.kept();
+      bits_ = image.first_bit + image.kept();
+    }
 }
 
 }  // namespace hackle

@@ -3,7 +3,6 @@
 // same for every node, so nothing is stored per bond but one bit.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "lattice/numerics.hpp"
@@ -12,19 +11,21 @@ namespace hackle {
 
 // The mirror images of one offset share length and weight. A quad has the four directions (+a,+b),
 // (+a,-b), (-a,+b), (-a,-b) with a, b > 0; a pair lies on an axis and has two, (+a,0), (-a,0) or
-// (0,+b), (0,-b). Forces of images are summed as (f1 + f2) + (f3 + f4), which no mirror changes.
+// (0,+b), (0,-b).
+//
+// A bond is kept by its lower end, or by its left end when both are in one row: a quad has two kept
+// bonds, (+a,+b) and (-a,+b), a pair one.
 struct Images {
   int a = 0;            // columns, >= 0
   int b = 0;            // rows, >= 0
-  double weight = 0.0;  // quadrature weight, in (0, 1]
-  int first_bit = 0;    // bit of the first image in a node's bond bits; the others follow
+  Vec2 xi{0, 0};        // the bond itself, in units of dx: (a, b), unless the quadrature moves it
+  double weight = 0.0;  // of quadrature and micromodulus, above 0
+  int first_bit = 0;    // bit of the first kept bond in a node's bond bits; the other follows, in
+                        // the same word of 32
 
   bool is_quad() const { return a > 0 && b > 0; }
-  int count() const { return is_quad() ? 4 : 2; }
-  // The offset of image k, 0 <= k < count().
-  int column(int k) const;
-  int row(int k) const;
-  double length() const;  // in units of dx
+  int kept() const { return is_quad() ? 2 : 1; }
+  double length() const { return xi.norm(); }  // in units of dx
 };
 
 class Family {
@@ -35,24 +36,31 @@ class Family {
 
   double m() const { return m_; }
   Quadrature quadrature() const { return quadrature_; }
+  // Rows from far to near, columns from near to far.
   const std::vector<Images>& images() const { return images_; }
-  int bonds() const { return bonds_; }              // directed bonds of an inner node
-  int reach() const { return reach_; }              // the farthest column or row of a neighbour
-  int words() const { return (bonds_ + 63) / 64; }  // 64-bit words of bond bits per node
+  int kept() const { return kept_; }               // bonds kept by an inner node
+  int bonds() const { return 2 * kept_; }          // bonds of an inner node
+  int reach() const { return reach_; }             // the farthest column or row of a neighbour
+  int words() const { return (bits_ + 31) / 32; }  // words of bond bits per node
 
-  // Calls visit(column, row, weight, bit) for every directed bond, in the order of the bits.
+  // Calls visit(column, row, xi, weight, bit) for every bond that a node keeps, in the order of the
+  // bits. Their opposites are the other half of its bonds.
   template <class Visit>
   void for_each_bond(Visit visit) const {
-    for (const Images& image : images_)
-      for (int k = 0; k < image.count(); ++k)
-        visit(image.column(k), image.row(k), image.weight, image.first_bit + k);
+    for (const Images& image : images_) {
+      visit(image.a, image.b, image.xi, image.weight, image.first_bit);
+      if (!image.is_quad()) continue;
+      const Vec2 mirrored(-image.xi.x(), image.xi.y());
+      visit(-image.a, image.b, mirrored, image.weight, image.first_bit + 1);
+    }
   }
 
  private:
   double m_;
   Quadrature quadrature_;
   std::vector<Images> images_;
-  int bonds_ = 0;
+  int kept_ = 0;
+  int bits_ = 0;
   int reach_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lattice/node_layout.hpp"
 #include "scene/plate.hpp"
 
 namespace hackle {
@@ -21,6 +22,7 @@ struct Grid {
   std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
   }
+  NodeLayout layout() const { return {nx, ny}; }
   bool contains(int i, int j) const { return i >= 0 && i < nx && j >= 0 && j < ny; }
 
   // Place of a node from the centre of the lattice, in units of dx. Multiples of 1/2, hence exact,

@@ -12,11 +12,11 @@ namespace hackle {
 namespace {
 
 BondBits uncut_bonds(const Grid& grid, const Family& family) {
-  BondBits bonds(grid.nodes(), family.words());
+  BondBits bonds(grid.layout(), family.words());
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
-      family.for_each_bond([&](int a, int b, double, int bit) {
-        if (grid.contains(i + a, j + b)) bonds.set(grid.index(i, j), bit);
+      family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+        if (grid.contains(i + a, j + b)) bonds.set(grid.layout().at(i, j), bit);
       });
   return bonds;
 }
@@ -25,13 +25,6 @@ void cut_all(const std::vector<Crack>& cracks, Born born, const Grid& grid, cons
              BondBits& bonds) {
   for (const Crack& crack : cracks)
     if (crack.born == born) cut(crack, grid, family, bonds);
-}
-
-std::vector<std::uint16_t> counts(const BondBits& bonds) {
-  std::vector<std::uint16_t> result(bonds.nodes());
-  for (std::size_t node = 0; node < result.size(); ++node)
-    result[node] = static_cast<std::uint16_t>(bonds.count(node));
-  return result;
 }
 
 bool in_zone(const NoFail& zone, const Grid& grid, int i, int j) {
@@ -51,13 +44,13 @@ BondBits bonds_in_zones(const std::vector<NoFail>& zones, const Grid& grid, cons
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) safe_node[grid.index(i, j)] = safe(i, j);
 
-  BondBits bonds(grid.nodes(), family.words());
+  BondBits bonds(grid.layout(), family.words());
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
-      family.for_each_bond([&](int a, int b, double, int bit) {
+      family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
         if (!grid.contains(i + a, j + b)) return;
         if (safe_node[grid.index(i, j)] || safe_node[grid.index(i + a, j + b)])
-          bonds.set(grid.index(i, j), bit);
+          bonds.set(grid.layout().at(i, j), bit);
       });
   return bonds;
 }
@@ -94,12 +87,50 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
       unbreakable(bonds_in_zones(plate.no_fail, grid, family)),
       loads(loaded_nodes(plate.tractions, grid, rho)) {
   cut_all(plate.cracks, Born::absent, grid, family, bonds);
-  born = counts(bonds);
+  born = degrees(grid, family, bonds);
   cut_all(plate.cracks, Born::broken, grid, family, bonds);
 }
 
 std::int64_t Lattice::bonds_born() const {
   return std::accumulate(born.begin(), born.end(), std::int64_t{0}) / 2;
+}
+
+std::vector<std::uint16_t> degrees(const Grid& grid, const Family& family, const BondBits& bonds) {
+  std::vector<std::uint16_t> result(grid.nodes());
+  const NodeLayout layout = grid.layout();
+  family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+    const std::uint32_t* plane = bonds.words().data() + static_cast<std::size_t>(bit / 32) * bonds.plane();
+    const int first = std::max(0, -a), end = std::min(grid.nx, grid.nx - a);
+    for (int j = 0; j + b < grid.ny; ++j) {
+      const std::uint32_t* word = plane + layout.at(0, j);
+      std::uint16_t* here = result.data() + grid.index(0, j);
+      std::uint16_t* there = result.data() + grid.index(0, j + b) + a;
+      for (int i = first; i < end; ++i) {
+        const auto held = static_cast<std::uint16_t>((word[i] >> (bit & 31)) & 1U);
+        here[i] = static_cast<std::uint16_t>(here[i] + held);
+        there[i] = static_cast<std::uint16_t>(there[i] + held);
+      }
+    }
+  });
+  return result;
+}
+
+bool holds(const Grid& grid, const Family& family, const BondBits& bonds, int i, int j, int column,
+           int row) {
+  bool held = false;
+  family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+    if (a == column && b == row) held = bonds.holds(grid.layout().at(i, j), bit);
+    if (a == -column && b == -row && grid.contains(i + column, j + row))
+      held = bonds.holds(grid.layout().at(i + column, j + row), bit);
+  });
+  return held;
+}
+
+void isolate(const Grid& grid, const Family& family, int i, int j, BondBits& bonds) {
+  bonds.clear_all(grid.layout().at(i, j));
+  family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+    if (grid.contains(i - a, j - b)) bonds.clear(grid.layout().at(i - a, j - b), bit);
+  });
 }
 
 }  // namespace hackle

@@ -30,9 +30,20 @@ struct Lattice {
   BondBits bonds;                   // at t = 0, after the cracks were cut
   std::vector<std::uint16_t> born;  // per node: bonds it was born with, the base of its damage
   BondBits unbreakable;             // bonds of no-fail zones; empty when there are none
+  std::vector<float> strength;      // per node: its critical stretch over s0; empty when all are 1
   std::vector<LoadedNode> loads;    // each node once, ordered by index
 
-  std::int64_t bonds_born() const;  // each bond counted once
+  std::int64_t bonds_born() const;
 };
+
+// Bonds that each node has among `bonds`, in the order of Grid::index.
+std::vector<std::uint16_t> degrees(const Grid& grid, const Family& family, const BondBits& bonds);
+
+// Whether the bond of node (i, j) to (i + column, j + row) holds; false when there is none.
+bool holds(const Grid& grid, const Family& family, const BondBits& bonds, int i, int j, int column,
+           int row);
+
+// Breaks all bonds of a node.
+void isolate(const Grid& grid, const Family& family, int i, int j, BondBits& bonds);
 
 }  // namespace hackle

@@ -25,19 +25,29 @@ enum class Constants {
   paper,      // the paper's Eq. 8 and Eq. 10, which do not belong together (physics.md 0)
 };
 
-enum class Precision { f64 };
+// When a bond that is found stretched too far ceases to pull.
+enum class Breaking {
+  at_once,    // in the step that finds it
+  next_step,  // in the step after, as in LAMMPS: longer steps then make a tougher material
+};
+
+enum class Precision { f64, f32 };
 
 // Names of the choices, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> quadrature_names{"full", "ramp"};
 inline constexpr std::array<std::string_view, 3> constants_names{"lattice", "continuum", "paper"};
-inline constexpr std::array<std::string_view, 1> precision_names{"f64"};
+inline constexpr std::array<std::string_view, 2> breaking_names{"at_once", "next_step"};
+inline constexpr std::array<std::string_view, 2> precision_names{"f64", "f32"};
 
 struct Numerics {
   double spacing = 0.0;  // dx, m
   double horizon = 0.0;  // delta, m; 0: four spacings
   Quadrature quadrature = Quadrature::full;
   Constants constants = Constants::lattice;
+  Breaking breaking = Breaking::at_once;
   Precision precision = Precision::f64;
+  bool fused = false;  // multiply and add in one rounding: faster, but not on every machine
+  double fidelity = 0.0;  // share of the critical stretch below which forces may be linearised, 0..1
   std::optional<double> step;  // s; nothing: step_fraction of the stability limit
   bool force_step = false;     // accept a step above the limit
 

@@ -33,11 +33,10 @@ Peak best_around(const Family& family, const Vec2& centre, double half_width, in
 
 Branches symbol(const Family& family, double c, double dx, const Vec2& k) {
   Eigen::Matrix2d D = Eigen::Matrix2d::Zero();
-  family.for_each_bond([&](int a, int b, double weight, int) {
-    const Vec2 xi(a, b);
-    const double half_sine =
-        std::sin(0.5 * k.dot(xi));  // 1 - cos x = 2 sin^2(x/2), no cancellation
-    D += weight * 2.0 * half_sine * half_sine / (xi.squaredNorm() * xi.norm()) *
+  family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int) {
+    // 1 - cos x = 2 sin^2(x/2), no cancellation; twice, for the opposite bond.
+    const double half_sine = std::sin(0.5 * k.dot(Vec2(a, b)));
+    D += weight * 4.0 * half_sine * half_sine / (xi.squaredNorm() * xi.norm()) *
          (xi * xi.transpose());
   });
   D *= c * dx;  // V = dx^2, and xi xi^T/|xi|^3 is 1/dx

@@ -4,50 +4,45 @@
 namespace hackle {
 namespace {
 
-// Calls visit(node, in_u) for every node: its index and its place in the rimmed arrays.
-template <class Visit>
-void for_each_node(const Simulation& simulation, Visit visit) {
+// A field of two components from a vector for every node, given by its column and row.
+template <class Of>
+Field vector_field(const Simulation& simulation, const char* name, const char* unit, Of of) {
   const Grid& grid = simulation.lattice().grid;
-  const Rimmed& layout = simulation.state().layout;
+  Field field{name, unit, 2, {}};
+  field.values.reserve(2 * grid.nodes());
   for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      visit(grid.index(i, j), static_cast<std::size_t>(layout.at(i, j)));
+    for (int i = 0; i < grid.nx; ++i) {
+      const Vec2 value = of(i, j);
+      field.values.push_back(static_cast<float>(value.x()));
+      field.values.push_back(static_cast<float>(value.y()));
+    }
+  return field;
 }
 
 }  // namespace
 
 Field damage(const Simulation& simulation) {
   const Lattice& lattice = simulation.lattice();
+  const auto left = degrees(lattice.grid, lattice.family, simulation.state().bonds);
   Field field{"damage", "", 1, std::vector<float>(lattice.grid.nodes())};
   for (std::size_t node = 0; node < field.values.size(); ++node) {
     const int born = lattice.born[node];
-    const int left = simulation.state().bonds.count(node);
     field.values[node] =
-        born == 0 ? 0.0F : static_cast<float>(born - left) / static_cast<float>(born);
+        born == 0 ? 0.0F : static_cast<float>(born - left[node]) / static_cast<float>(born);
   }
   return field;
 }
 
 Field displacement(const Simulation& simulation) {
-  const State& state = simulation.state();
-  const double dx = simulation.lattice().grid.dx;
-  Field field{"displacement", "m", 2, std::vector<float>(2 * simulation.lattice().grid.nodes())};
-  for_each_node(simulation, [&](std::size_t node, std::size_t in_u) {
-    field.values[2 * node] = static_cast<float>(state.ux[in_u] * dx);
-    field.values[2 * node + 1] = static_cast<float>(state.uy[in_u] * dx);
-  });
-  return field;
+  return vector_field(simulation, "displacement", "m",
+                      [&](int i, int j) { return simulation.displacement(i, j); });
 }
 
 Field velocity(const Simulation& simulation) {
-  const State& state = simulation.state();
-  const double unit = simulation.lattice().grid.dx / simulation.dt();
-  Field field{"velocity", "m/s", 2, std::vector<float>(2 * simulation.lattice().grid.nodes())};
-  for (std::size_t node = 0; node < state.vx.size(); ++node) {
-    field.values[2 * node] = static_cast<float>(state.vx[node] * unit);
-    field.values[2 * node + 1] = static_cast<float>(state.vy[node] * unit);
-  }
-  return field;
+  const std::vector<Vec2> velocities = simulation.velocities();
+  const Grid& grid = simulation.lattice().grid;
+  return vector_field(simulation, "velocity", "m/s",
+                      [&](int i, int j) { return velocities[grid.index(i, j)]; });
 }
 
 }  // namespace hackle

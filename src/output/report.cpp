@@ -2,11 +2,13 @@
 #include "output/report.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "base/units.hpp"
 #include "scene/waves.hpp"
+#include "solver/rigid_motion.hpp"
 
 namespace hackle {
 namespace {
@@ -59,8 +61,9 @@ std::string energy_line(const Energy& energy) {
 
 std::string wall_line(const Simulation& simulation, const Summary& summary) {
   std::string line =
-      fmt::format("solve {:.2f} s on {} threads, {:.3g} M node-steps/s ({})", summary.wall.solve,
-                  summary.threads, summary.node_steps_per_second() * 1e-6,
+      fmt::format("solve {:.2f} s on {} thread{}, {:.3g} M node-steps/s ({} {})",
+                  summary.wall.solve, summary.threads, summary.threads == 1 ? "" : "s",
+                  summary.node_steps_per_second() * 1e-6, summary.precision,
                   name_of(instruction_set_names, simulation.instruction_set()));
   const auto add = [&](const char* stage, double seconds) {
     if (seconds > 0.0) line += fmt::format("; {} {:.2f} s", stage, seconds);
@@ -71,16 +74,26 @@ std::string wall_line(const Simulation& simulation, const Summary& summary) {
   return line;
 }
 
+std::string tiles_line(const Summary& summary) {
+  const auto all = std::accumulate(summary.paths.begin(), summary.paths.end(), std::int64_t{0});
+  std::string line;
+  for (std::size_t path = 0; path < summary.paths.size(); ++path) {
+    if (summary.paths[path] == 0) continue;
+    line += fmt::format("{}{} {:.1f} %", line.empty() ? "" : ", ", path_names[path],
+                        100.0 * static_cast<double>(summary.paths[path]) / static_cast<double>(all));
+  }
+  return line.empty() ? "no step yet" : line;
+}
+
 }  // namespace
 
 std::string report(const Simulation& simulation, const Summary& summary) {
   return fmt::format(
-      "{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}\n  wall     "
-      "{}\n"
-      "  state    {}",
+      "{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}\n  tiles    "
+      "{}\n  wall     {}\n  state    {}",
       describe(simulation.plate()), lattice_line(simulation, summary), model_line(simulation),
       time_line(summary), damage_line(summary), energy_line(summary.energy),
-      wall_line(simulation, summary), summary.hash);
+      tiles_line(summary), wall_line(simulation, summary), summary.hash);
 }
 
 std::vector<std::string> remarks(const Simulation& simulation) {
@@ -93,6 +106,11 @@ std::vector<std::string> remarks(const Simulation& simulation) {
     list.push_back(
         fmt::format("the lattice is {} x {}: the plate is not a whole number of spacings",
                     quantity(width, "m"), quantity(height, "m")));
+  if (simulation.widened_at())
+    list.push_back(fmt::format(
+        "from {} on it was solved in f64: displacements of {:.2g} spacings are too large for f32",
+        quantity(*simulation.widened_at(), "s"),
+        spread_of(simulation.state()).half.maxCoeff()));
   const double E = simulation.lattice().calibration.moduli.E / plate.material.E;
   const double G0 = simulation.lattice().calibration.G0 / plate.material.G0;
   if (std::abs(E - 1.0) > 1e-6 || std::abs(G0 - 1.0) > 1e-6)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/summary.hpp"
 
+#include <numeric>
+
 #include <nlohmann/json.hpp>
 
 namespace hackle {
@@ -19,6 +21,16 @@ nlohmann::ordered_json to_json(const Energy& energy) {
           {"residual", energy.residual()}};
 }
 
+// Shares of all tile-steps.
+nlohmann::ordered_json to_json(const PathCounts& paths) {
+  const auto all = static_cast<double>(std::accumulate(paths.begin(), paths.end(), std::int64_t{0}));
+  nlohmann::ordered_json json;
+  for (std::size_t path = 0; path < paths.size(); ++path)
+    json[std::string(path_names[path])] =
+        all > 0.0 ? static_cast<double>(paths[path]) / all : 0.0;
+  return json;
+}
+
 }  // namespace
 
 nlohmann::ordered_json to_json(const Summary& summary) {
@@ -33,6 +45,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   json["dt_limit_s"] = summary.dt_limit;
   json["precision"] = summary.precision;
   json["threads"] = summary.threads;
+  json["tile_paths"] = to_json(summary.paths);
   json["wall_s"] = to_json(summary.wall);
   json["node_steps_per_s"] = summary.node_steps_per_second();
   json["energy_J_per_m"] = to_json(summary.energy);

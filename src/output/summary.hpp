@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "measure/energy.hpp"
+#include "solver/tiles.hpp"
 
 namespace hackle {
 
@@ -32,8 +33,9 @@ struct Summary {
   double time = 0.0;      // simulated, s
   double dt = 0.0;        // s
   double dt_limit = 0.0;  // s, 2/omega_max
-  std::string precision;  // "f64"
+  std::string precision;  // "f64" or "f32"
   int threads = 0;
+  PathCounts paths{};  // tile-steps by the path they took
   StageSeconds wall;
   Energy energy;  // J/m
   DamageCount damage;

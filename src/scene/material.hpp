@@ -15,6 +15,9 @@ struct Material {
   double nu = 0.0;  // Poisson's ratio of the real material, in (-1, 0.5); bond-based theory imposes
                     // its own (1/3 in plane stress), this one is for comparison only
   double G0 = 0.0;  // fracture energy, J/m2, > 0
+  // How far compression toughens it: a bond breaks at s0 - alpha s_min, where s_min is the least
+  // stretch around its ends (paper Eq. 11); in [0, 1).
+  double alpha = 0.0;
 };
 
 // Adds a problem for every value outside its range.

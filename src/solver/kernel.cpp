@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "solver/kernel.hpp"
 
-#include "solver/kernel_f64.hpp"
+#include "solver/kernel_advance.hpp"
 
 namespace hackle {
+
+void note_loss(std::vector<Loss>& losses, const Loss& loss) {
+  losses.push_back(loss);
+}
 
 bool is_supported(InstructionSet set) {
   switch (set) {
@@ -14,7 +18,7 @@ bool is_supported(InstructionSet set) {
       return __builtin_cpu_supports("avx2") != 0;
     case InstructionSet::avx512:
       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-             __builtin_cpu_supports("avx512vl") != 0;
+             __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0;
 #else
     default:
       return false;
@@ -29,17 +33,36 @@ InstructionSet best_instruction_set() {
   return InstructionSet::baseline;
 }
 
-ForceKernel find_kernel(const KernelChoice& choice) {
-  switch (choice.instruction_set) {
+bool can_fuse(InstructionSet set) {
+#ifdef __x86_64__
+  return set != InstructionSet::baseline && __builtin_cpu_supports("fma") != 0;
+#else
+  return set == InstructionSet::baseline;
+#endif
+}
+
+template <class Real>
+Kernel<Real> find_kernel(InstructionSet set, Arithmetic arithmetic, KernelFeatures features) {
+  const bool fused = arithmetic == Arithmetic::fused;
+  switch (set) {
 #ifdef __x86_64__
     case InstructionSet::avx2:
-      return avx2::kernel_f64(choice.guarded);
+      return fused ? avx2_fused::kernel<Real>(features) : avx2::kernel<Real>(features);
     case InstructionSet::avx512:
-      return avx512::kernel_f64(choice.guarded);
+      return fused ? avx512_fused::kernel<Real>(features) : avx512::kernel<Real>(features);
+#elif defined(__aarch64__)
+    case InstructionSet::baseline:
+      if (fused) return baseline_fused::kernel<Real>(features);
+      [[fallthrough]];
 #endif
     default:
-      return baseline::kernel_f64(choice.guarded);
+      return baseline::kernel<Real>(features);
   }
 }
+
+template Kernel<float> find_kernel(InstructionSet set, Arithmetic arithmetic,
+                                   KernelFeatures features);
+template Kernel<double> find_kernel(InstructionSet set, Arithmetic arithmetic,
+                                    KernelFeatures features);
 
 }  // namespace hackle

@@ -1,52 +1,145 @@
 // SPDX-License-Identifier: MIT
-// The inner loop's interface: a kernel gives rows of nodes their acceleration and breaks their
-// bonds. Everything it needs is prepared in tables; which kernel runs is chosen once, by precision,
-// options of the scene and instruction set. All kernels of one precision give the same bits.
+// The inner loop's interface: a kernel takes some rows of the plate through one time step.
+// Everything it needs is prepared in tables; which kernel runs is chosen once, by precision, options
+// of the scene and instruction set. All kernels of one precision give the same bits.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string_view>
-#include <vector>
+
+#include "lattice/node_layout.hpp"
+#include "solver/tiles.hpp"
 
 namespace hackle {
 
-// The mirror images of one offset (a, b), in lattice units (kernel.md 0). With h the relative
-// displacement, E = hx (hx + 2a) + hy (hy + 2b) = L^2 e.
+template <class Real>
+struct Scratch;
+
+// g(e)/e = 1/((1+e) + sqrt(1+e)) as a polynomial of e, interpolated at the Chebyshev nodes of
+// |e| <= series_range: exact to half a unit in the last place there (6.5e-8 and 4.7e-17).
+template <class Real>
+inline constexpr int series_terms = sizeof(Real) == 4 ? 3 : 6;
+template <class Real>
+inline constexpr Real series_range = sizeof(Real) == 4 ? Real{0.0078125} : Real{0.00390625};
+
+// The mirror images of one offset, in lattice units (kernel.md 0). With xi = (a, b), L its length and
+// h the relative displacement, E = hx (hx + 2a) + hy (hy + 2b) = L^2 e, and the acceleration is
+// K g(e) (a + hx, b + hy) with K = c w dx dt^2/(rho L).
+template <class Real>
 struct BondClass {
-  double a = 0.0;
-  double b = 0.0;
-  double inverse_L2 = 0.0;     // 1/L^2, L^2 = a^2 + b^2
-  double pull = 0.0;           // K = c w dx dt^2/(rho L): acceleration is K g(e) (a + hx, b + hy)
-  double most = 0.0;           // the bond breaks when E is above: L^2 ((1 + s0)^2 - 1)
-  std::ptrdiff_t columns = 0;  // a, as an offset in memory
-  std::ptrdiff_t rows = 0;     // b * stride
-  int first_bit = 0;           // within its word
+  Real a{};
+  Real b{};
+  std::array<Real, series_terms<Real>> series{};  // K g(e) = E (series[0] + E (series[1] + ...))
+  Real range{};                  // |E| up to which the series is exact
+  Real most{};                   // the bond breaks when E is above: L^2 ((1 + s0)^2 - 1)
+  Real sure{};                   // |E| up to which nothing of both can happen
+  Real L2{};
+  Real inverse_L2{};             // 1/L^2
+  Real pull{};                   // K
+  int columns = 0;
+  int rows = 0;
+  int images = 0;           // kept by a node: 2, or 1 on an axis
+  int word = 0;             // of its bits
+  std::uint32_t bit = 0;    // of the first image, as a mask; the second is twice that
+};
+
+// The linearised bonds, by columns a and rows b of their offset: K/L^2 times xi xi^T.
+template <class Real>
+struct LinearWeight {
+  Real xx{};
+  Real xy{};
+  Real yy{};
+};
+template <class Real>
+struct LinearStencil {
+  int reach = 0;
+  bool round = false;  // the family is that of a whole m: every offset with a^2 + b^2 <= reach^2
+  Real own_x{};  // sum of xx over all bonds of a node, and of yy
+  Real own_y{};
+  int most_rows[NodeLayout::group + 1] = {};  // the largest b of every a
+  LinearWeight<Real> weights[NodeLayout::group + 1][NodeLayout::group + 1] = {};
+};
+
+// A steady acceleration of one node, in lattice units.
+template <class Real>
+struct NodeLoad {
+  int i = 0;
+  Real x{};
+  Real y{};
+};
+
+// A bond that was found stretched too far.
+struct Loss {
+  std::ptrdiff_t at = 0;  // place of the node that keeps it
   int word = 0;
-  int images = 0;  // 4, or 2 on an axis
+  std::uint32_t bit = 0;
 };
 
-// What a kernel reads and writes. Pointers to u address node (0, 0) of arrays with a rim; the
-// others have nx values a row.
+// What a kernel reads and writes. Arrays begin at place 0 of the layout.
+template <class Real>
 struct KernelData {
-  int nx = 0;
-  std::ptrdiff_t stride = 0;  // of u
-  std::ptrdiff_t plane = 0;   // words of bond bits between two planes
-  const BondClass* classes = nullptr;
+  NodeLayout layout;
+  int reach = 0;
+  const BondClass<Real>* classes = nullptr;  // rows from far to near: those on the row itself last
   int class_count = 0;
-  const double* ux = nullptr;
-  const double* uy = nullptr;
-  double* ax = nullptr;
-  double* ay = nullptr;
-  std::uint64_t* bonds = nullptr;
-  const std::uint64_t* unbreakable = nullptr;  // read by guarded kernels only
+  int first_on_row = 0;  // class
+
+  const Real* ux = nullptr;
+  const Real* uy = nullptr;
+  Real* next_ux = nullptr;
+  Real* next_uy = nullptr;
+  Real* vx = nullptr;
+  Real* vy = nullptr;
+  Real kick = 1;  // steps from the time of v to the middle of this step: 1, or 1/2 at the start
+
+  const std::uint32_t* bonds = nullptr;
+  const std::uint32_t* unbreakable = nullptr;  // read by guarded kernels only
+  std::size_t plane = 0;                       // words between two planes of bits
+  bool late = false;                           // see Breaking
+
+  // Read by varied kernels: e above which the bonds of a node break. A history moves it.
+  const Real* threshold = nullptr;
+  Real* next_threshold = nullptr;
+  const Real* s00 = nullptr;  // critical stretch of a node without history
+  Real alpha{};
+
+  const NodeLoad<Real>* loads = nullptr;
+  const std::size_t* loads_of_row = nullptr;  // row j has loads[loads_of_row[j]] and following
+
+  TileGrid tiles;
+  const TileRange<Real>* range = nullptr;  // of u
+  TileRange<Real>* next_range = nullptr;   // of next_u
+  const std::uint8_t* intact = nullptr;    // per tile: every bond kept in it holds
+  const std::uint8_t* loaded = nullptr;    // per tile: a load acts in it
+  Real least_threshold{};                  // where thresholds do not vary
+  const std::uint8_t* complete = nullptr;  // per tile: every bond of its nodes holds
+  Real linear_range{};                     // e below which forces may be linearised; 0: never
+  const LinearStencil<Real>* stencil = nullptr;
+
+  // When set, the acceleration is written here and nothing else changes.
+  Real* ax = nullptr;
+  Real* ay = nullptr;
 };
 
-// Computes rows row_begin <= j < row_end. Rows may be given to any number of threads: a row reads
-// u of its neighbours and writes only what is its own.
-using ForceKernel = void (*)(const KernelData& data, int row_begin, int row_end);
+// Rows row_begin <= j < row_end, which begin and end on borders of tiles.
+struct Rows {
+  int begin = 0;
+  int end = 0;
+};
+
+template <class Real>
+struct Kernel {
+  // One step of the rows: reads u of nodes up to `reach` rows away, writes only what belongs to its
+  // rows. Bonds that are found stretched too far are appended to the scratch's losses, and the caller
+  // breaks them when all rows are done.
+  void (*advance)(const KernelData<Real>& data, Scratch<Real>& scratch, Rows rows) = nullptr;
+  // Fills next_range of the rows from next_u; differences across the border of the rows are left out.
+  void (*survey)(const KernelData<Real>& data, Rows rows) = nullptr;
+  // Adds the differences between the rows j - 1 and j, which belong to two tiles.
+  void (*join)(const KernelData<Real>& data, int j) = nullptr;
+};
 
 enum class InstructionSet { baseline, avx2, avx512 };
 inline constexpr std::array<std::string_view, 3> instruction_set_names{"baseline", "avx2",
@@ -56,10 +149,23 @@ inline constexpr std::array<std::string_view, 3> instruction_set_names{"baseline
 bool is_supported(InstructionSet set);
 InstructionSet best_instruction_set();
 
-struct KernelChoice {
-  InstructionSet instruction_set = InstructionSet::baseline;
-  bool guarded = false;  // the scene has no-fail zones
+// Whether multiplications and additions of a kernel are rounded one by one, the same on every
+// machine, or fused into one rounding, which is faster, somewhat more exact, and the same on every
+// machine that can.
+enum class Arithmetic { plain, fused };
+// Whether the instruction set has fused arithmetic.
+bool can_fuse(InstructionSet set);
+
+// What a scene needs of a kernel; the rest is compiled out.
+struct KernelFeatures {
+  bool guarded = false;  // no-fail zones
+  bool varied = false;   // the critical stretch differs from node to node
+  bool history = false;  // and follows the least stretch; implies varied
+
+  friend bool operator==(const KernelFeatures&, const KernelFeatures&) = default;
 };
-ForceKernel find_kernel(const KernelChoice& choice);
+
+template <class Real>
+Kernel<Real> find_kernel(InstructionSet set, Arithmetic arithmetic, KernelFeatures features);
 
 }  // namespace hackle

@@ -11,51 +11,36 @@
 #include "base/machine.hpp"
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
+#include "solver/rigid_motion.hpp"
 
 namespace hackle {
 namespace {
 
 constexpr std::int64_t steps_between_checks = 64;
 
-const Plate& checked(const Plate& plate, const Numerics& numerics) {
+const Plate& checked(const Plate& plate, const Numerics& numerics, InstructionSet set) {
   Problems problems;
   check(plate, problems);
   check(plate, numerics, available_memory(), problems);
+  if (numerics.fused && !can_fuse(set))
+    problems.add(fmt::format("simulate: there is no fused arithmetic with {} instructions",
+                             instruction_set_names[static_cast<std::size_t>(set)]),
+                 "leave out fused");
   problems.throw_if_any();
   return plate;
 }
 
-// The tables of the kernel (kernel.md 0).
-std::vector<BondClass> bond_classes(const Lattice& lattice, const Rimmed& layout, double dt) {
-  const double unit = lattice.calibration.c * lattice.grid.dx * dt * dt / lattice.rho;
-  const double critical_e = lattice.calibration.s0 * (2.0 + lattice.calibration.s0);
-  std::vector<BondClass> classes;
-  for (const Images& image : lattice.family.images()) {
-    BondClass entry;
-    const double L2 = image.a * image.a + image.b * image.b;
-    entry.a = image.a;
-    entry.b = image.b;
-    entry.inverse_L2 = 1.0 / L2;
-    entry.pull = unit * image.weight / std::sqrt(L2);
-    entry.most = L2 * critical_e;
-    entry.columns = image.a;
-    entry.rows = image.b * layout.stride();
-    entry.first_bit = image.first_bit % 64;
-    entry.word = image.first_bit / 64;
-    entry.images = image.count();
-    classes.push_back(entry);
-  }
-  return classes;
+using AnyEngine = std::variant<Engine<double>, Engine<float>>;
+
+AnyEngine engine_for(Precision precision, const Lattice& lattice, const EngineOptions& options,
+                     const Threads& threads) {
+  if (precision == Precision::f32) return Engine<float>(lattice, options, threads);
+  return Engine<double>(lattice, options, threads);
 }
 
-std::vector<std::size_t> first_load_of_rows(const Lattice& lattice) {
-  std::vector<std::size_t> first;
-  std::size_t at = 0;
-  for (int j = 0; j <= lattice.grid.ny; ++j) {
-    while (at < lattice.loads.size() && lattice.loads[at].j < j) ++at;
-    first.push_back(at);
-  }
-  return first;
+template <class T>
+std::size_t bytes_of(const T& values) {
+  return values.size() * sizeof(typename T::value_type);
 }
 
 }  // namespace
@@ -63,15 +48,22 @@ std::vector<std::size_t> first_load_of_rows(const Lattice& lattice) {
 Simulation::Simulation(Plate plate, Numerics numerics, Execution execution)
     : plate_(std::move(plate)),
       numerics_(numerics),
-      lattice_(checked(plate_, numerics_), numerics_),
-      state_(lattice_),
+      lattice_(checked(plate_, numerics_, execution.instruction_set), numerics_),
+      state_(lattice_, numerics_.precision),
       dt_(numerics_.step.value_or(default_step(lattice_.step_limit))),
       instruction_set_(execution.instruction_set),
-      kernel_(find_kernel({instruction_set_, !lattice_.unbreakable.empty()})),
-      classes_(bond_classes(lattice_, state_.layout, dt_)),
-      loads_of_row_(first_load_of_rows(lattice_)),
-      threads_(execution.threads > 0 ? execution.threads : available_cores()) {
-  forces();
+      threads_(execution.threads > 0 ? execution.threads : available_cores()),
+      engine_(engine_for(numerics_.precision, lattice_, options(), threads_)) {
+  prepare();
+}
+
+EngineOptions Simulation::options() const {
+  return {.alpha = plate_.material.alpha,
+          .dt = dt_,
+          .fidelity = numerics_.fidelity,
+          .breaking = numerics_.breaking,
+          .set = instruction_set_,
+          .arithmetic = numerics_.fused ? Arithmetic::fused : Arithmetic::plain};
 }
 
 double Simulation::default_step(double limit) {
@@ -81,80 +73,43 @@ double Simulation::default_step(double limit) {
 }
 
 void Simulation::restore(State state) {
+  if (state.precision() != state_.precision())
+    engine_ = engine_for(state.precision(), lattice_, options(), threads_);
   state_ = std::move(state);
   end_time_ = time();
-  forces();
+  prepare();
+}
+
+void Simulation::prepare() {
+  std::visit([this](auto& engine) { engine.prepare(lattice_, state_); }, engine_);
 }
 
 void Simulation::step() {
-  half_kick_and_drift();
-  count_external_work();
-  forces();
-  threads_.for_rows(lattice_.grid.ny, [this](int begin, int end) { half_kick_rows(begin, end); });
+  std::visit([this](auto& engine) { engine.step(lattice_, state_); }, engine_);
   ++state_.step;
+  count_external_work();
+  if (state_.precision() == Precision::f32 && state_.step % steps_between_checks == 0)
+    keep_f32_exact();
 }
 
-void Simulation::half_kick_and_drift() {
-  threads_.for_rows(lattice_.grid.ny, [this](int begin, int end) {
-    half_kick_rows(begin, end);
-    for (int j = begin; j < end; ++j) {
-      const std::size_t first = lattice_.grid.index(0, j);
-      double* ux = &state_.ux[static_cast<std::size_t>(state_.layout.at(0, j))];
-      double* uy = &state_.uy[static_cast<std::size_t>(state_.layout.at(0, j))];
-      for (std::size_t i = 0; i < static_cast<std::size_t>(lattice_.grid.nx); ++i) {
-        ux[i] += state_.vx[first + i];
-        uy[i] += state_.vy[first + i];
-      }
-    }
-  });
-}
-
-void Simulation::half_kick_rows(int row_begin, int row_end) {
-  const std::size_t end = lattice_.grid.index(0, row_end);
-  for (std::size_t node = lattice_.grid.index(0, row_begin); node < end; ++node) {
-    state_.vx[node] += 0.5 * state_.ax[node];
-    state_.vy[node] += 0.5 * state_.ay[node];
+// At fixed steps, so that the bits do not depend on how a run is cut into pieces.
+void Simulation::keep_f32_exact() {
+  const bool moved = take_out_drift(state_);
+  if (is_too_wide_for_f32(state_, lattice_.calibration.s0)) {
+    state_ = in_f64(state_);
+    widened_at_ = time();
+    engine_ = engine_for(Precision::f64, lattice_, options(), threads_);
+    prepare();
+  } else if (moved) {
+    prepare();
   }
 }
 
 // The loads are constant over a step and v is its displacement: their work is exact.
 void Simulation::count_external_work() {
   const double unit = dt_ * dt_ / lattice_.grid.dx;  // m/s2 to lattice units
-  for (const LoadedNode& load : lattice_.loads) {
-    const std::size_t node = lattice_.grid.index(load.i, load.j);
-    state_.external_work +=
-        unit * (load.acceleration.x() * state_.vx[node] + load.acceleration.y() * state_.vy[node]);
-  }
-}
-
-void Simulation::forces() {
-  KernelData data;
-  data.nx = lattice_.grid.nx;
-  data.stride = state_.layout.stride();
-  data.plane = static_cast<std::ptrdiff_t>(lattice_.grid.nodes());
-  data.classes = classes_.data();
-  data.class_count = static_cast<int>(classes_.size());
-  data.ux = state_.ux.data() + state_.layout.at(0, 0);
-  data.uy = state_.uy.data() + state_.layout.at(0, 0);
-  data.ax = state_.ax.data();
-  data.ay = state_.ay.data();
-  data.bonds = state_.bonds.planes().data();
-  data.unbreakable = lattice_.unbreakable.planes().data();
-  threads_.for_rows(lattice_.grid.ny, [&](int begin, int end) {
-    kernel_(data, begin, end);
-    add_loads(begin, end);
-  });
-}
-
-void Simulation::add_loads(int row_begin, int row_end) {
-  const double unit = dt_ * dt_ / lattice_.grid.dx;
-  const std::size_t end = loads_of_row_[static_cast<std::size_t>(row_end)];
-  for (std::size_t k = loads_of_row_[static_cast<std::size_t>(row_begin)]; k < end; ++k) {
-    const LoadedNode& load = lattice_.loads[k];
-    const std::size_t node = lattice_.grid.index(load.i, load.j);
-    state_.ax[node] += unit * load.acceleration.x();
-    state_.ay[node] += unit * load.acceleration.y();
-  }
+  for (const LoadedNode& load : lattice_.loads)
+    state_.external_work += unit * load.acceleration.dot(state_.v(load.i, load.j));
 }
 
 void Simulation::run(double duration, std::span<Observer* const> observers) {
@@ -193,23 +148,78 @@ void Simulation::advance_to(std::int64_t last_step, std::span<Observer* const> o
 }
 
 void Simulation::check_finite() const {
-  // A NaN or an infinity anywhere makes the sum of v - v differ from 0.
-  double sum = 0.0;
-  for (const auto* values : {&state_.vx, &state_.vy})
-    for (const double value : *values) sum += value - value;
-  if (sum == 0.0) return;
-  throw Error(
-      ErrorKind::run_failed,
-      fmt::format("the solution has diverged by step {}, at {}: the step is {}, its limit {}",
-                  state_.step, quantity(time(), "s"), quantity(dt_, "s"),
-                  quantity(lattice_.step_limit, "s")),
-      "take a smaller step or a smaller load");
+  const Grid& grid = lattice_.grid;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      if (state_.v(i, j).allFinite() && state_.u(i, j).allFinite()) continue;
+      const Vec2 place = grid.position(i, j);
+      throw Error(ErrorKind::run_failed,
+                  fmt::format("the solution has diverged by step {}, at {}, at ({}, {}): the step "
+                              "is {}, its limit {}",
+                              state_.step, quantity(time(), "s"), quantity(place.x(), "m"),
+                              quantity(place.y(), "m"), quantity(dt_, "s"),
+                              quantity(lattice_.step_limit, "s")),
+                  "take a smaller step or a smaller load");
+    }
 }
 
 double Simulation::external_work() const {
   // Lattice units of energy per metre: mass of a node rho dx^2, times (dx/dt)^2.
   const double dx = lattice_.grid.dx;
   return state_.external_work * lattice_.rho * dx * dx * (dx / dt_) * (dx / dt_);
+}
+
+Vec2 Simulation::displacement(int i, int j) const {
+  return lattice_.grid.dx * (state_.origin + state_.u(i, j));
+}
+
+// v is half a step old, except at the start.
+std::vector<Vec2> Simulation::velocities() const {
+  const Grid& grid = lattice_.grid;
+  const double unit = grid.dx / dt_;
+  std::vector<Vec2> result(grid.nodes());
+  const auto fill = [&](const auto& kick) {
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i)
+        result[grid.index(i, j)] = unit * (state_.v(i, j) + kick(state_.layout.at(i, j)));
+  };
+  if (state_.step == 0) {
+    fill([](std::ptrdiff_t) { return Vec2(0, 0); });
+    return result;
+  }
+  std::visit(
+      [&]<class Real>(Engine<Real>& engine) {
+        Values<Real> ax, ay;
+        engine.accelerations(lattice_, state_, ax, ay);
+        fill([&](std::ptrdiff_t at) {
+          const auto place = static_cast<std::size_t>(at);
+          return Vec2(0.5 * static_cast<double>(ax[place]), 0.5 * static_cast<double>(ay[place]));
+        });
+      },
+      engine_);
+  return result;
+}
+
+bool Simulation::holds(int i, int j, int column, int row) const {
+  return hackle::holds(lattice_.grid, lattice_.family, state_.bonds, i, j, column, row);
+}
+
+const PathCounts& Simulation::path_counts() const {
+  return std::visit([](const auto& engine) -> const PathCounts& { return engine.path_counts(); },
+                    engine_);
+}
+
+std::size_t Simulation::bytes() const {
+  const std::size_t motion = std::visit(
+      [](const auto& m) {
+        return bytes_of(m.ux) + bytes_of(m.uy) + bytes_of(m.vx) + bytes_of(m.vy) +
+               bytes_of(m.threshold);
+      },
+      state_.motion);
+  const std::size_t engine = std::visit([](const auto& e) { return e.bytes(); }, engine_);
+  return motion + engine + bytes_of(state_.bonds.words()) + bytes_of(lattice_.bonds.words()) +
+         bytes_of(lattice_.unbreakable.words()) + bytes_of(lattice_.born) +
+         bytes_of(lattice_.strength);
 }
 
 }  // namespace hackle

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
-#include <string>
+#include <variant>
 #include <vector>
 
 #include "lattice/lattice.hpp"
-#include "solver/kernel.hpp"
+#include "solver/engine.hpp"
 #include "solver/observer.hpp"
 #include "solver/state.hpp"
 #include "solver/threads.hpp"
@@ -38,8 +38,8 @@ class Simulation {
   // has diverged.
   void run(double duration, std::span<Observer* const> observers = {});
 
-  // Goes on from another state of the same lattice: a kept one, or one prepared by hand. Its
-  // acceleration is computed anew, which gives the same bits for a state that was kept.
+  // Goes on from another state of the same lattice: a kept one, which gives the same bits, or one
+  // prepared by hand.
   void restore(State state);
 
   const Plate& plate() const { return plate_; }
@@ -53,6 +53,16 @@ class Simulation {
   double time() const { return static_cast<double>(state_.step) * dt_; }  // s
   double end_time() const { return end_time_; }                           // s, asked for
   double external_work() const;                            // work done by the loads so far, J/m
+  Vec2 displacement(int i, int j) const;                   // m
+  std::vector<Vec2> velocities() const;                    // m/s, now, by Grid::index
+  // Whether the bond of node (i, j) to (i + column, j + row) holds.
+  bool holds(int i, int j, int column, int row) const;
+  // Tile-steps so far by the path they took.
+  const PathCounts& path_counts() const;
+  // When a run in f32 went over to f64, s: its displacements had grown too large.
+  std::optional<double> widened_at() const { return widened_at_; }
+  // Bytes of state, lattice and engine that grow with the plate.
+  std::size_t bytes() const;
   double solve_seconds() const { return solve_seconds_; }  // wall time
 
   // The default step for a limit: step_fraction of it, rounded down to three digits.
@@ -62,11 +72,10 @@ class Simulation {
   void check_finite() const;
 
  private:
-  void half_kick_and_drift();
+  EngineOptions options() const;
+  void prepare();
   void count_external_work();
-  void forces();
-  void half_kick_rows(int row_begin, int row_end);
-  void add_loads(int row_begin, int row_end);
+  void keep_f32_exact();
   void advance_to(std::int64_t last_step, std::span<Observer* const> observers);
 
   Plate plate_;
@@ -76,12 +85,12 @@ class Simulation {
   double dt_;
   double end_time_ = 0.0;
   double solve_seconds_ = 0.0;
+  std::optional<double> widened_at_;
 
   InstructionSet instruction_set_;
-  ForceKernel kernel_;
-  std::vector<BondClass> classes_;
-  std::vector<std::size_t> loads_of_row_;  // first entry of lattice_.loads of each row, and the end
   Threads threads_;
+  // Its scratch memory serves questions about the state, too.
+  mutable std::variant<Engine<double>, Engine<float>> engine_;
 };
 
 }  // namespace hackle

@@ -4,24 +4,65 @@
 #include "base/hash.hpp"
 
 namespace hackle {
+namespace {
 
-State::State(const Lattice& lattice)
-    : layout{lattice.grid.nx, lattice.grid.ny, lattice.family.reach()},
-      ux(layout.size()),
-      uy(layout.size()),
-      vx(lattice.grid.nodes()),
-      vy(lattice.grid.nodes()),
-      ax(lattice.grid.nodes()),
-      ay(lattice.grid.nodes()),
-      bonds(lattice.bonds) {
+template <class Real>
+Motion<Real> at_rest(const Lattice& lattice) {
+  const std::size_t size = lattice.grid.layout().size();
+  Motion<Real> motion;
+  for (Values<Real>* values : {&motion.ux, &motion.uy, &motion.vx, &motion.vy})
+    values->resize(size);
+  return motion;
+}
+
+template <class Real>
+void set(Values<Real>& x, Values<Real>& y, std::size_t at, const Vec2& value) {
+  x[at] = static_cast<Real>(value.x());
+  y[at] = static_cast<Real>(value.y());
+}
+
+}  // namespace
+
+State::State(const Lattice& lattice, Precision precision)
+    : layout(lattice.grid.layout()), bonds(lattice.bonds) {
+  if (precision == Precision::f32)
+    motion = at_rest<float>(lattice);
+  else
+    motion = at_rest<double>(lattice);
+}
+
+Vec2 State::u(int i, int j) const {
+  const auto at = static_cast<std::size_t>(layout.at(i, j));
+  return std::visit([&](const auto& m) { return Vec2(m.ux[at], m.uy[at]); }, motion);
+}
+
+Vec2 State::v(int i, int j) const {
+  const auto at = static_cast<std::size_t>(layout.at(i, j));
+  return std::visit([&](const auto& m) { return Vec2(m.vx[at], m.vy[at]); }, motion);
+}
+
+void State::set_u(int i, int j, const Vec2& u) {
+  const auto at = static_cast<std::size_t>(layout.at(i, j));
+  std::visit([&](auto& m) { set(m.ux, m.uy, at, u); }, motion);
+}
+
+void State::set_v(int i, int j, const Vec2& v) {
+  const auto at = static_cast<std::size_t>(layout.at(i, j));
+  std::visit([&](auto& m) { set(m.vx, m.vy, at, v); }, motion);
 }
 
 std::string State::hash() const {
   Hash hash;
-  for (const auto* values : {&ux, &uy, &vx, &vy, &ax, &ay}) hash.add(std::span(*values));
-  hash.add(std::span(bonds.planes()));
+  std::visit(
+      [&](const auto& m) {
+        for (const auto* values : {&m.ux, &m.uy, &m.vx, &m.vy, &m.threshold})
+          hash.add(std::span(*values));
+      },
+      motion);
+  hash.add(std::span(bonds.words()));
   hash.add(std::span(&step, 1));
   hash.add(std::span(&external_work, 1));
+  hash.add(std::span(origin.data(), 2));
   return hash.hex();
 }
 

@@ -2,44 +2,43 @@
 // What changes while a scene is solved.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
+#include <variant>
 
 #include "lattice/lattice.hpp"
+#include "solver/scratch.hpp"
 
 namespace hackle {
 
-// An array over the nodes with a rim of `rim` ghost nodes on every side, so that a kernel may read
-// the neighbours of an edge node. Ghosts are 0 and nobody is bonded to them.
-struct Rimmed {
-  int nx = 0;
-  int ny = 0;
-  int rim = 0;
-
-  std::ptrdiff_t stride() const { return nx + 2 * rim; }
-  std::ptrdiff_t at(int i, int j) const { return (j + rim) * stride() + i + rim; }
-  std::size_t size() const {
-    return static_cast<std::size_t>(stride()) * static_cast<std::size_t>(ny + 2 * rim);
-  }
+// Displacement and velocity of every node in lattice units, u/dx and v dt/dx, so that u += v needs no
+// factor. Places are those of a NodeLayout; ghosts mean nothing.
+template <class Real>
+struct Motion {
+  Values<Real> ux, uy;
+  Values<Real> vx, vy;
+  Values<Real> threshold;  // e above which the bonds of a node break; only where a history moves it
 };
 
-// Displacement, velocity and acceleration of every node at one time, and the bonds that hold. In
-// lattice units: u/dx, v dt/dx, a dt^2/dx, so that v += a and u += v need no factors. u is rimmed;
-// v and a are ordered as Grid::index says. u, v, a and bonds belong to the same time step * dt;
-// after step() `a` is the acceleration of the bonds that still hold.
+// Leapfrog: u belongs to the time step * dt, v to half a step earlier; at step 0 both to the start.
+// The bonds are those that hold when the next step begins.
 struct State {
   State() = default;
-  explicit State(const Lattice& lattice);
+  State(const Lattice& lattice, Precision precision);
 
-  Rimmed layout;
-  std::vector<double> ux, uy;  // rimmed
-  std::vector<double> vx, vy;
-  std::vector<double> ax, ay;
+  NodeLayout layout;
+  std::variant<Motion<double>, Motion<float>> motion;
   BondBits bonds;
   std::int64_t step = 0;
   double external_work = 0.0;  // work done by the loads so far, in units of rho dx^4/dt^2 (J/m)
+  Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u
+
+  Precision precision() const { return motion.index() == 0 ? Precision::f64 : Precision::f32; }
+  // In lattice units; u without the origin.
+  Vec2 u(int i, int j) const;
+  Vec2 v(int i, int j) const;
+  void set_u(int i, int j, const Vec2& u);
+  void set_v(int i, int j, const Vec2& v);
 
   // Sixteen hexadecimal digits over all of the above: equal means the same bits.
   std::string hash() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Work on the rows of the lattice with a fixed number of threads.
+// A fixed number of threads that share tasks.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__
@@ -38,27 +38,30 @@ struct Handover {
 
 class Threads {
  public:
-  // Rows of one task: enough work to hide the cost of handing it out, few enough to balance.
-  static constexpr int rows_per_task = 8;
-
   // count >= 1; more than there are cores is allowed, and slower.
   explicit Threads(int count) : pool_(std::make_shared<Pool>(count)) {}
 
   int count() const { return pool_->arena.max_concurrency(); }
 
-  // Calls work(row_begin, row_end) on ranges that cover 0..rows; returns when all are done.
+  // Calls work(task, thread) for 0 <= task < tasks, with thread < count() saying on which thread;
+  // returns when all are done.
   template <class Work>
-  void for_rows(int rows, const Work& work) const {
-    const tbb::blocked_range<int> range(0, rows, rows_per_task);
-    if (count() == 1) return work(0, rows);
+  void for_tasks(int tasks, const Work& work) const {
+    if (count() == 1 || tasks == 1) {
+      for (int task = 0; task < tasks; ++task) work(task, 0);
+      return;
+    }
     Handover start, end;
-    const auto task = [&](const tbb::blocked_range<int>& part) {
+    const auto part = [&](const tbb::blocked_range<int>& range) {
       start.acquire();
-      work(part.begin(), part.end());
+      for (int task = range.begin(); task < range.end(); ++task)
+        work(task, tbb::this_task_arena::current_thread_index());
       end.release();
     };
     start.release();
-    pool_->arena.execute([&] { tbb::parallel_for(range, task, tbb::simple_partitioner{}); });
+    pool_->arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<int>(0, tasks), part, tbb::simple_partitioner{});
+    });
     end.acquire();
   }
 

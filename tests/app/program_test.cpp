@@ -158,7 +158,7 @@ TEST_F(ProgramTest, AnUnknownCommandGetsTheNearest) {
 
 TEST_F(ProgramTest, HelpIsEverywhere) {
   for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"-h"}, {"run", "-h"}, {"info", "--help"}}) {
+       {std::vector<std::string>{"-h"}, {"run", "-h"}, {"bench", "-h"}, {"info", "--help"}}) {
     const auto ended = program_.run(words);
     EXPECT_EQ(ended.code, 0);
     EXPECT_THAT(ended.out, HasSubstr("Usage: hackle"));

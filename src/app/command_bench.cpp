@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_bench.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/accuracy.hpp"
+#include "app/bench_deck.hpp"
+#include "app/exit_code.hpp"
+#include "app/lammps_peer.hpp"
+#include "app/voice.hpp"
+#include "base/interrupt.hpp"
+#include "base/machine.hpp"
+#include "base/units.hpp"
+#include "base/version.hpp"
+
+namespace hackle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// 32 us of the default plate: the crack starts and forks.
+constexpr int our_steps = 300;
+// LAMMPS visits every bond at every step, whatever the plate does: fewer tell as much.
+constexpr int lammps_steps = 50;
+
+// What was measured of one row, a value for each round.
+struct Row {
+  Configuration configuration;
+  int nodes = 0, bonds = 0, threads = 1;
+  double bytes_per_node = 0.0;
+  std::vector<double> speeds;  // node-steps/s
+  std::vector<double> ratios;  // to LAMMPS in the same round; none without it
+};
+
+struct LammpsRow {
+  LammpsRun last;
+  std::vector<double> speeds;
+};
+
+struct Measurements {
+  std::vector<Row> rows;
+  std::map<double, LammpsRow> lammps;  // by alpha
+};
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+bool with_lammps(const BenchRequest& request) {
+  if (request.peer == "none") return false;
+  const bool installed = lammps_is_installed();
+  if (request.peer == "lammps" && !installed)
+    throw Error(ErrorKind::usage, "bench: --peer lammps needs the program lmp on the PATH",
+                "apt-get install lammps");
+  return installed;
+}
+
+Measurements nothing_measured(bool lammps) {
+  Measurements measurements;
+  for (const Configuration& configuration : configurations) {
+    if (!is_possible(configuration)) continue;
+    measurements.rows.push_back({configuration});
+    if (lammps) measurements.lammps[configuration.alpha];
+  }
+  return measurements;
+}
+
+void measure(Row& row, const BenchRequest& request) {
+  const BenchDeck deck = bench_deck(row.configuration, request.nodes);
+  Simulation simulation(deck.plate, deck.numerics,
+                        {row.configuration.threads ? request.threads : 1});
+  row.speeds.push_back(measure_speed(simulation, our_steps));
+  row.nodes = static_cast<int>(simulation.lattice().grid.nodes());
+  row.bonds = simulation.lattice().family.bonds();
+  row.threads = simulation.threads();
+  row.bytes_per_node = static_cast<double>(simulation.bytes()) / row.nodes;
+}
+
+void measure(LammpsRow& row, double alpha, const BenchRequest& request) {
+  const BenchDeck deck = bench_deck(configurations.front(), request.nodes);
+  row.last = run_lammps(deck, alpha, lammps_steps);
+  row.speeds.push_back(row.last.node_steps_per_second());
+}
+
+// Calls done(name) after everything that was measured.
+template <class Done>
+void measure_round(Measurements& measurements, const BenchRequest& request, const Done& done) {
+  for (auto& [alpha, row] : measurements.lammps) {
+    measure(row, alpha, request);
+    done(fmt::format("LAMMPS, alpha {}", alpha));
+  }
+  for (Row& row : measurements.rows) {
+    measure(row, request);
+    const auto peer = measurements.lammps.find(row.configuration.alpha);
+    if (peer != measurements.lammps.end())
+      row.ratios.push_back(row.speeds.back() / peer->second.speeds.back());
+    done(std::string(row.configuration.name));
+  }
+}
+
+Measurements measure_all(const BenchRequest& request) {
+  Measurements measurements = nothing_measured(with_lammps(request));
+  Progress progress(talk(request.quiet));
+  const double parts =
+      request.rounds * static_cast<double>(measurements.rows.size() + measurements.lammps.size());
+  double part = 0.0;
+  progress.due(part);  // starts its clock
+  for (int round = 1; round <= request.rounds; ++round)
+    measure_round(measurements, request, [&](const std::string& name) {
+      const double fraction = ++part / parts;
+      if (progress.due(fraction))
+        progress.show(fraction, fmt::format("round {} of {}, {}", round, request.rounds, name));
+    });
+  return measurements;
+}
+
+Json to_json(const Row& row) {
+  const double speed = median(row.speeds);
+  Json json{{"name", row.configuration.name},
+            {"nodes", row.nodes},
+            {"steps", our_steps},
+            {"node_steps_per_second", speed},
+            {"bond_visits_per_second", speed * row.bonds},
+            {"bytes_per_node", row.bytes_per_node},
+            {"threads", row.threads}};
+  json["ratio_to_lammps"] = row.ratios.empty() ? Json() : Json(median(row.ratios));
+  return json;
+}
+
+Json to_json(const LammpsRow& row, double alpha, int bonds) {
+  const double speed = median(row.speeds);
+  return {{"alpha", alpha},
+          {"nodes", row.last.nodes},
+          {"steps", row.last.steps},
+          {"node_steps_per_second", speed},
+          {"bond_visits_per_second", speed * bonds},
+          {"bytes_per_node", row.last.bytes_per_node()},
+          {"threads", 1}};
+}
+
+Json machine() {
+  return {
+      {"processor", processor_name()},
+      {"cores", available_cores()},
+      {"instruction_set", instruction_set_names[static_cast<std::size_t>(best_instruction_set())]},
+      {"compiler", compiler()},
+      {"version", version()},
+      {"git", git_hash()}};
+}
+
+// "lammps" is null when it was not asked for or is not there.
+Json to_json(const Measurements& measurements, int rounds) {
+  Json json{{"schema", 1}, {"machine", machine()}, {"rounds", rounds}};
+  json["rows"] = Json::array();
+  for (const Row& row : measurements.rows) json["rows"].push_back(to_json(row));
+  json["lammps"] = nullptr;
+  if (measurements.lammps.empty()) return json;
+  json["lammps"]["version"] = measurements.lammps.begin()->second.last.version;
+  for (const auto& [alpha, row] : measurements.lammps)
+    json["lammps"]["rows"].push_back(to_json(row, alpha, measurements.rows.front().bonds));
+  return json;
+}
+
+void print_row(const std::string& name, const Json& row) {
+  const Json ratio = row.value("ratio_to_lammps", Json());
+  fmt::print(
+      "{:<20} {:>7} {:>6} {:>14.2f} {:>15.3f} {:>11.0f} {:>10}\n", name, row["threads"].get<int>(),
+      row["steps"].get<int>(), 1e-6 * row["node_steps_per_second"].get<double>(),
+      1e-9 * row["bond_visits_per_second"].get<double>(), row["bytes_per_node"].get<double>(),
+      ratio.is_null() ? "" : fmt::format("{:.1f}", ratio.get<double>()));
+}
+
+void print_table(const Json& json) {
+  const Json& about = json["machine"];
+  fmt::print("{}, {}\n", about["processor"].get<std::string>(),
+             about["instruction_set"].get<std::string>());
+  fmt::print("{} nodes, medians of {} rounds\n\n", grouped(json["rows"][0]["nodes"].get<int>()),
+             json["rounds"].get<int>());
+  fmt::print("{:<20} {:>7} {:>6} {:>14} {:>15} {:>11} {:>10}\n", "", "threads", "steps",
+             "M node-steps/s", "G bond visits/s", "bytes/node", "to LAMMPS");
+  for (const Json& row : json["rows"]) print_row(row["name"].get<std::string>(), row);
+  if (json["lammps"].is_null()) return;
+  for (const Json& row : json["lammps"]["rows"])
+    print_row(fmt::format("LAMMPS, alpha {}", row["alpha"].get<double>()), row);
+  fmt::print("\nLAMMPS {}, peri/pmb\n", json["lammps"]["version"].get<std::string>());
+}
+
+}  // namespace
+
+namespace {
+
+Json optional(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json to_json(const TradeResult& result) {
+  return {{"name", result.name},
+          {"nodes", result.nodes},
+          {"seconds", result.seconds},
+          {"node_steps_per_second", result.node_steps_per_second},
+          {"error_to_exact", result.to_exact},
+          {"error_to_finer", result.to_finer},
+          {"first_bond_s", optional(result.first_bond)},
+          {"fork_time_s", optional(result.fork_time)},
+          {"fork_place_m", optional(result.fork_place)},
+          {"tip_place_m", result.tip_place},
+          {"broken_bonds", result.broken},
+          {"energy_residual", result.residual}};
+}
+
+std::string in(const std::optional<double>& value, double unit) {
+  return value ? fmt::format("{:.2f}", *value / unit) : "-";
+}
+
+void print(const TradeResult& result) {
+  fmt::print("{:<24} {:>6} {:>6.2f} {:>7.1f} {:>9.1e} {:>9.1e} {:>6} {:>6} {:>6} {:>6.2f} {:>6} {:>7.2f}\n",
+             result.name, result.nodes, result.seconds, 1e-6 * result.node_steps_per_second,
+             result.to_exact, result.to_finer, in(result.first_bond, 1e-6),
+             in(result.fork_time, 1e-6), in(result.fork_place, 1e-3), 1e3 * result.tip_place,
+             result.broken, 100.0 * result.residual);
+}
+
+void print_head() {
+  fmt::print(
+      "12 MPa on an edge crack, to 32 us, one core. u is compared at 5 us, before the first bond "
+      "breaks:\nwith f64 and the default step on the same lattice, and with a lattice of half the "
+      "spacing.\n\n{:<24} {:>6} {:>6} {:>7} {:>9} {:>9} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7}\n"
+      "{:<24} {:>6} {:>6} {:>7} {:>9} {:>9} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7}\n",
+      "", "nodes", "solve", "M node-", "u to", "u to", "bond", "fork", "fork", "tip", "broken",
+      "energy", "", "", "s", "steps/s", "exact", "finer", "us", "us", "mm", "mm", "bonds", "%");
+}
+
+int show_accuracy(const BenchRequest& request) {
+  Json json{{"schema", 1}, {"machine", machine()}, {"rows", Json::array()}};
+  if (!request.json) print_head();
+  for (const Trade& trade : trades()) {
+    if (trade.numerics.fused && !can_fuse(best_instruction_set())) continue;
+    const TradeResult result = measure_trade(trade);
+    json["rows"].push_back(to_json(result));
+    if (!request.json) print(result);
+    std::fflush(stdout);
+  }
+  if (request.json) fmt::print("{}\n", json.dump());
+  return 0;
+}
+
+}  // namespace
+
+int command_bench(const BenchRequest& request) {
+  const InterruptHandler handler;
+  return exit_code_of([&] {
+    if (request.accuracy) return show_accuracy(request);
+    const Json json = to_json(measure_all(request), request.rounds);
+    if (request.json)
+      fmt::print("{}\n", json.dump());
+    else
+      print_table(json);
+    return 0;
+  });
+}
+
+}  // namespace hackle

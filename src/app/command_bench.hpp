@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// hackle bench
+#pragma once
+
+#include <string>
+
+namespace hackle {
+
+struct BenchRequest {
+  std::string peer = "auto";  // "lammps", "none", or "auto": LAMMPS when it is installed
+  int rounds = 5;
+  int nodes = 64000;
+  int threads = 0;  // 0: one for each available core
+  bool accuracy = false;  // measure what speed costs in accuracy instead
+  bool json = false;
+  bool quiet = false;
+};
+
+// Measures every configuration, and the peer, once in every round, so that a machine that slows
+// down slows down everybody; prints medians over the rounds. Returns the exit code.
+int command_bench(const BenchRequest& request);
+
+}  // namespace hackle

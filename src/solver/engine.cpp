@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+#include "solver/engine.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace hackle {
+namespace {
+
+// Of series_terms (kernel.hpp), as coefficients of e^0, e^1, ...
+template <class Real>
+inline constexpr std::array<double, series_terms<Real>> g_over_e{};
+template <>
+inline constexpr std::array<double, 3> g_over_e<float>{0.5, -0.3750125174481315,
+                                                       0.31251126571682525};
+template <>
+inline constexpr std::array<double, 6> g_over_e<double>{
+    0.5,
+    -0.375,
+    0.3124999999725654,
+    -0.2734374999742801,
+    0.24609854452148686,
+    -0.22559043236480483};
+
+double threshold_of(double s0) {
+  return s0 * (2.0 + s0);
+}
+
+template <class Real>
+BondClass<Real> bond_class(const Images& image, double unit, double s0, bool varied) {
+  const double L2 = image.xi.squaredNorm();
+  const double pull = unit * image.weight / std::sqrt(L2);
+  BondClass<Real> entry;
+  entry.a = static_cast<Real>(image.xi.x());
+  entry.b = static_cast<Real>(image.xi.y());
+  double scale = pull;
+  for (std::size_t term = 0; term < entry.series.size(); ++term) {
+    scale /= L2;
+    entry.series[term] = static_cast<Real>(scale * g_over_e<Real>[term]);
+  }
+  entry.range = static_cast<Real>(L2 * static_cast<double>(series_range<Real>));
+  entry.most = static_cast<Real>(L2 * threshold_of(s0));
+  entry.sure = varied ? entry.range : std::min(entry.range, entry.most);
+  entry.L2 = static_cast<Real>(L2);
+  entry.inverse_L2 = static_cast<Real>(1.0 / L2);
+  entry.pull = static_cast<Real>(pull);
+  entry.columns = image.a;
+  entry.rows = image.b;
+  entry.images = image.kept();
+  entry.word = image.first_bit / 32;
+  entry.bit = std::uint32_t{1} << (image.first_bit % 32);
+  return entry;
+}
+
+template <class Real>
+std::vector<BondClass<Real>> bond_classes(const Lattice& lattice, double dt, bool varied) {
+  const double unit = lattice.calibration.c * lattice.grid.dx * dt * dt / lattice.rho;
+  std::vector<BondClass<Real>> classes;
+  for (const Images& image : lattice.family.images())
+    classes.push_back(bond_class<Real>(image, unit, lattice.calibration.s0, varied));
+  return classes;
+}
+
+template <class Real>
+std::vector<NodeLoad<Real>> node_loads(const Lattice& lattice, double dt) {
+  std::vector<NodeLoad<Real>> loads;
+  for (const LoadedNode& node : lattice.loads) {
+    const Vec2 in_units = node.acceleration * (dt * dt / lattice.grid.dx);
+    loads.push_back(
+        {node.i, static_cast<Real>(in_units.x()), static_cast<Real>(in_units.y())});
+  }
+  return loads;
+}
+
+std::vector<std::size_t> first_load_of_rows(const Lattice& lattice) {
+  std::vector<std::size_t> first;
+  std::size_t at = 0;
+  for (int j = 0; j <= lattice.grid.ny; ++j) {
+    while (at < lattice.loads.size() && lattice.loads[at].j < j) ++at;
+    first.push_back(at);
+  }
+  return first;
+}
+
+std::vector<int> rows_to_tiles(const std::vector<int>& first_rows) {
+  std::vector<int> tile_row;
+  for (int t = 0; t + 1 < static_cast<int>(first_rows.size()); ++t)
+    tile_row.resize(static_cast<std::size_t>(first_rows[static_cast<std::size_t>(t) + 1]), t);
+  return tile_row;
+}
+
+// Rows of tiles in tasks: several a thread, so that a thread that loses its core does not hold up
+// the others for long, but not so many that bonds between tasks, which both compute, cost much.
+std::vector<Rows> share_out(const std::vector<int>& first_rows, int threads) {
+  constexpr int most_per_thread = 4, least_rows = 4;
+  const auto rows = static_cast<int>(first_rows.size()) - 1;
+  const int per_thread = std::clamp(rows / (threads * least_rows), 1, most_per_thread);
+  const int tasks = threads == 1 ? 1 : std::min(rows, threads * per_thread);
+  std::vector<Rows> list;
+  for (int task = 0; task < tasks; ++task)
+    list.push_back({first_rows[static_cast<std::size_t>(rows * task / tasks)],
+                    first_rows[static_cast<std::size_t>(rows * (task + 1) / tasks)]});
+  return list;
+}
+
+}  // namespace
+
+template <class Real>
+Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threads threads)
+    : features_{.guarded = !lattice.unbreakable.empty(),
+                .varied = options.alpha > 0.0 || !lattice.strength.empty(),
+                .history = options.alpha > 0.0},
+      layout_(lattice.grid.layout()),
+      reach_(lattice.family.reach()),
+      classes_(bond_classes<Real>(lattice, options.dt, features_.varied)),
+      all_bonds_(static_cast<std::size_t>(lattice.family.words())),
+      loads_(node_loads<Real>(lattice, options.dt)),
+      loads_of_row_(first_load_of_rows(lattice)),
+      late_(options.breaking == Breaking::next_step),
+      tile_rows_(tile_rows(layout_.ny, reach_)),
+      tile_row_of_(rows_to_tiles(tile_rows_)),
+      next_ux_(layout_.size()),
+      next_uy_(layout_.size()),
+      kernel_(find_kernel<Real>(options.set, options.arithmetic, features_)),
+      threads_(std::move(threads)),
+      tasks_(share_out(tile_rows_, threads_.count())),
+      scratch_(static_cast<std::size_t>(threads_.count()),
+               Scratch<Real>(layout_.groups() * NodeLayout::group, reach_, options.fidelity > 0.0)) {
+  const auto on_row = [](const BondClass<Real>& k) { return k.rows == 0; };
+  first_on_row_ = static_cast<int>(std::ranges::find_if(classes_, on_row) - classes_.begin());
+  const auto tiles = (tile_rows_.size() - 1) * static_cast<std::size_t>(layout_.groups());
+  range_.resize(tiles);
+  next_range_.resize(tiles);
+  intact_.resize(tiles);
+  complete_.resize(tiles);
+  loaded_.resize(tiles);
+  for (const LoadedNode& load : lattice.loads)
+    loaded_[static_cast<std::size_t>(tile_of(layout_.at(load.i, load.j)))] = 1;
+  bond_offsets_.resize(32 * all_bonds_.size());
+  lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+    all_bonds_[static_cast<std::size_t>(bit / 32)] |= std::uint32_t{1} << (bit % 32);
+    bond_offsets_[static_cast<std::size_t>(bit)] = b * layout_.stride() + a;
+  });
+  set_thresholds(lattice, options.alpha);
+  set_stencil(lattice, options.fidelity);
+}
+
+template <class Real>
+void Engine<Real>::set_stencil(const Lattice& lattice, double fidelity) {
+  linear_range_ = static_cast<Real>(threshold_of(fidelity * lattice.calibration.s0));
+  stencil_.reach = reach_;
+  stencil_.round = true;
+  for (const BondClass<Real>& k : classes_)
+    if (k.columns * k.columns + k.rows * k.rows > reach_ * reach_) stencil_.round = false;
+  for (const BondClass<Real>& k : classes_) {
+    const Real pull = k.pull * k.inverse_L2;
+    stencil_.weights[k.columns][k.rows] = {pull * k.a * k.a, pull * k.a * k.b, pull * k.b * k.b};
+    stencil_.most_rows[k.columns] = std::max(stencil_.most_rows[k.columns], k.rows);
+    const auto bonds = static_cast<Real>(2 * k.images);
+    stencil_.own_x += bonds * pull * k.a * k.a;
+    stencil_.own_y += bonds * pull * k.b * k.b;
+  }
+}
+
+template <class Real>
+void Engine<Real>::set_thresholds(const Lattice& lattice, double alpha) {
+  const double s0 = lattice.calibration.s0;
+  alpha_ = static_cast<Real>(alpha);
+  least_threshold_ = static_cast<Real>(threshold_of(s0));
+  if (!features_.varied) return;
+  s00_.assign(layout_.size(), static_cast<Real>(s0));
+  threshold_.assign(layout_.size(), least_threshold_);
+  if (features_.history) next_threshold_ = threshold_;
+  if (lattice.strength.empty()) return;
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i) {
+      const auto at = static_cast<std::size_t>(layout_.at(i, j));
+      const double own = s0 * static_cast<double>(lattice.strength[lattice.grid.index(i, j)]);
+      s00_[at] = static_cast<Real>(own);
+      threshold_[at] = static_cast<Real>(threshold_of(own));
+    }
+}
+
+template <class Real>
+int Engine<Real>::tile_of(std::ptrdiff_t place) const {
+  const auto j = place / layout_.stride();
+  const auto column = place - layout_.at(layout_.first_column(), static_cast<int>(j));
+  return tile_row_of_[static_cast<std::size_t>(j)] * layout_.groups() +
+         static_cast<int>(column / NodeLayout::group);
+}
+
+template <class Real>
+void Engine<Real>::prepare(const Lattice& lattice, State& state) {
+  auto& motion = std::get<Motion<Real>>(state.motion);
+  if (features_.history && motion.threshold.empty()) motion.threshold = threshold_;
+  find_intact(lattice, state.bonds);
+  survey(lattice, motion, state);
+}
+
+template <class Real>
+void Engine<Real>::find_intact(const Lattice& lattice, const BondBits& bonds) {
+  std::ranges::fill(intact_, std::uint8_t{1});
+  const auto& words = bonds.words();
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int q = 0; q < layout_.groups() * NodeLayout::group; ++q) {
+      const std::ptrdiff_t at = layout_.at(layout_.first_column(), j) + q;
+      for (std::size_t word = 0; word < all_bonds_.size(); ++word)
+        if (words[word * bonds.plane() + static_cast<std::size_t>(at)] != all_bonds_[word])
+          intact_[static_cast<std::size_t>(tile_of(at))] = 0;
+    }
+  std::ranges::fill(complete_, std::uint8_t{1});
+  const auto degree = degrees(lattice.grid, lattice.family, bonds);
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i)
+      if (degree[lattice.grid.index(i, j)] != lattice.family.bonds())
+        complete_[static_cast<std::size_t>(tile_of(layout_.at(i, j)))] = 0;
+}
+
+template <class Real>
+void Engine<Real>::survey(const Lattice& lattice, Motion<Real>& motion, const State& state) {
+  next_ux_ = motion.ux;
+  next_uy_ = motion.uy;
+  KernelData<Real> data = tables(lattice, motion, state);
+  let_write(data, motion);
+  kernel_.survey(data, {0, layout_.ny});
+  const auto& threshold = features_.history ? motion.threshold : threshold_;
+  for (TileRange<Real>& range : next_range_) {
+    range.moving = 0;
+    range.least_threshold = std::numeric_limits<Real>::max();
+  }
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i) {
+      const auto at = static_cast<std::size_t>(layout_.at(i, j));
+      TileRange<Real>& range = next_range_[static_cast<std::size_t>(tile_of(layout_.at(i, j)))];
+      if (motion.ux[at] != 0 || motion.uy[at] != 0 || motion.vx[at] != 0 || motion.vy[at] != 0)
+        range.moving = 1;
+      if (features_.varied) range.least_threshold = std::min(range.least_threshold, threshold[at]);
+    }
+  range_ = next_range_;
+}
+
+template <class Real>
+KernelData<Real> Engine<Real>::tables(const Lattice& lattice, const Motion<Real>& motion,
+                                      const State& state) const {
+  KernelData<Real> data;
+  data.layout = layout_;
+  data.reach = reach_;
+  data.classes = classes_.data();
+  data.class_count = static_cast<int>(classes_.size());
+  data.first_on_row = first_on_row_;
+  data.ux = motion.ux.data();
+  data.uy = motion.uy.data();
+  data.kick = state.step == 0 ? Real{0.5} : Real{1};
+  data.bonds = state.bonds.words().data();
+  data.unbreakable = lattice.unbreakable.words().data();
+  data.plane = state.bonds.plane();
+  data.late = late_;
+  data.threshold = features_.history ? motion.threshold.data() : threshold_.data();
+  data.s00 = s00_.data();
+  data.alpha = alpha_;
+  data.loads = loads_.data();
+  data.loads_of_row = loads_of_row_.data();
+  data.tiles = {tile_rows_.data(), static_cast<int>(tile_rows_.size()) - 1, layout_.groups()};
+  data.range = range_.data();
+  data.intact = intact_.data();
+  data.loaded = loaded_.data();
+  data.least_threshold = least_threshold_;
+  data.complete = complete_.data();
+  data.linear_range = linear_range_;
+  data.stencil = &stencil_;
+  return data;
+}
+
+template <class Real>
+void Engine<Real>::let_write(KernelData<Real>& data, Motion<Real>& motion) {
+  data.vx = motion.vx.data();
+  data.vy = motion.vy.data();
+  data.next_ux = next_ux_.data();
+  data.next_uy = next_uy_.data();
+  data.next_threshold = next_threshold_.data();
+  data.next_range = next_range_.data();
+}
+
+template <class Real>
+void Engine<Real>::advance(const KernelData<Real>& data) {
+  threads_.for_tasks(static_cast<int>(tasks_.size()), [&](int task, int thread) {
+    kernel_.advance(data, scratch_[static_cast<std::size_t>(thread)],
+                    tasks_[static_cast<std::size_t>(task)]);
+  });
+}
+
+template <class Real>
+void Engine<Real>::step(const Lattice& lattice, State& state) {
+  auto& motion = std::get<Motion<Real>>(state.motion);
+  KernelData<Real> data = tables(lattice, motion, state);
+  let_write(data, motion);
+  advance(data);
+  for (std::size_t task = 1; task < tasks_.size(); ++task) kernel_.join(data, tasks_[task].begin);
+  break_bonds(state.bonds);
+  std::swap(motion.ux, next_ux_);
+  std::swap(motion.uy, next_uy_);
+  if (features_.history) std::swap(motion.threshold, next_threshold_);
+  std::swap(range_, next_range_);
+}
+
+// Bonds belong to the rows of their lower end, but tasks above read them too: they are broken when
+// all tasks are done.
+template <class Real>
+void Engine<Real>::break_bonds(BondBits& bonds) {
+  for (Scratch<Real>& scratch : scratch_) {
+    for (const Loss& loss : scratch.losses) {
+      bonds.clear(loss.at, loss.word, loss.bit);
+      const auto bond = static_cast<std::size_t>(32 * loss.word + std::countr_zero(loss.bit));
+      const auto here = static_cast<std::size_t>(tile_of(loss.at));
+      const auto there = static_cast<std::size_t>(tile_of(loss.at + bond_offsets_[bond]));
+      intact_[here] = complete_[here] = complete_[there] = 0;
+    }
+    scratch.losses.clear();
+    for (std::size_t path = 0; path < path_counts_.size(); ++path)
+      path_counts_[path] += std::exchange(scratch.counts[path], 0);
+  }
+}
+
+template <class Real>
+void Engine<Real>::accelerations(const Lattice& lattice, const State& state, Values<Real>& ax,
+                                 Values<Real>& ay) {
+  ax.resize(layout_.size());
+  ay.resize(layout_.size());
+  KernelData<Real> data = tables(lattice, std::get<Motion<Real>>(state.motion), state);
+  data.ax = ax.data();
+  data.ay = ay.data();
+  advance(data);
+}
+
+template <class Real>
+std::size_t Engine<Real>::bytes() const {
+  std::size_t sum = 0;
+  for (const auto* values : {&s00_, &threshold_, &next_ux_, &next_uy_, &next_threshold_})
+    sum += values->size() * sizeof(Real);
+  return sum + 2 * range_.size() * sizeof(TileRange<Real>) + 3 * intact_.size();
+}
+
+template class Engine<float>;
+template class Engine<double>;
+
+}  // namespace hackle

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// One time step of the whole plate in one precision: tables, tiles and threads around a kernel.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/kernel.hpp"
+#include "solver/scratch.hpp"
+#include "solver/state.hpp"
+#include "solver/threads.hpp"
+
+namespace hackle {
+
+struct EngineOptions {
+  double alpha = 0.0;     // of the history of the least stretch; 0 for none
+  double dt = 0.0;        // s
+  double fidelity = 0.0;  // share of the critical stretch below which forces are linearised
+  Breaking breaking = Breaking::at_once;
+  InstructionSet set = InstructionSet::baseline;
+  Arithmetic arithmetic = Arithmetic::plain;
+};
+
+template <class Real>
+class Engine {
+ public:
+  Engine(const Lattice& lattice, const EngineOptions& options, Threads threads);
+
+  // `lattice` is the one it was made for. To be called before the first step, and whenever a state is not the one that step() left. Gives
+  // a state without thresholds those of an untouched plate.
+  void prepare(const Lattice& lattice, State& state);
+
+  // u, v, bonds and thresholds go on by one step; the rest of the state is the caller's.
+  void step(const Lattice& lattice, State& state);
+
+  // Acceleration of every place at the time of u, in lattice units.
+  void accelerations(const Lattice& lattice, const State& state, Values<Real>& ax,
+                     Values<Real>& ay);
+
+  const PathCounts& path_counts() const { return path_counts_; }
+  std::size_t bytes() const;  // of all that grows with the plate
+
+ private:
+  KernelData<Real> tables(const Lattice& lattice, const Motion<Real>& motion,
+                          const State& state) const;
+  void let_write(KernelData<Real>& data, Motion<Real>& motion);
+  void advance(const KernelData<Real>& data);
+  void set_thresholds(const Lattice& lattice, double alpha);
+  void survey(const Lattice& lattice, Motion<Real>& motion, const State& state);
+  void set_stencil(const Lattice& lattice, double fidelity);
+  void find_intact(const Lattice& lattice, const BondBits& bonds);
+  void break_bonds(BondBits& bonds);
+  int tile_of(std::ptrdiff_t place) const;
+
+  KernelFeatures features_;
+  NodeLayout layout_;
+  int reach_;
+  std::vector<BondClass<Real>> classes_;
+  int first_on_row_ = 0;
+  std::vector<std::uint32_t> all_bonds_;  // words of a node that lacks none
+  std::vector<NodeLoad<Real>> loads_;
+  std::vector<std::size_t> loads_of_row_;
+
+  bool late_;
+  Real linear_range_{};
+  LinearStencil<Real> stencil_;
+  std::vector<std::ptrdiff_t> bond_offsets_;  // from the keeping end of a bond to the other
+
+  Real alpha_{};
+  Real least_threshold_{};
+  Values<Real> s00_;        // per place; empty unless varied
+  Values<Real> threshold_;  // of an untouched plate; empty unless varied
+
+  std::vector<int> tile_rows_;
+  std::vector<int> tile_row_of_;  // per row of nodes
+  std::vector<TileRange<Real>> range_, next_range_;
+  std::vector<std::uint8_t> intact_, complete_, loaded_;
+  Values<Real> next_ux_, next_uy_, next_threshold_;
+
+  Kernel<Real> kernel_;
+  Threads threads_;
+  std::vector<Rows> tasks_;
+  std::vector<Scratch<Real>> scratch_;  // one a thread
+  PathCounts path_counts_{};
+};
+
+extern template class Engine<float>;
+extern template class Engine<double>;
+
+}  // namespace hackle

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "solver/tiles.hpp"
+
+#include <algorithm>
+
+namespace hackle {
+
+std::vector<int> tile_rows(int ny, int reach) {
+  const int height = reach <= 8 ? 8 : 16;
+  // Full rows of tiles from both ends; what is left in the middle goes to one of its own, or to a
+  // neighbour when it is too thin for that.
+  const int each_side = std::max(0, (ny / height - 1) / 2);
+  std::vector<int> first;
+  for (int k = 0; k < each_side; ++k) first.push_back(k * height);
+  const int left = ny - 2 * each_side * height;
+  first.push_back(each_side * height);
+  if (left >= 2 * height && left % 2 == 0) first.push_back(each_side * height + left / 2);
+  for (int k = each_side; k > 0; --k) first.push_back(ny - k * height);
+  first.push_back(ny);
+  return first;
+}
+
+}  // namespace hackle

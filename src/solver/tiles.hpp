@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The plate in tiles: for each the cheapest treatment that its state allows is chosen anew in every
+// step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "lattice/node_layout.hpp"
+
+namespace hackle {
+
+// A tile is one group of columns of the layout by at least `reach` rows. Its rows are mirror images
+// of each other about the midline.
+struct TileGrid {
+  const int* first_row = nullptr;  // of every row of tiles, and the end of the last
+  int rows = 0;
+  int columns = 0;
+
+  int index(int row, int column) const { return row * columns + column; }
+  int count() const { return rows * columns; }
+};
+
+// First rows of the rows of tiles of a lattice of ny rows, and ny.
+std::vector<int> tile_rows(int ny, int reach);
+
+// What bounds the stretch of bonds in a tile (kernel.md 4): the largest differences of displacements
+// between neighbouring nodes, those across its border included.
+template <class Real>
+struct TileRange {
+  Real direct{};  // |d_x u_x|, |d_y u_y|
+  Real xy{};      // |d_y u_x|
+  Real yx{};      // |d_x u_y|
+  Real least_threshold{};
+  std::uint32_t moving = 0;  // some u or v is not 0
+};
+
+// How the bonds kept in a tile are computed.
+enum class Path : std::uint8_t {
+  still,    // u and v are 0 in the tile and around it: nothing to do
+  linear,   // every force in the tile and around it is linearised
+  intact,   // all bonds hold and none can break
+  damaged,  // some are broken, no other can break
+  careful,  // one may break, or is strained beyond the range of the series
+};
+inline constexpr std::array<std::string_view, 5> path_names{"still", "linear", "intact", "damaged",
+                                                            "careful"};
+
+// Tile-steps by the path they took.
+using PathCounts = std::array<std::int64_t, 5>;
+
+}  // namespace hackle
