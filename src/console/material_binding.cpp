@@ -33,6 +33,10 @@ constexpr std::array material_options{
            .range = above(0.0),
            .required = true,
            .sentence = "Fracture energy of the model, 2 gamma."},
+    Option{.name = "alpha",
+           .range = between(0.0, 0.99),
+           .fallback = "0",
+           .sentence = "How far compression toughens it; 0.02 and 0.25 are in use."},
 };
 
 constexpr FunctionDoc material_doc{
@@ -50,7 +54,7 @@ int make_material(lua_State* L) {
   arguments.problems.throw_if_any();
   push_object(L, Material{arguments.text("name", "own material"), arguments.number("E"),
                           arguments.number("rho"), arguments.number("nu", 1.0 / 3.0),
-                          arguments.number("G0")});
+                          arguments.number("G0"), arguments.number("alpha", 0.0)});
   return 1;
 }
 
@@ -78,6 +82,7 @@ constexpr std::array fields{
     Property{"rho", "kg/m3", "Density.", push_value<&Material::rho>},
     Property{"nu", "", "Poisson's ratio of the real material.", push_value<&Material::nu>},
     Property{"G0", "J/m2", "Fracture energy.", push_value<&Material::G0>},
+    Property{"alpha", "", "How far compression toughens it.", push_value<&Material::alpha>},
 };
 
 constexpr TypeDoc type{.name = "material",

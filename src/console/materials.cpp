@@ -37,6 +37,7 @@ KnownMaterial read_material(lua_State* L, const std::string& key) {
   known.material.rho = number_field(L, "rho");
   known.material.nu = number_field(L, "nu");
   known.material.G0 = number_field(L, "G0");
+  known.material.alpha = number_field(L, "alpha");
   Problems problems;
   check(known.material, problems);
   if (known.material.name.empty()) problems.add(fmt::format("material '{}' has no title", key));

@@ -27,6 +27,11 @@ constexpr std::array plate_options{
            .type = OptionType::material,
            .required = true,
            .sentence = "What it is made of."},
+    Option{.name = "plane",
+           .type = OptionType::choice,
+           .fallback = "stress",
+           .choices = plane_names,
+           .sentence = "Thin, plane stress, or thick, plane strain."},
 };
 
 constexpr FunctionDoc plate_doc{
@@ -112,6 +117,7 @@ int make_plate(lua_State* L) {
   plate.width = arguments.number("width");
   plate.height = arguments.number("height");
   plate.material = arguments.material("material");
+  plate.plane = arguments.choice<Plane>("plane");
   check(plate, arguments.problems);
   arguments.problems.throw_if_any();
   push_object(L, std::move(plate));

@@ -27,6 +27,7 @@ Numerics numerics_of(const Arguments& arguments) {
   numerics.fidelity = arguments.number("fidelity", 0.0);
   numerics.breaking = arguments.choice<Breaking>("breaking");
   numerics.quadrature = arguments.choice<Quadrature>("quadrature");
+  numerics.micromodulus = arguments.choice<Micromodulus>("micromodulus");
   numerics.constants = arguments.choice<Constants>("constants");
   if (arguments.has("step")) numerics.step = arguments.number("step");
   numerics.force_step = arguments.flag("force_step");

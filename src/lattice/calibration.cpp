@@ -8,53 +8,78 @@ namespace hackle {
 
 using std::numbers::pi;
 
-Moduli moduli(const Family& family, double c, double dx) {
-  double xx = 0.0, xy = 0.0;
-  family.for_each_bond([&](int, int, const Vec2& xi, double weight, int) {
-    const Vec2 squares = xi.cwiseAbs2();
-    const double r2 = xi.squaredNorm(), r3 = r2 * std::sqrt(r2);
-    xx += weight * squares.x() * squares.x() / r3;
-    xy += weight * squares.x() * squares.y() / r3;
+Moduli moduli(const Family& family, double c, double dx, Plane plane) {
+  // The stretch of a bond is xi.(strain offset)/|xi|^2; offset and xi differ with centroids alone.
+  double xx = 0.0, xy = 0.0, shear = 0.0;
+  family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int) {
+    const double r3 = std::pow(xi.squaredNorm(), 1.5);
+    xx += weight * (xi.x() * a) * (xi.x() * a) / r3;
+    xy += weight * (xi.x() * a) * (xi.y() * b) / r3;
+    shear += weight * 0.25 * (xi.x() * b + xi.y() * a) * (xi.x() * b + xi.y() * a) / r3;
   });
   // Half, times two for the opposite bonds; V = dx^2, and x^4/r^3 carries one dx.
   const double scale = c * dx * dx * dx;
   Moduli moduli;
   moduli.C11 = scale * xx;
   moduli.C12 = scale * xy;
-  moduli.E = moduli.C11 - moduli.C12 * moduli.C12 / moduli.C11;
-  moduli.nu = moduli.C12 / moduli.C11;
-  moduli.zener = 2.0 * moduli.C12 / (moduli.C11 - moduli.C12);
+  if (plane == Plane::stress) {
+    moduli.E = moduli.C11 - moduli.C12 * moduli.C12 / moduli.C11;
+    moduli.nu = moduli.C12 / moduli.C11;
+  } else {
+    moduli.nu = moduli.C12 / (moduli.C11 + moduli.C12);
+    moduli.E = (moduli.C11 - moduli.C12) * (1.0 + moduli.nu);
+  }
+  moduli.zener = 2.0 * (scale * shear) / (moduli.C11 - moduli.C12);
   return moduli;
 }
 
 double fracture_energy(const Family& family, double c, double s0, double dx, const Vec2& normal) {
   double sum = 0.0;
-  family.for_each_bond([&](int, int, const Vec2& xi, double weight, int) {
-    sum += weight * xi.norm() * std::abs(xi.dot(normal));
+  family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int) {
+    sum += weight * xi.norm() * std::abs(Vec2(a, b).dot(normal));
   });
   return 0.5 * c * s0 * s0 * (dx * dx) * (dx * dx) * sum;
 }
 
+namespace {
+
+// Factors of E/(pi delta^3) in c, and of G0/(E delta) in s0^2 (physics.md 4.1).
+struct ContinuumFactors {
+  double c, s0_squared;
+};
+
+ContinuumFactors continuum_factors(Micromodulus micromodulus, Plane plane) {
+  const bool stress = plane == Plane::stress;
+  if (micromodulus == Micromodulus::constant)
+    return stress ? ContinuumFactors{9.0, 4.0 * pi / 9.0}
+                  : ContinuumFactors{48.0 / 5.0, 5.0 * pi / 12.0};
+  return stress ? ContinuumFactors{36.0, 5.0 * pi / 9.0}
+                : ContinuumFactors{192.0 / 5.0, 25.0 * pi / 48.0};
+}
+
+}  // namespace
+
 Calibration calibrate(const Family& family, const Material& material, double dx,
-                      Constants constants) {
-  const double delta = family.m() * dx;
+                      Constants constants, Plane plane) {
+  const double delta = family.m() * dx, volume = pi * (delta * delta * delta);
   const Vec2 across{0.0, 1.0};
+  const ContinuumFactors factors = continuum_factors(family.micromodulus(), plane);
   Calibration result;
   switch (constants) {
     case Constants::lattice:
-      result.c = material.E / moduli(family, 1.0, dx).E;
+      result.c = material.E / moduli(family, 1.0, dx, plane).E;
       result.s0 = std::sqrt(material.G0 / fracture_energy(family, result.c, 1.0, dx, across));
       break;
     case Constants::continuum:
-      result.c = 9.0 * material.E / (pi * (delta * delta * delta));
-      result.s0 = std::sqrt(4.0 * pi * material.G0 / (9.0 * material.E * delta));
+      result.c = factors.c * material.E / volume;
+      result.s0 = std::sqrt(factors.s0_squared * material.G0 / (material.E * delta));
       break;
     case Constants::paper:
-      result.c = 6.0 * material.E / (pi * (delta * delta * delta) * (1.0 - material.nu));  // Eq. 8
+      result.c = 6.0 * material.E / (volume * (1.0 - material.nu));                        // Eq. 8
       result.s0 = std::sqrt(4.0 * pi * material.G0 / (9.0 * material.E * delta));          // Eq. 10
       break;
   }
-  result.moduli = moduli(family, result.c, dx);
+  result.moduli = moduli(family, result.c, dx, plane);
   result.G0 = fracture_energy(family, result.c, result.s0, dx, across);
   return result;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lattice/cell_area.hpp"
+
 namespace hackle {
 namespace {
 
@@ -12,24 +14,52 @@ double whole_if_near(double m) {
   return std::abs(m - whole) <= 1e-9 * whole ? whole : m;
 }
 
-double weight_of(double length, double m, Quadrature quadrature) {
-  if (quadrature == Quadrature::full) return 1.0;
-  return std::min(1.0, 0.5 + (m - length));
+// Parts of a cell too small to count: what rounding makes of a cell that touches the horizon.
+constexpr double no_area = 1e-12;
+
+struct Weighted {
+  Vec2 xi{0, 0};
+  double weight = 0.0;
+};
+
+Weighted quadrature_of(int a, int b, double m, Quadrature quadrature) {
+  const Vec2 node(a, b);
+  const CellPart part = cell_inside_circle(a, b, m);
+  switch (quadrature) {
+    case Quadrature::full:
+      return {node, static_cast<double>(a * a + b * b) <= m * m ? 1.0 : 0.0};
+    case Quadrature::ramp:
+      return {node, static_cast<double>(a * a + b * b) <= m * m
+                        ? std::min(1.0, 0.5 + (m - node.norm()))
+                        : 0.0};
+    case Quadrature::area:
+      return {node, part.area > no_area ? part.area : 0.0};
+    case Quadrature::centroid:
+      return {part.centroid, part.area > no_area ? part.area : 0.0};
+  }
+  return {};
+}
+
+double shape(double length, double m, Micromodulus micromodulus) {
+  return micromodulus == Micromodulus::constant ? 1.0 : std::max(0.0, 1.0 - length / m);
 }
 
 }  // namespace
 
-Family::Family(double m, Quadrature quadrature)
-    : m_(whole_if_near(m)), quadrature_(quadrature), reach_(static_cast<int>(m_)) {
-  for (int b = reach_; b >= 0; --b)
-    for (int a = b == 0 ? 1 : 0; a <= reach_; ++a) {
-      if (static_cast<double>(a * a + b * b) > m_ * m_) continue;
-      Images image{a, b, Vec2(a, b), 0.0, bits_};
-      image.weight = weight_of(image.length(), m_, quadrature_);
+Family::Family(double m, Quadrature quadrature, Micromodulus micromodulus)
+    : m_(whole_if_near(m)), quadrature_(quadrature), micromodulus_(micromodulus) {
+  const int farthest = static_cast<int>(m_) + 1;
+  for (int b = farthest; b >= 0; --b)
+    for (int a = b == 0 ? 1 : 0; a <= farthest; ++a) {
+      const Weighted bond = quadrature_of(a, b, m_, quadrature);
+      const double weight = bond.weight * shape(bond.xi.norm(), m_, micromodulus);
+      if (!(weight > 0.0)) continue;
+      Images image{a, b, bond.xi, weight, bits_};
       if (image.is_quad() && image.first_bit % 32 == 31) ++image.first_bit;
       images_.push_back(image);
       kept_ += image.kept();
       bits_ = image.first_bit + image.kept();
+      reach_ = std::max({reach_, a, b});
     }
 }
 

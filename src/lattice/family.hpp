@@ -30,12 +30,14 @@ struct Images {
 
 class Family {
  public:
-  // All offsets with a^2 + b^2 <= m^2, decided in integers: m is taken as whole when it is within
-  // 1e-9 of a whole number.
-  Family(double m, Quadrature quadrature);
+  // All offsets of some weight. With full and ramp these are a^2 + b^2 <= m^2, decided in integers:
+  // m is taken as whole when it is within 1e-9 of a whole number. With area and centroid all whose
+  // cell lies partly inside the horizon. A conical micromodulus drops those at the horizon.
+  Family(double m, Quadrature quadrature, Micromodulus micromodulus = Micromodulus::constant);
 
   double m() const { return m_; }
   Quadrature quadrature() const { return quadrature_; }
+  Micromodulus micromodulus() const { return micromodulus_; }
   // Rows from far to near, columns from near to far.
   const std::vector<Images>& images() const { return images_; }
   int kept() const { return kept_; }               // bonds kept by an inner node
@@ -58,6 +60,7 @@ class Family {
  private:
   double m_;
   Quadrature quadrature_;
+  Micromodulus micromodulus_;
   std::vector<Images> images_;
   int kept_ = 0;
   int bits_ = 0;

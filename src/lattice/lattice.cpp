@@ -79,8 +79,8 @@ std::vector<LoadedNode> loaded_nodes(const std::vector<Traction>& tractions, con
 
 Lattice::Lattice(const Plate& plate, const Numerics& numerics)
     : grid(make_grid(plate, numerics.spacing)),
-      family(numerics.m(), numerics.quadrature),
-      calibration(calibrate(family, plate.material, grid.dx, numerics.constants)),
+      family(numerics.m(), numerics.quadrature, numerics.micromodulus),
+      calibration(calibrate(family, plate.material, grid.dx, numerics.constants, plate.plane)),
       rho(plate.material.rho),
       step_limit(hackle::step_limit(family, calibration.c, rho, grid.dx)),
       bonds(uncut_bonds(grid, family)),

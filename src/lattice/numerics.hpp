@@ -14,14 +14,23 @@ namespace hackle {
 
 // How a node near the rim of the horizon is weighted (physics.md 4.3).
 enum class Quadrature {
-  full,  // weight 1 for every node whose distance is at most the horizon (FA)
-  ramp,  // LAMMPS: 1 up to horizon - dx/2, falling linearly to 1/2 at the horizon
+  full,      // weight 1 for every node whose distance is at most the horizon (FA)
+  ramp,      // LAMMPS: 1 up to horizon - dx/2, falling linearly to 1/2 at the horizon
+  area,      // the part of the node's cell that lies inside the horizon (PA-AC)
+  centroid,  // the same, and the bond ends at the centroid of that part (IPA-AC)
+};
+
+// How the micromodulus depends on the length r of a bond.
+enum class Micromodulus {
+  constant,  // c
+  conical,   // c (1 - r/delta)
 };
 
 // Where micromodulus and critical stretch come from.
 enum class Constants {
   lattice,    // E and G0 exact on the lattice in use
-  continuum,  // c = 9 E/(pi delta^3), s0 = sqrt(4 pi G0/(9 E delta))
+  continuum,  // of an infinitely fine lattice (physics.md 4.1): c = 9 E/(pi delta^3) and
+              // s0 = sqrt(4 pi G0/(9 E delta)) in plane stress with a constant micromodulus
   paper,      // the paper's Eq. 8 and Eq. 10, which do not belong together (physics.md 0)
 };
 
@@ -34,7 +43,9 @@ enum class Breaking {
 enum class Precision { f64, f32 };
 
 // Names of the choices, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 2> quadrature_names{"full", "ramp"};
+inline constexpr std::array<std::string_view, 4> quadrature_names{"full", "ramp", "area",
+                                                                  "centroid"};
+inline constexpr std::array<std::string_view, 2> micromodulus_names{"constant", "conical"};
 inline constexpr std::array<std::string_view, 3> constants_names{"lattice", "continuum", "paper"};
 inline constexpr std::array<std::string_view, 2> breaking_names{"at_once", "next_step"};
 inline constexpr std::array<std::string_view, 2> precision_names{"f64", "f32"};
@@ -43,6 +54,7 @@ struct Numerics {
   double spacing = 0.0;  // dx, m
   double horizon = 0.0;  // delta, m; 0: four spacings
   Quadrature quadrature = Quadrature::full;
+  Micromodulus micromodulus = Micromodulus::constant;
   Constants constants = Constants::lattice;
   Breaking breaking = Breaking::at_once;
   Precision precision = Precision::f64;
@@ -59,7 +71,7 @@ struct Numerics {
 // that are stretched up to s0.
 inline constexpr double step_fraction = 0.9;
 
-// Ranges: 2 <= m <= max_m.
+// Ranges: least_m <= m <= most_m, and no neighbour more than 16 columns away.
 inline constexpr double least_m = 2.0;
 inline constexpr double most_m = 16.0;
 

@@ -21,6 +21,9 @@ void check(const Material& material, Problems& problems) {
   require_positive("E", material.E, "Pa", problems);
   require_positive("rho", material.rho, "kg/m3", problems);
   require_positive("G0", material.G0, "J/m2", problems);
+  if (!(material.alpha >= 0.0 && material.alpha < 1.0))
+    problems.add(
+        fmt::format("material: alpha is {}, it must be at least 0 and below 1", material.alpha));
   if (!(material.nu > -1.0 && material.nu < 0.5))
     problems.add(fmt::format("material: nu is {}, it must lie between -1 and 0.5", material.nu));
 }

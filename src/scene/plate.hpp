@@ -3,6 +3,7 @@
 // mesh. Origin at the lower left corner, x right, y up. Everything is per metre of thickness.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,10 +44,15 @@ struct NoFail {
   Vec2 most{0, 0};   // m, upper right corner, included
 };
 
+// Thin, free of stress across its thickness, or thick, held from straining across it.
+enum class Plane { stress, strain };
+inline constexpr std::array<std::string_view, 2> plane_names{"stress", "strain"};
+
 struct Plate {
   double width = 0.0;   // m, along x, > 0
   double height = 0.0;  // m, along y, > 0
   Material material;
+  Plane plane = Plane::stress;
   std::vector<Crack> cracks;
   std::vector<Traction> tractions;
   std::vector<NoFail> no_fail;

@@ -23,9 +23,12 @@ double rayleigh_ratio(double q) {
 
 }  // namespace
 
-WaveSpeeds wave_speeds(double E, double nu, double rho) {
+WaveSpeeds wave_speeds(double E, double nu, double rho, Plane plane) {
   WaveSpeeds speeds;
-  speeds.longitudinal = std::sqrt(E / (rho * (1.0 - nu * nu)));
+  const double stiffness = plane == Plane::stress
+                               ? E / (1.0 - nu * nu)
+                               : E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+  speeds.longitudinal = std::sqrt(stiffness / rho);
   speeds.shear = std::sqrt(E / (2.0 * rho * (1.0 + nu)));
   const double ratio = speeds.shear / speeds.longitudinal;
   speeds.rayleigh = speeds.shear * rayleigh_ratio(ratio * ratio);

@@ -145,7 +145,24 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
     bond_offsets_[static_cast<std::size_t>(bit)] = b * layout_.stride() + a;
   });
   set_thresholds(lattice, options.alpha);
+  set_bound(lattice);
   set_stencil(lattice, options.fidelity);
+}
+
+template <class Real>
+void Engine<Real>::set_bound(const Lattice& lattice) {
+  const auto raise = [](Real& factor, double to) {
+    factor = std::max(factor, static_cast<Real>(1.000001 * to));
+  };
+  for (const Images& image : lattice.family.images()) {
+    const Vec2 offset(image.a, image.b);
+    const double L2 = image.xi.squaredNorm();
+    if (image.xi == offset) continue;
+    raise(bound_.direct, image.xi.cwiseProduct(offset).lpNorm<1>() / L2);
+    raise(bound_.shear, std::max(std::abs(image.xi.x() * offset.y()),
+                                 std::abs(image.xi.y() * offset.x())) / L2);
+    raise(bound_.squares, offset.squaredNorm() / L2);
+  }
 }
 
 template <class Real>
@@ -267,6 +284,7 @@ KernelData<Real> Engine<Real>::tables(const Lattice& lattice, const Motion<Real>
   data.range = range_.data();
   data.intact = intact_.data();
   data.loaded = loaded_.data();
+  data.bound = bound_;
   data.least_threshold = least_threshold_;
   data.complete = complete_.data();
   data.linear_range = linear_range_;

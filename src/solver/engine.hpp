@@ -47,6 +47,7 @@ class Engine {
   void advance(const KernelData<Real>& data);
   void set_thresholds(const Lattice& lattice, double alpha);
   void survey(const Lattice& lattice, Motion<Real>& motion, const State& state);
+  void set_bound(const Lattice& lattice);
   void set_stencil(const Lattice& lattice, double fidelity);
   void find_intact(const Lattice& lattice, const BondBits& bonds);
   void break_bonds(BondBits& bonds);
@@ -62,6 +63,7 @@ class Engine {
   std::vector<std::size_t> loads_of_row_;
 
   bool late_;
+  BoundFactors<Real> bound_;
   Real linear_range_{};
   LinearStencil<Real> stencil_;
   std::vector<std::ptrdiff_t> bond_offsets_;  // from the keeping end of a bond to the other

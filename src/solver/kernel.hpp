@@ -62,6 +62,16 @@ struct LinearStencil {
   LinearWeight<Real> weights[NodeLayout::group + 1][NodeLayout::group + 1] = {};
 };
 
+// |e| <= 2 (direct A + shear (B + C)) + squares (2 A^2 + B^2 + C^2) for every bond between nodes whose
+// neighbours differ by at most A (|d_x u_x|, |d_y u_y|), B (|d_y u_x|) and C (|d_x u_y|), by Cauchy
+// (kernel.md 4). 1, 1/2 and 1, unless bonds end beside their neighbour (Quadrature::centroid).
+template <class Real>
+struct BoundFactors {
+  Real direct{1};
+  Real shear{0.5};
+  Real squares{1};
+};
+
 // A steady acceleration of one node, in lattice units.
 template <class Real>
 struct NodeLoad {
@@ -113,6 +123,7 @@ struct KernelData {
   TileRange<Real>* next_range = nullptr;   // of next_u
   const std::uint8_t* intact = nullptr;    // per tile: every bond kept in it holds
   const std::uint8_t* loaded = nullptr;    // per tile: a load acts in it
+  BoundFactors<Real> bound;
   Real least_threshold{};                  // where thresholds do not vary
   const std::uint8_t* complete = nullptr;  // per tile: every bond of its nodes holds
   Real linear_range{};                     // e below which forces may be linearised; 0: never

@@ -169,11 +169,11 @@ Outlook<Real> Sweep<features>::look(int tile_row, int column) const {
       if constexpr (features.varied)
         threshold = range.least_threshold < threshold ? range.least_threshold : threshold;
     }
-  // |e| <= 2 G + F for every bond that begins or ends in the tile (kernel.md 4); the slack covers
-  // the rounding of the differences.
+  // The slack covers the rounding of the differences.
   constexpr auto slack = static_cast<Real>(1.00001);
-  const Real strain = direct + static_cast<Real>(0.5) * (xy + yx);
-  const Real bound = slack * (2 * strain + (2 * direct * direct + xy * xy + yx * yx));
+  const Real strain = data_.bound.direct * direct + data_.bound.shear * (xy + yx);
+  const Real squares = data_.bound.squares * (2 * direct * direct + xy * xy + yx * yx);
+  const Real bound = slack * (2 * strain + squares);
   const bool complete = data_.complete[tiles.index(tile_row, column)] != 0;
   return {bound, threshold, moving == 0, complete && moving != 0 && bound < data_.linear_range};
 }

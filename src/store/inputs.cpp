@@ -17,7 +17,8 @@ Json to_json(const Material& material) {
           {"E_Pa", material.E},
           {"rho_kg_m3", material.rho},
           {"nu", material.nu},
-          {"G0_J_m2", material.G0}};
+          {"G0_J_m2", material.G0},
+          {"alpha", material.alpha}};
 }
 
 Json to_json(const Crack& crack) {
@@ -45,6 +46,7 @@ Json to_json(const Plate& plate) {
   return {{"width_m", plate.width},
           {"height_m", plate.height},
           {"material", to_json(plate.material)},
+          {"plane", plane_names[static_cast<std::size_t>(plate.plane)]},
           {"cracks", list_of(plate.cracks)},
           {"tractions", list_of(plate.tractions)},
           {"no_fail", list_of(plate.no_fail)}};
@@ -58,6 +60,7 @@ Json numerics_of(const Simulation& simulation) {
           {"nx", lattice.grid.nx},
           {"ny", lattice.grid.ny},
           {"quadrature", quadrature_names[static_cast<std::size_t>(numerics.quadrature)]},
+          {"micromodulus", micromodulus_names[static_cast<std::size_t>(numerics.micromodulus)]},
           {"constants", constants_names[static_cast<std::size_t>(numerics.constants)]},
           {"fused", numerics.fused},
           {"fidelity", numerics.fidelity},
