@@ -179,7 +179,7 @@ Outlook<Real> Sweep<features>::look(int tile_row, int column) const {
 }
 
 // The cheapest path that gives the same bits as the careful one. Bonds need not be computed at all
-// where they serve none but linearised forces.
+// where they serve none but linearised forces: nobody else may read their sums.
 template <KernelFeatures features>
 Path Sweep<features>::choose(int tile_row, int group) {
   const Outlook<Real>& own = outlook(tile_row, group);
@@ -188,7 +188,7 @@ Path Sweep<features>::choose(int tile_row, int group) {
     bool deep = true;
     for (int row = tile_row - 1; row <= tile_row + 1; ++row)
       for (int g = group - 1; g <= group + 1; ++g)
-        deep = deep && (outlook(row, g).linear || outlook(row, g).still);
+        deep = deep && outlook(row, g).linear;
     if (deep) return Path::linear;
   }
   if (!(own.bound < own.threshold && own.bound < series_range<Real>)) return Path::careful;

@@ -2,6 +2,7 @@
 #include "lattice/family.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -23,36 +24,76 @@ TEST(Family, AHorizonThatIsAWholeMultipleIncludesTheTieWhateverTheRounding) {
   EXPECT_EQ(Family(0.3 / 0.1, Quadrature::full).bonds(), 28);  // 2.9999999999999996
 }
 
-TEST(Family, VisitsEveryOffsetOnceWithItsOppositeAndItsMirrorImages) {
+TEST(Family, KeepsEveryBondAtItsLowerOrLeftEnd) {
   const Family family(5.0, Quadrature::full);
   std::set<std::pair<int, int>> offsets;
   std::set<int> bits;
-  family.for_each_bond([&](int a, int b, double, int bit) {
+  family.for_each_bond([&](int a, int b, const Vec2& xi, double, int bit) {
     EXPECT_TRUE(offsets.insert({a, b}).second);
     EXPECT_TRUE(bits.insert(bit).second);
     EXPECT_LE(a * a + b * b, 25);
+    EXPECT_TRUE(b > 0 || (b == 0 && a > 0));
+    EXPECT_EQ(xi, Vec2(a, b));
   });
-  for (const auto& [a, b] : offsets) {
-    EXPECT_TRUE(offsets.contains({-a, -b}));
-    EXPECT_TRUE(offsets.contains({-a, b}));
-    EXPECT_TRUE(offsets.contains({b, a}));
-  }
-  EXPECT_EQ(*bits.rbegin(), family.bonds() - 1);
+  EXPECT_EQ(static_cast<int>(offsets.size()), family.kept());
+  for (const auto& [a, b] : offsets) EXPECT_TRUE(b == 0 || offsets.contains({-a, b}));
 }
 
-TEST(Family, ImagesOfOneOffsetLieInOneWord) {
-  const Family family(9.0, Quadrature::full);
-  for (const Images& image : family.images())
-    EXPECT_EQ(image.first_bit / 64, (image.first_bit + image.count() - 1) / 64);
-}
-
-TEST(Family, OppositeImagesAreListedFromBothEnds) {
-  const Family family(4.0, Quadrature::full);
-  for (const Images& image : family.images())
-    for (int k = 0; k < image.count(); ++k) {
-      EXPECT_EQ(image.column(k), -image.column(image.count() - 1 - k));
-      EXPECT_EQ(image.row(k), -image.row(image.count() - 1 - k));
+TEST(Family, TheTwoKeptImagesOfAnOffsetLieInOneWord) {
+  for (const double m : {2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 11.5, 16.0}) {
+    const Family family(m, Quadrature::full);
+    for (const Images& image : family.images()) {
+      EXPECT_EQ(image.first_bit / 32, (image.first_bit + image.kept() - 1) / 32) << m;
+      EXPECT_LT((image.first_bit + image.kept() - 1) / 32, family.words());
     }
+  }
+}
+
+TEST(Family, ListsRowsFromFarToNear) {
+  const Family family(6.0, Quadrature::full);
+  const auto& images = family.images();
+  for (std::size_t k = 1; k < images.size(); ++k) EXPECT_LE(images[k].b, images[k - 1].b);
+}
+
+TEST(Family, ExactAreasFillTheCircle) {
+  // The cells cover the plane, so their parts add up to the circle, without the node's own cell.
+  for (const double m : {2.0, 2.5, 3.0, 4.0, 4.7, 6.0, 8.0, 12.3, 15.5}) {
+    const Family family(m, Quadrature::area);
+    double sum = 0.0;
+    family.for_each_bond([&](int, int, const Vec2&, double weight, int) { sum += 2.0 * weight; });
+    EXPECT_NEAR(sum, std::numbers::pi * m * m - 1.0, 1e-11 * m * m) << m;
+  }
+}
+
+TEST(Family, ExactAreasReachTheNeighboursOfTheTable) {
+  // physics.md 4.3.
+  EXPECT_EQ(Family(4.0, Quadrature::area).bonds(), 68);
+  EXPECT_EQ(Family(6.0, Quadrature::area).bonds(), 136);
+  EXPECT_EQ(Family(8.0, Quadrature::area).bonds(), 240);
+}
+
+TEST(Family, CentroidsLieInTheirCellsAndOnlyRimCellsMoveThem) {
+  const Family family(4.3, Quadrature::centroid);
+  family.for_each_bond([](int a, int b, const Vec2& xi, double weight, int) {
+    EXPECT_LE((xi - Vec2(a, b)).lpNorm<Eigen::Infinity>(), 0.5);
+    EXPECT_LE(xi.norm(), 4.3);
+    if (weight == 1.0) {
+      EXPECT_LE((xi - Vec2(a, b)).norm(), 1e-14);
+    }
+    if (a == 0) {
+      EXPECT_EQ(xi.x(), 0.0);
+    }
+    if (b == 0) {
+      EXPECT_EQ(xi.y(), 0.0);
+    }
+  });
+}
+
+TEST(Family, AConicalMicromodulusEndsAtTheHorizon) {
+  const Family family(4.0, Quadrature::full, Micromodulus::conical);
+  EXPECT_EQ(family.reach(), 3);  // (4, 0) has no weight
+  for (const Images& image : family.images())
+    EXPECT_DOUBLE_EQ(image.weight, 1.0 - image.length() / 4.0);
 }
 
 TEST(Family, TheRampHalvesTheRimAndSparesTheInside) {

@@ -63,7 +63,7 @@ TEST(Numerics, AStepAboveTheLimitIsRefusedUnlessForced) {
 
 TEST(Numerics, MemoryIsThatOfTheArrays) {
   // 48 bytes of u, v, a, 2 of born, 8 for each of lattice's, state's and the zones' bond bits.
-  EXPECT_DOUBLE_EQ(memory_needed(test::edge_crack(0.0), test::numerics()), 16000.0 * 74.0);
+  EXPECT_DOUBLE_EQ(memory_needed(test::edge_crack(0.0), test::numerics()), 16000.0 * 63.0);
 }
 
 }  // namespace

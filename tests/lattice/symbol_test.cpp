@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "lattice/calibration.hpp"
@@ -72,6 +73,43 @@ TEST(StepLimit, MatchesThePeersTableInDimensionlessForm) {
     EXPECT_LT(exact, limit + 0.51e-3) << m;
     EXPECT_GT(exact, limit * 0.998) << m;
   }
+}
+
+// Any plate made of the lattice, with softer, missing and heavier parts: its stiffness is a sum of
+// positive semidefinite bonds, none larger than the lattice's, so no frequency is above the limit.
+TEST(LargestFrequency, BoundsEveryPlateOfWeakerBondsAndHeavierNodes) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  constexpr int n = 7;
+  for (const auto quadrature : {Quadrature::full, Quadrature::centroid})
+    for (int trial = 0; trial < 4; ++trial) {
+      const Family family(2.6, quadrature, trial % 2 == 0 ? Micromodulus::constant : Micromodulus::conical);
+      Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(2 * n * n, 2 * n * n);
+      Eigen::VectorXd mass(2 * n * n);
+      for (int node = 0; node < n * n; ++node)
+        mass[2 * node] = mass[2 * node + 1] = trial == 0 ? 1.0 : 1.0 + share(random);
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int) {
+            if (i + a < 0 || i + a >= n || j + b >= n) return;
+            const double factor = trial == 0 ? 1.0 : share(random);
+            const Eigen::Matrix2d k =
+                factor * weight / std::pow(xi.norm(), 3) * (xi * xi.transpose());
+            const int one = 2 * (j * n + i), other = 2 * ((j + b) * n + i + a);
+            stiffness.block<2, 2>(one, one) += k;
+            stiffness.block<2, 2>(other, other) += k;
+            stiffness.block<2, 2>(one, other) -= k;
+            stiffness.block<2, 2>(other, one) -= k;
+          });
+      const Eigen::VectorXd root = mass.cwiseSqrt().cwiseInverse();
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+          root.asDiagonal() * stiffness * root.asDiagonal(), Eigen::EigenvaluesOnly);
+      const double limit = std::pow(largest_frequency(family, 1.0, 1.0, 1.0), 2);
+      EXPECT_LE(solver.eigenvalues().maxCoeff(), limit * (1.0 + 1e-9));
+      if (trial == 0) {
+        EXPECT_GT(solver.eigenvalues().maxCoeff(), 0.8 * limit);
+      }
+    }
 }
 
 TEST(LargestFrequency, IsAboveEverySampleAndReached) {

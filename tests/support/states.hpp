@@ -15,11 +15,7 @@ State displaced(const Simulation& simulation, Displacement displacement) {
   State state = simulation.state();
   const Grid& grid = simulation.lattice().grid;
   for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      const Vec2 u = displacement(grid.from_centre(i, j));
-      state.ux[static_cast<std::size_t>(state.layout.at(i, j))] = u.x();
-      state.uy[static_cast<std::size_t>(state.layout.at(i, j))] = u.y();
-    }
+    for (int i = 0; i < grid.nx; ++i) state.set_u(i, j, displacement(grid.from_centre(i, j)));
   return state;
 }
 
@@ -27,8 +23,9 @@ State displaced(const Simulation& simulation, Displacement displacement) {
 inline State shaken(State state, double most, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-most, most);
-  for (double& v : state.vx) v += uniform(random);
-  for (double& v : state.vy) v += uniform(random);
+  for (int j = 0; j < state.layout.ny; ++j)
+    for (int i = 0; i < state.layout.nx; ++i)
+      state.set_v(i, j, state.v(i, j) + Vec2(uniform(random), uniform(random)));
   return state;
 }
 
