@@ -42,8 +42,8 @@ Numerics on_lattice(double spacing, double horizon) {
   return with_step(numerics, step_fraction);
 }
 
-Simulation solved_until(const Numerics& numerics, double time) {
-  Simulation simulation(plate_for(numerics), numerics, {1});
+Simulation solved_until(const Numerics& numerics, double time, InstructionSet set) {
+  Simulation simulation(plate_for(numerics), numerics, {1, set});
   simulation.run(time);
   return simulation;
 }
@@ -83,11 +83,14 @@ void compare(const Simulation& simulation, TradeResult& result) {
   const Numerics& given = simulation.numerics();
   Numerics exact = on_lattice(given.spacing, given.horizon_or_default());
   exact.quadrature = given.quadrature;
-  result.to_exact = difference(simulation, solved_until(with_step(exact, step_fraction), trade_sample));
+  const InstructionSet set = simulation.instruction_set();
+  result.to_exact =
+      difference(simulation, solved_until(with_step(exact, step_fraction), trade_sample, set));
   Numerics finer = exact;
   finer.spacing *= 0.5;
   result.to_finer =
-      difference_to_finer(simulation, solved_until(with_step(finer, step_fraction), trade_sample));
+      difference_to_finer(simulation,
+                          solved_until(with_step(finer, step_fraction), trade_sample, set));
 }
 
 void look(const Simulation& simulation, TradeResult& result) {
@@ -131,12 +134,12 @@ std::vector<Trade> trades() {
   return list;
 }
 
-TradeResult measure_trade(const Trade& trade) {
+TradeResult measure_trade(const Trade& trade, InstructionSet set) {
   TradeResult result;
   result.name = trade.name;
-  Simulation simulation(plate_for(trade.numerics), trade.numerics, {1});
+  Simulation simulation(plate_for(trade.numerics), trade.numerics, {1, set});
   result.nodes = static_cast<std::int64_t>(simulation.lattice().grid.nodes());
-  compare(solved_until(trade.numerics, trade_sample), result);
+  compare(solved_until(trade.numerics, trade_sample, set), result);
   for (int sample = 1; sample <= samples; ++sample) {
     simulation.run(trade_end / samples);
     look(simulation, result);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lattice/numerics.hpp"
+#include "solver/simulation.hpp"
 
 namespace hackle {
 
@@ -43,6 +43,6 @@ inline constexpr double trade_sample = 5e-6;
 std::vector<Trade> trades();
 
 // Solves the benchmark's plate that way, on one thread. Throws Error (interrupted) on Ctrl-C.
-TradeResult measure_trade(const Trade& trade);
+TradeResult measure_trade(const Trade& trade, InstructionSet set);
 
 }  // namespace hackle

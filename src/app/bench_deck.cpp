@@ -28,8 +28,8 @@ BenchDeck bench_deck(const Configuration& configuration, int nodes) {
   return deck;
 }
 
-bool is_possible(const Configuration& configuration) {
-  return !configuration.fused || can_fuse(best_instruction_set());
+bool is_possible(const Configuration& configuration, InstructionSet set) {
+  return !configuration.fused || can_fuse(set);
 }
 
 double measure_speed(Simulation& simulation, int steps) {

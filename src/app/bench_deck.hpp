@@ -39,8 +39,8 @@ struct BenchDeck {
 };
 BenchDeck bench_deck(const Configuration& configuration, int nodes);
 
-// Whether this machine can solve it so.
-bool is_possible(const Configuration& configuration);
+// Whether a machine with this instruction set can solve it so.
+bool is_possible(const Configuration& configuration, InstructionSet set);
 
 // Solves `steps` steps from the start. Returns node-steps per second; setting up does not count.
 // Throws Error (interrupted) on Ctrl-C.

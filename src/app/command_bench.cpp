@@ -65,10 +65,10 @@ bool with_lammps(const BenchRequest& request) {
   return installed;
 }
 
-Measurements nothing_measured(bool lammps) {
+Measurements nothing_measured(bool lammps, InstructionSet set) {
   Measurements measurements;
   for (const Configuration& configuration : configurations) {
-    if (!is_possible(configuration)) continue;
+    if (!is_possible(configuration, set)) continue;
     measurements.rows.push_back({configuration});
     if (lammps) measurements.lammps[configuration.alpha];
   }
@@ -77,8 +77,9 @@ Measurements nothing_measured(bool lammps) {
 
 void measure(Row& row, const BenchRequest& request) {
   const BenchDeck deck = bench_deck(row.configuration, request.nodes);
-  Simulation simulation(deck.plate, deck.numerics,
-                        {row.configuration.threads ? request.threads : 1});
+  Execution execution = request.execution;
+  if (!row.configuration.threads) execution.threads = 1;
+  Simulation simulation(deck.plate, deck.numerics, execution);
   row.speeds.push_back(measure_speed(simulation, our_steps));
   row.nodes = static_cast<int>(simulation.lattice().grid.nodes());
   row.bonds = simulation.lattice().family.bonds();
@@ -109,7 +110,7 @@ void measure_round(Measurements& measurements, const BenchRequest& request, cons
 }
 
 Measurements measure_all(const BenchRequest& request) {
-  Measurements measurements = nothing_measured(with_lammps(request));
+  Measurements measurements = nothing_measured(with_lammps(request), request.execution.instruction_set);
   Progress progress(talk(request.quiet));
   const double parts =
       request.rounds * static_cast<double>(measurements.rows.size() + measurements.lammps.size());
@@ -148,19 +149,21 @@ Json to_json(const LammpsRow& row, double alpha, int bonds) {
           {"threads", 1}};
 }
 
-Json machine() {
+Json machine(InstructionSet set) {
   return {
       {"processor", processor_name()},
       {"cores", available_cores()},
-      {"instruction_set", instruction_set_names[static_cast<std::size_t>(best_instruction_set())]},
+      {"instruction_set", instruction_set_names[static_cast<std::size_t>(set)]},
       {"compiler", compiler()},
       {"version", version()},
       {"git", git_hash()}};
 }
 
 // "lammps" is null when it was not asked for or is not there.
-Json to_json(const Measurements& measurements, int rounds) {
-  Json json{{"schema", 1}, {"machine", machine()}, {"rounds", rounds}};
+Json to_json(const Measurements& measurements, const BenchRequest& request) {
+  Json json{{"schema", 1},
+            {"machine", machine(request.execution.instruction_set)},
+            {"rounds", request.rounds}};
   json["rows"] = Json::array();
   for (const Row& row : measurements.rows) json["rows"].push_back(to_json(row));
   json["lammps"] = nullptr;
@@ -241,11 +244,12 @@ void print_head() {
 }
 
 int show_accuracy(const BenchRequest& request) {
-  Json json{{"schema", 1}, {"machine", machine()}, {"rows", Json::array()}};
+  Json json{{"schema", 1}, {"machine", machine(request.execution.instruction_set)},
+            {"rows", Json::array()}};
   if (!request.json) print_head();
   for (const Trade& trade : trades()) {
-    if (trade.numerics.fused && !can_fuse(best_instruction_set())) continue;
-    const TradeResult result = measure_trade(trade);
+    if (trade.numerics.fused && !can_fuse(request.execution.instruction_set)) continue;
+    const TradeResult result = measure_trade(trade, request.execution.instruction_set);
     json["rows"].push_back(to_json(result));
     if (!request.json) print(result);
     std::fflush(stdout);
@@ -260,7 +264,7 @@ int command_bench(const BenchRequest& request) {
   const InterruptHandler handler;
   return exit_code_of([&] {
     if (request.accuracy) return show_accuracy(request);
-    const Json json = to_json(measure_all(request), request.rounds);
+    const Json json = to_json(measure_all(request), request);
     if (request.json)
       fmt::print("{}\n", json.dump());
     else

@@ -4,13 +4,15 @@
 
 #include <string>
 
+#include "solver/simulation.hpp"
+
 namespace hackle {
 
 struct BenchRequest {
   std::string peer = "auto";  // "lammps", "none", or "auto": LAMMPS when it is installed
   int rounds = 5;
   int nodes = 64000;
-  int threads = 0;  // 0: one for each available core
+  Execution execution;
   bool accuracy = false;  // measure what speed costs in accuracy instead
   bool json = false;
   bool quiet = false;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iterator>
 #include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -57,6 +58,24 @@ std::string check_setting(const std::string& setting) {
   return equals == 0 || equals == std::string::npos ? "'" + setting + "' is not key=value" : "";
 }
 
+// How a plate is solved, without a bit of difference in the result.
+void describe_execution(CLI::App& command, Execution& execution) {
+  command.add_option("-j,--threads", execution.threads, "Threads (one for each core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads));
+  std::vector<std::string> names;
+  for (std::size_t set = 0; set < instruction_set_names.size(); ++set)
+    if (is_supported(static_cast<InstructionSet>(set)))
+      names.emplace_back(instruction_set_names[set]);
+  const auto choose = [&execution](const std::string& name) {
+    const auto set = std::ranges::find(instruction_set_names, name);
+    execution.instruction_set = static_cast<InstructionSet>(set - instruction_set_names.begin());
+  };
+  command.add_option_function<std::string>("--instructions", choose, "Instruction set (the best)")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names));
+}
+
 void describe_run(CLI::App& app, Request& request) {
   CLI::App* run = app.add_subcommand("run", "Run a script");
   run->add_option("FILE", request.run.script, "The script")->required();
@@ -68,9 +87,7 @@ void describe_run(CLI::App& app, Request& request) {
       ->check(check_setting, "")
       ->take_all()
       ->allow_extra_args(false);
-  run->add_option("-j,--threads", request.run.threads, "Threads (one for each core)")
-      ->type_name("N")
-      ->check(CLI::Range(1, most_threads));
+  describe_execution(*run, request.run.execution);
   run->add_flag("--json", request.run.json, "Print one JSON object with the results on stdout");
   run->add_flag("-q,--quiet", request.run.quiet, "Say nothing but errors");
   run->footer("What follows -- is given to the script, in `arg` and `...`.");
@@ -87,9 +104,7 @@ void describe_bench(CLI::App& app, Request& request) {
   bench->add_option("--nodes", request.bench.nodes, "Size of the plate (64000)")
       ->type_name("N")
       ->check(CLI::Range(1000, 100000000));
-  bench->add_option("-j,--threads", request.bench.threads, "Threads (one for each core)")
-      ->type_name("N")
-      ->check(CLI::Range(1, most_threads));
+  describe_execution(*bench, request.bench.execution);
   bench->add_flag("--accuracy", request.bench.accuracy,
                   "Measure what speed costs in accuracy instead");
   bench->add_flag("--json", request.bench.json, "Print one JSON object on stdout");

@@ -16,7 +16,7 @@ ConsoleSettings settings_of(const RunRequest& request) {
   ConsoleSettings settings;
   settings.output_folder = request.output_folder;
   settings.overrides = request.overrides;
-  settings.threads = request.threads;
+  settings.execution = request.execution;
   settings.talk = talk(request.quiet);
   settings.print_to_stderr = request.json;
   return settings;

@@ -18,7 +18,7 @@ struct RunRequest {
   std::filesystem::path output_folder;           // "": out/<name of the script>
   std::map<std::string, std::string> overrides;  // --set key=value
   std::vector<std::string> arguments;            // after --
-  int threads = 0;
+  Execution execution;
   bool json = false;
   bool quiet = false;
 };

@@ -19,7 +19,7 @@ namespace hackle {
 struct ConsoleSettings {
   std::filesystem::path output_folder;           // "": out/<name of the script>
   std::map<std::string, std::string> overrides;  // --set key=value
-  int threads = 0;                               // 0: one for each available core
+  Execution execution;
   Talk talk = Talk::plain;
   bool print_to_stderr = false;  // what the script prints: stdout is for something else
 };

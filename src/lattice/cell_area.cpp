@@ -47,7 +47,8 @@ double where_height_is(double y, double radius) {
 }  // namespace
 
 CellPart cell_inside_circle(int a, int b, double radius) {
-  if (b == 0) {
+  // In the upper octant the circle is flat enough for strips that stand upright.
+  if (a > b) {
     CellPart turned = cell_inside_circle(b, a, radius);
     std::swap(turned.centroid.x(), turned.centroid.y());
     return turned;
@@ -62,8 +63,9 @@ CellPart cell_inside_circle(int a, int b, double radius) {
   add_rectangle(sum, left, full_until, bottom, top);
   if (until > full_until) add_cap(sum, full_until, until, bottom, radius);
   if (!(sum.area > 0.0)) return {};
-  const Vec2 centroid(on_axis ? 0.0 : sum.x / sum.area, sum.y / sum.area);
-  return {on_axis ? 2.0 * sum.area : sum.area, centroid};
+  // What rounding makes of the centroid of a sliver must not leave the cell.
+  const double x = on_axis ? 0.0 : std::clamp(sum.x / sum.area, left, right);
+  return {on_axis ? 2.0 * sum.area : sum.area, {x, std::clamp(sum.y / sum.area, bottom, top)}};
 }
 
 }  // namespace hackle

@@ -12,8 +12,9 @@ struct CellPart {
 };
 
 // The part of the cell centred at (a, b) that lies inside a circle of radius `radius` around
-// (0, 0), integrated exactly. a, b >= 0 are whole and not both 0; all lengths are in cells. The
-// centroid of a cell on an axis lies on the axis.
+// (0, 0), integrated in closed form. a, b >= 0 are whole and not both 0; all lengths are in cells.
+// The area is exact to about 1e-13. The centroid lies in the cell, on the axis when the cell does,
+// and is exact to about 1e-11 over the area. Exchanging a and b exchanges x and y to the last bit.
 CellPart cell_inside_circle(int a, int b, double radius);
 
 }  // namespace hackle

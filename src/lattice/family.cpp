@@ -14,8 +14,9 @@ double whole_if_near(double m) {
   return std::abs(m - whole) <= 1e-9 * whole ? whole : m;
 }
 
-// Parts of a cell too small to count: what rounding makes of a cell that touches the horizon.
-constexpr double no_area = 1e-12;
+// Weights too small to count: what rounding makes of a cell that touches the horizon, or of a bond
+// that ends where a conical micromodulus does.
+constexpr double no_weight = 1e-12;
 
 struct Weighted {
   Vec2 xi{0, 0};
@@ -33,9 +34,9 @@ Weighted quadrature_of(int a, int b, double m, Quadrature quadrature) {
                         ? std::min(1.0, 0.5 + (m - node.norm()))
                         : 0.0};
     case Quadrature::area:
-      return {node, part.area > no_area ? part.area : 0.0};
+      return {node, part.area};
     case Quadrature::centroid:
-      return {part.centroid, part.area > no_area ? part.area : 0.0};
+      return {part.centroid, part.area};
   }
   return {};
 }
@@ -53,7 +54,7 @@ Family::Family(double m, Quadrature quadrature, Micromodulus micromodulus)
     for (int a = b == 0 ? 1 : 0; a <= farthest; ++a) {
       const Weighted bond = quadrature_of(a, b, m_, quadrature);
       const double weight = bond.weight * shape(bond.xi.norm(), m_, micromodulus);
-      if (!(weight > 0.0)) continue;
+      if (weight <= no_weight) continue;
       Images image{a, b, bond.xi, weight, bits_};
       if (image.is_quad() && image.first_bit % 32 == 31) ++image.first_bit;
       images_.push_back(image);

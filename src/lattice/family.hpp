@@ -19,7 +19,7 @@ struct Images {
   int a = 0;            // columns, >= 0
   int b = 0;            // rows, >= 0
   Vec2 xi{0, 0};        // the bond itself, in units of dx: (a, b), unless the quadrature moves it
-  double weight = 0.0;  // of quadrature and micromodulus, above 0
+  double weight = 0.0;  // of quadrature and micromodulus, above 0, at most 1
   int first_bit = 0;    // bit of the first kept bond in a node's bond bits; the other follows, in
                         // the same word of 32
 
@@ -30,9 +30,10 @@ struct Images {
 
 class Family {
  public:
-  // All offsets of some weight. With full and ramp these are a^2 + b^2 <= m^2, decided in integers:
-  // m is taken as whole when it is within 1e-9 of a whole number. With area and centroid all whose
-  // cell lies partly inside the horizon. A conical micromodulus drops those at the horizon.
+  // All offsets whose weight is above 1e-12. With full and ramp these are a^2 + b^2 <= m^2, decided
+  // in integers: m is taken as whole when it is within 1e-9 of a whole number. With area and
+  // centroid all whose cell lies partly inside the horizon, which may be up to m + 1/2 columns or
+  // rows away. A conical micromodulus leaves out bonds of at least the length of the horizon.
   Family(double m, Quadrature quadrature, Micromodulus micromodulus = Micromodulus::constant);
 
   double m() const { return m_; }

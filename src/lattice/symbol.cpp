@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
@@ -12,20 +13,57 @@ namespace {
 
 using std::numbers::pi;
 
-struct Peak {
-  Vec2 k{0, 0};
-  double value = -1.0;
+// A square of the zone of wave vectors, all of one size, and the symbol at its centre.
+struct Cell {
+  Vec2 centre{0, 0};
+  double value = 0.0;
 };
 
-// The best of a square of 2 n + 1 by 2 n + 1 samples around `centre`.
-Peak best_around(const Family& family, const Vec2& centre, double half_width, int n) {
-  Peak best;
-  for (int j = -n; j <= n; ++j)
-    for (int i = -n; i <= n; ++i) {
-      const Vec2 k = centre + Vec2(i, j) * (half_width / n);
-      const double value = symbol(family, 1.0, 1.0, k).most;
-      if (value > best.value) best = {k, value};
-    }
+Cell cell_at(const Family& family, const Vec2& centre) {
+  return {centre, symbol(family, 1.0, 1.0, centre).most};
+}
+
+// The quarters of the cells, without those beyond the diagonal: exchanging x and y changes nothing.
+std::vector<Cell> quarters(const Family& family, const std::vector<Cell>& cells, double half) {
+  std::vector<Cell> list;
+  for (const Cell& cell : cells)
+    for (const double x : {-half, half})
+      for (const double y : {-half, half}) {
+        const Vec2 centre = cell.centre + Vec2(x, y);
+        if (centre.y() <= centre.x()) list.push_back(cell_at(family, centre));
+      }
+  return list;
+}
+
+// Bounds the second derivatives of n.D(k)n, for c = dx = 1, over all k and unit vectors n: the
+// largest T(n, n, d, d) of T = sum_p w_p xi xi o o/|xi|^3 over the directed bonds, o the offset. T
+// has the symmetry of a square, so that with the angles of n and d it is
+// (A + B)/2 + (A - B)/2 cos cos + S sin sin.
+double curvature_bound(const Family& family) {
+  double A = 0.0, B = 0.0, S = 0.0;
+  family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int) {
+    const double factor = 2.0 * weight / std::pow(xi.norm(), 3);
+    A += factor * xi.x() * xi.x() * a * a;
+    B += factor * xi.x() * xi.x() * b * b;
+    S += factor * xi.x() * xi.y() * a * b;
+  });
+  return 0.5 * (A + B) + std::max(0.5 * std::abs(A - B), std::abs(S));
+}
+
+// The largest value of the symbol for c = dx = 1, to a relative 1e-9. Its gradient vanishes where
+// that is, so that it drops by at most curvature/2 times the square of the distance, and a cell
+// whose centre lies further below the best one seen cannot hold it.
+double peak(const Family& family) {
+  const double curvature = curvature_bound(family);
+  double half = 0.5 * pi, best = 0.0;
+  std::vector<Cell> cells{cell_at(family, {half, half})};
+  do {
+    half *= 0.5;
+    cells = quarters(family, cells, half);
+    for (const Cell& cell : cells) best = std::max(best, cell.value);
+    const double drop = curvature * half * half;  // the corner is sqrt(2) half away
+    std::erase_if(cells, [&](const Cell& cell) { return cell.value + drop < best; });
+  } while (curvature * half * half > 1e-9 * best);
   return best;
 }
 
@@ -45,16 +83,7 @@ Branches symbol(const Family& family, double c, double dx, const Vec2& k) {
 }
 
 double largest_frequency(const Family& family, double c, double rho, double dx) {
-  // A scan of the zone [0, pi]^2 with eight samples to the shortest oscillation 2 pi/reach, then
-  // ever smaller squares around the best sample.
-  const int samples = 2 * family.reach();
-  Peak best = best_around(family, {0.5 * pi, 0.5 * pi}, 0.5 * pi, samples);
-  double half_width = 0.5 * pi / samples;
-  for (int halvings = 0; halvings < 24; ++halvings, half_width *= 0.5) {
-    const Peak finer = best_around(family, best.k, half_width, 2);
-    if (finer.value > best.value) best = finer;
-  }
-  return std::sqrt(c * dx * best.value / rho);
+  return std::sqrt(c * dx * peak(family) / rho);
 }
 
 double step_limit(const Family& family, double c, double rho, double dx) {

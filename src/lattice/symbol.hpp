@@ -16,8 +16,10 @@ struct Branches {
 Branches symbol(const Family& family, double c, double dx, const Vec2& k);
 
 // The largest angular frequency of the lattice, rad/s: the maximum of sqrt(most/rho) over all k,
-// to a relative 1e-9. Free edges, cracks and broken bonds only take stiffness away, so it bounds
-// every plate made of this lattice.
+// to a relative 1e-9. It bounds every plate whose bonds have a micromodulus of at most c each and
+// whose nodes a density of at least rho each: the stiffness is a sum of positive semidefinite
+// matrices, one a bond, so that free edges, cracks, broken and softer bonds only lower its
+// eigenvalues, and heavier nodes those of the motion.
 double largest_frequency(const Family& family, double c, double rho, double dx);
 
 // Velocity Verlet is stable for steps up to 2/omega_max, in s.

@@ -33,7 +33,7 @@ inline ConsoleSettings quiet(const std::filesystem::path& output_folder = "unuse
   ConsoleSettings settings;
   settings.output_folder = output_folder;
   settings.talk = Talk::quiet;
-  settings.threads = 1;
+  settings.execution.threads = 1;
   return settings;
 }
 

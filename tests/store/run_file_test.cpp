@@ -145,7 +145,7 @@ TEST(RunFile, NothingButFiniteNumbersReachesIt) {
   RunFile file(path, simulation, {});
   file.add(simulation);
   State state = simulation.state();
-  state.vy[7] = 1e300;  // finite, but not as a float
+  state.set_v(7, 0, {0, 1e300});  // finite, but not as a float
   simulation.restore(state);
   try {
     file.add(simulation);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// States prepared by hand.
+// States prepared by hand, and what is asked of states.
 #pragma once
 
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "solver/simulation.hpp"
 
@@ -19,6 +21,16 @@ State displaced(const Simulation& simulation, Displacement displacement) {
   return state;
 }
 
+// The same for v, in units of dx a step.
+template <class Velocity>
+State thrown(const Simulation& simulation, Velocity velocity) {
+  State state = simulation.state();
+  const Grid& grid = simulation.lattice().grid;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) state.set_v(i, j, velocity(grid.from_centre(i, j)));
+  return state;
+}
+
 // Adds random velocities, uniform in +-most (in units of dx a step).
 inline State shaken(State state, double most, unsigned seed) {
   std::mt19937 random(seed);
@@ -26,6 +38,52 @@ inline State shaken(State state, double most, unsigned seed) {
   for (int j = 0; j < state.layout.ny; ++j)
     for (int i = 0; i < state.layout.nx; ++i)
       state.set_v(i, j, state.v(i, j) + Vec2(uniform(random), uniform(random)));
+  return state;
+}
+
+// Adds random displacements, uniform in +-most (in units of dx) and exact in single precision.
+inline State jolted(State state, double most, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(-static_cast<float>(most),
+                                                static_cast<float>(most));
+  for (int j = 0; j < state.layout.ny; ++j)
+    for (int i = 0; i < state.layout.nx; ++i)
+      state.set_u(i, j, state.u(i, j) + Vec2(uniform(random), uniform(random)));
+  return state;
+}
+
+// The accelerations that the displacements of `simulation` bring about, in units of dx a step
+// squared, by Grid::index: twice the velocities after a first step from rest.
+inline std::vector<Vec2> accelerations(const Simulation& simulation) {
+  Simulation probe = simulation;
+  State state = thrown(simulation, [](const Vec2&) { return Vec2(0, 0); });
+  state.step = 0;
+  probe.restore(std::move(state));
+  probe.step();
+  const Grid& grid = probe.lattice().grid;
+  std::vector<Vec2> result;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) result.emplace_back(2.0 * probe.state().v(i, j));
+  return result;
+}
+
+// The largest component.
+inline double largest(const std::vector<Vec2>& values) {
+  double most = 0.0;
+  for (const Vec2& value : values) most = std::max(most, value.cwiseAbs().maxCoeff());
+  return most;
+}
+
+// The state from which time runs backwards: u as it is, velocities turned round.
+inline State reversed(const Simulation& simulation) {
+  State state = simulation.state();
+  const Grid& grid = simulation.lattice().grid;
+  const std::vector<Vec2> velocities = simulation.velocities();
+  const double unit = simulation.dt() / grid.dx;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      state.set_v(i, j, -unit * velocities[grid.index(i, j)]);
+  state.step = 0;
   return state;
 }
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What a step costs in instructions, which no other process disturbs: options that a scene does not
+// use cost nothing, those that it uses cost what they must. Counted by valgrind; skipped without it.
+#include <cstdio>
+#include <cstdlib>
+#include <regex>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace hackle {
+namespace {
+
+bool valgrind_is_installed() {
+  return std::system("command -v valgrind > /dev/null 2>&1") == 0;
+}
+
+// Instructions of the whole program.
+double count(int steps, int nodes, const std::string& words) {
+  const std::string command =
+      "valgrind --tool=callgrind --callgrind-out-file=/dev/null " HACKLE_COUNT_STEPS " " +
+      std::to_string(steps) + " " + std::to_string(nodes) + " " + words + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  std::string said;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);
+  EXPECT_EQ(pclose(pipe), 0) << said;
+  std::smatch match;
+  if (!std::regex_search(said, match, std::regex("Collected : (\\d+)"))) {
+    ADD_FAILURE() << said;
+    return 0.0;
+  }
+  return std::stod(match[1]);
+}
+
+// Instructions of one step for each node of the plate.
+double per_node_step(const std::string& words, int nodes = 16000) {
+  constexpr int few = 2, many = 6;
+  return (count(many, nodes, words) - count(few, nodes, words)) / (nodes * double{many - few});
+}
+
+class StepCosts : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!valgrind_is_installed()) GTEST_SKIP() << "valgrind counts, and it is not on the PATH";
+  }
+};
+
+TEST_F(StepCosts, NoFailZonesCostNothingWhereNoBondCanBreak) {
+  EXPECT_NEAR(per_node_step("f64 zones") / per_node_step("f64"), 1.0, 0.01);
+}
+
+// The history adds to every bond two multiplications and minima or so, and a root to every node: a
+// scene without it must do without all of that.
+TEST_F(StepCosts, AHistoryOfStretchIsPaidForByTheScenesThatHaveOne) {
+  for (const std::string precision : {"f32", "f64"}) {
+    const double plain = per_node_step(precision), history = per_node_step(precision + " alpha");
+    EXPECT_GT(history, 1.15 * plain) << precision;
+    EXPECT_LT(history, 1.8 * plain) << precision;
+  }
+}
+
+TEST_F(StepCosts, LinearisedForcesSaveWork) {
+  constexpr int nodes = 400000;  // tiles at edges and cracks are exact for ever: few of these
+  EXPECT_LT(per_node_step("f32 fidelity", nodes), 0.85 * per_node_step("f32", nodes));
+}
+
+TEST_F(StepCosts, SinglePrecisionHalvesTheWork) {
+  const double ratio = per_node_step("f32") / per_node_step("f64");
+  EXPECT_LT(ratio, 0.55);
+  EXPECT_GT(ratio, 0.3);
+}
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// What single precision costs, and numbers too small for either.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
+#include "solver/simulation.hpp"
+#include "support/agreement.hpp"
+#include "support/scenes.hpp"
+#include "support/states.hpp"
+
+namespace hackle {
+namespace {
+
+Numerics single() {
+  Numerics numerics = test::numerics();
+  numerics.precision = Precision::f32;
+  return numerics;
+}
+
+// kernel.md 6: 2e-7 at this spacing.
+TEST(SinglePrecision, BreaksTheSameBondsAsDoublePrecision) {
+  Simulation exact(test::edge_crack(12e6), test::numerics()), rounded(test::edge_crack(12e6), single());
+  exact.run(32e-6);
+  rounded.run(32e-6);
+  EXPECT_LT(exact.state().bonds.count(), exact.lattice().bonds.count() - 3000);
+  EXPECT_TRUE(exact.state().bonds == rounded.state().bonds);
+  EXPECT_LT(test::relative_difference(exact, rounded), 2e-6);
+  EXPECT_FALSE(rounded.widened_at());
+}
+
+// At 1e-3 dx a step the plate drifts by 5 dx: more than f32 could bear in u.
+TEST(SinglePrecision, BearsADriftOfTheWholePlate) {
+  const auto drift = [](Precision precision) {
+    Numerics numerics = test::numerics();
+    numerics.precision = precision;
+    Simulation simulation(test::bare_plate(30, 20), numerics, {1});
+    const State state = test::thrown(simulation, [](const Vec2&) { return Vec2(1e-3, -5e-4); });
+    simulation.restore(test::shaken(state, 1e-5, 3));
+    for (int n = 0; n < 5000; ++n) simulation.step();
+    return simulation;
+  };
+  const Simulation exact = drift(Precision::f64), rounded = drift(Precision::f32);
+  EXPECT_FALSE(rounded.widened_at());
+  EXPECT_NEAR(rounded.state().origin.x(), 5.0, 0.05);
+  // v rounds to 6e-11 of a step's way at random, 5000 times: 2e-7 of all 5 dx once, and as much
+  // again from u. What is left of the shake, 1e-5 by 5 steps, is not compared to the bit.
+  EXPECT_LT(test::relative_difference(exact, rounded), 1e-5);
+  EXPECT_EQ(rounded.state().bonds, rounded.lattice().bonds);
+}
+
+TEST(SinglePrecision, GoesOverToDoubleWhenThePlateGrowsTooWide) {
+  Simulation simulation(test::bare_plate(30, 20), single(), {1});
+  simulation.restore(test::thrown(simulation, [](const Vec2& x) { return Vec2(0.1 * x); }));
+  const double s0 = simulation.lattice().calibration.s0;
+  while (simulation.state().step < 2000 && !simulation.widened_at()) simulation.step();
+  ASSERT_TRUE(simulation.widened_at());
+  EXPECT_EQ(simulation.state().precision(), Precision::f64);
+  // 6e-8 of the half width of u exceeds 5e-5 s0.
+  EXPECT_GT(simulation.state().u(29, 19).norm() * 6e-8, 5e-5 * s0);
+  simulation.run(10.0 * simulation.dt());
+  EXPECT_NO_THROW(simulation.check_finite());
+}
+
+class Denormals : public testing::TestWithParam<Precision> {
+ protected:
+  Simulation loaded_on_top() const {
+    Plate plate = test::bare_plate(100, 400);
+    plate.tractions.push_back({Edge::top, {0.0, 1e6}});
+    Numerics numerics = test::numerics();
+    numerics.precision = GetParam();
+    return Simulation(plate, numerics, {2});
+  }
+  // The smallest normal number of the precision.
+  double least() const {
+    return GetParam() == Precision::f64 ? std::numeric_limits<double>::min()
+                                        : std::numeric_limits<float>::min();
+  }
+};
+
+TEST_P(Denormals, AreFlushedInTheStepOnly) {
+  volatile double tiny = std::numeric_limits<double>::min();
+#ifdef __SSE__
+  constexpr unsigned flags = 0x3F;  // of exceptions, which stay
+  const unsigned before = _mm_getcsr() & ~flags;
+#endif
+  Simulation simulation = loaded_on_top();
+  for (int n = 0; n < 5; ++n) simulation.step();
+  EXPECT_GT(simulation.velocities().size(), 0U);
+#ifdef __SSE__
+  EXPECT_EQ(_mm_getcsr() & ~flags, before);
+#endif
+  EXPECT_GT(0.25 * tiny, 0.0);
+}
+
+TEST_P(Denormals, AreNeverInAState) {
+  Simulation simulation = loaded_on_top();
+  for (int part = 0; part < 4; ++part) {
+    for (int n = 0; n < 15; ++n) simulation.step();
+    for (int j = 0; j < 400; ++j)
+      for (int i = 0; i < 100; ++i)
+        for (const Vec2& value : {simulation.state().u(i, j), simulation.state().v(i, j)})
+          for (const double x : {std::abs(value.x()), std::abs(value.y())})
+            EXPECT_TRUE(x == 0.0 || x >= least()) << i << ", " << j;
+  }
+}
+
+// A step carries a load by m rows.
+TEST_P(Denormals, AheadOfTheWaveAllIsExactlyZeroAndStill) {
+  Simulation simulation = loaded_on_top();
+  for (int n = 1; n <= 20; ++n) {
+    simulation.step();
+    for (int j = 0; j < 400 - 4 * n; ++j)
+      for (int i = 0; i < 100; ++i) {
+        ASSERT_EQ(simulation.state().u(i, j), Vec2(0, 0));
+        ASSERT_EQ(simulation.state().v(i, j), Vec2(0, 0));
+      }
+  }
+  const PathCounts& counts = simulation.path_counts();
+  std::int64_t all = 0;
+  for (const std::int64_t count : counts) all += count;
+  // 50 by 8 tiles, for a border of two groups of 16 columns lies on the midline. The wave takes 80 of
+  // 400 rows, half of them in the mean, and two tiles more.
+  EXPECT_EQ(all, 20 * 50 * 8);
+  EXPECT_GT(counts[static_cast<int>(Path::still)], all * 8 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions, Denormals, testing::Values(Precision::f64, Precision::f32),
+                         [](const auto& precision) {
+                           return std::string(
+                               precision_names[static_cast<std::size_t>(precision.param)]);
+                         });
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The rules of the engine once more, as plainly as can be: bonds are pairs of nodes in a list, and
+// a stretch is a difference of lengths, in extended precision.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "solver/simulation.hpp"
+
+namespace hackle::test {
+
+class Reference {
+ public:
+  using Real = long double;
+  using Vector = Eigen::Matrix<Real, 2, 1>;
+
+  // Goes on from the state of `simulation`, in its lattice units, without a history so far.
+  explicit Reference(const Simulation& simulation)
+      : s00_(simulation.lattice().calibration.s0),
+        alpha_(simulation.plate().material.alpha),
+        step_(simulation.state().step),
+        nx_(simulation.lattice().grid.nx) {
+    const Lattice& lattice = simulation.lattice();
+    const Grid& grid = lattice.grid;
+    const Real dt = simulation.dt(), dx = grid.dx;
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i) {
+        u_.push_back(simulation.state().u(i, j).cast<Real>());
+        v_.push_back(simulation.state().v(i, j).cast<Real>());
+        add_bonds(simulation, lattice.calibration.c * dx * dt * dt / lattice.rho, i, j);
+      }
+    s0_.assign(u_.size(), s00_);
+    loads_.assign(u_.size(), Vector(0, 0));
+    for (const LoadedNode& load : lattice.loads)
+      loads_[grid.index(load.i, load.j)] = load.acceleration.cast<Real>() * dt * dt / dx;
+  }
+
+  // A step of leapfrog.
+  void step() {
+    const std::vector<Vector> a = accelerations();
+    for (std::size_t node = 0; node < u_.size(); ++node) {
+      v_[node] += (step_ == 0 ? Real(0.5) : Real(1)) * a[node];
+      u_[node] += v_[node];
+    }
+    ++step_;
+  }
+
+  // Breaks what is stretched too far, and notes the least stretch of every node for the next step.
+  std::vector<Vector> accelerations() {
+    constexpr Real none = std::numeric_limits<Real>::max();
+    std::vector<Vector> a = loads_;
+    std::vector<Real> least(u_.size(), none);
+    for (Bond& bond : bonds_) {
+      if (!bond.holds) continue;
+      const Vector now = bond.xi + u_[bond.to] - u_[bond.from];
+      const Real s = (now.norm() - bond.xi.norm()) / bond.xi.norm();
+      bond.holds = bond.safe || s <= std::min(s0_[bond.from], s0_[bond.to]);
+      if (!bond.holds) continue;
+      const Vector force = bond.stiffness * s / now.norm() * now;
+      a[bond.from] += force;
+      a[bond.to] -= force;
+      least[bond.from] = std::min(least[bond.from], s);
+      least[bond.to] = std::min(least[bond.to], s);
+    }
+    for (std::size_t node = 0; node < s0_.size(); ++node)
+      s0_[node] = s00_ - (least[node] == none ? Real(0) : alpha_ * least[node]);
+    return a;
+  }
+
+  const Vector& u(int i, int j) const { return u_[index(i, j)]; }
+  // Bonds that hold in one of the two and not in the other.
+  int differing_bonds(const Simulation& simulation) const {
+    return static_cast<int>(std::ranges::count_if(bonds_, [&](const Bond& bond) {
+      return bond.holds != simulation.state().bonds.holds(bond.place, bond.bit);
+    }));
+  }
+
+ private:
+  struct Bond {
+    std::size_t from = 0, to = 0;  // nodes
+    Vector xi{0, 0};
+    Real stiffness = 0;
+    bool safe = false;
+    bool holds = true;
+    std::ptrdiff_t place = 0;  // in the engine's bond bits
+    int bit = 0;
+  };
+
+  std::size_t index(int i, int j) const { return static_cast<std::size_t>(j * nx_ + i); }
+
+  void add_bonds(const Simulation& simulation, Real unit, int i, int j) {
+    const Lattice& lattice = simulation.lattice();
+    const std::ptrdiff_t place = lattice.grid.layout().at(i, j);
+    lattice.family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int bit) {
+      if (!lattice.grid.contains(i + a, j + b)) return;
+      const bool safe = !lattice.unbreakable.empty() && lattice.unbreakable.holds(place, bit);
+      bonds_.push_back({index(i, j), index(i + a, j + b), xi.cast<Real>(), unit * weight, safe,
+                        simulation.state().bonds.holds(place, bit), place, bit});
+    });
+  }
+
+  Real s00_, alpha_;
+  std::int64_t step_;
+  int nx_;
+  std::vector<Bond> bonds_;
+  std::vector<Vector> u_, v_, loads_;
+  std::vector<Real> s0_;
+};
+
+}  // namespace hackle::test
