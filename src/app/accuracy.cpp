@@ -88,9 +88,8 @@ void compare(const Simulation& simulation, TradeResult& result) {
       difference(simulation, solved_until(with_step(exact, step_fraction), trade_sample, set));
   Numerics finer = exact;
   finer.spacing *= 0.5;
-  result.to_finer =
-      difference_to_finer(simulation,
-                          solved_until(with_step(finer, step_fraction), trade_sample, set));
+  result.to_finer = difference_to_finer(
+      simulation, solved_until(with_step(finer, step_fraction), trade_sample, set));
 }
 
 void look(const Simulation& simulation, TradeResult& result) {
@@ -148,8 +147,8 @@ TradeResult measure_trade(const Trade& trade, InstructionSet set) {
   result.residual = ledger.residual() / ledger.external;
   result.broken = count_damage(simulation).broken_bonds;
   result.seconds = simulation.solve_seconds();
-  result.node_steps_per_second = static_cast<double>(result.nodes * simulation.state().step) /
-                                 simulation.solve_seconds();
+  result.node_steps_per_second =
+      static_cast<double>(result.nodes * simulation.state().step) / simulation.solve_seconds();
   return result;
 }
 

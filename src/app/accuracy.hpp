@@ -30,16 +30,17 @@ struct TradeResult {
   std::optional<double> first_bond;  // time at which a bond was first found broken
   std::optional<double> fork_time;   // at which two branches were first seen
   std::optional<double> fork_place;
-  double tip_place = 0.0;      // at the end
-  double residual = 0.0;       // of the energy ledger, over the work of the loads
-  std::int64_t broken = 0;     // bonds
+  double tip_place = 0.0;   // at the end
+  double residual = 0.0;    // of the energy ledger, over the work of the loads
+  std::int64_t broken = 0;  // bonds
 };
 
 // The run, to 32 us, and the time of the comparison of displacements.
 inline constexpr double trade_end = 32e-6;
 inline constexpr double trade_sample = 5e-6;
 
-// The trades worth knowing: arithmetic, step, fidelity, breaking rule, horizon, quadrature, spacing.
+// The trades worth knowing: arithmetic, step, fidelity, breaking rule, horizon, quadrature,
+// spacing.
 std::vector<Trade> trades();
 
 // Solves the benchmark's plate that way, on one thread. Throws Error (interrupted) on Ctrl-C.

@@ -110,7 +110,8 @@ void measure_round(Measurements& measurements, const BenchRequest& request, cons
 }
 
 Measurements measure_all(const BenchRequest& request) {
-  Measurements measurements = nothing_measured(with_lammps(request), request.execution.instruction_set);
+  Measurements measurements =
+      nothing_measured(with_lammps(request), request.execution.instruction_set);
   Progress progress(talk(request.quiet));
   const double parts =
       request.rounds * static_cast<double>(measurements.rows.size() + measurements.lammps.size());
@@ -150,13 +151,12 @@ Json to_json(const LammpsRow& row, double alpha, int bonds) {
 }
 
 Json machine(InstructionSet set) {
-  return {
-      {"processor", processor_name()},
-      {"cores", available_cores()},
-      {"instruction_set", instruction_set_names[static_cast<std::size_t>(set)]},
-      {"compiler", compiler()},
-      {"version", version()},
-      {"git", git_hash()}};
+  return {{"processor", processor_name()},
+          {"cores", available_cores()},
+          {"instruction_set", instruction_set_names[static_cast<std::size_t>(set)]},
+          {"compiler", compiler()},
+          {"version", version()},
+          {"git", git_hash()}};
 }
 
 // "lammps" is null when it was not asked for or is not there.
@@ -226,11 +226,12 @@ std::string in(const std::optional<double>& value, double unit) {
 }
 
 void print(const TradeResult& result) {
-  fmt::print("{:<24} {:>6} {:>6.2f} {:>7.1f} {:>9.1e} {:>9.1e} {:>6} {:>6} {:>6} {:>6.2f} {:>6} {:>7.2f}\n",
-             result.name, result.nodes, result.seconds, 1e-6 * result.node_steps_per_second,
-             result.to_exact, result.to_finer, in(result.first_bond, 1e-6),
-             in(result.fork_time, 1e-6), in(result.fork_place, 1e-3), 1e3 * result.tip_place,
-             result.broken, 100.0 * result.residual);
+  fmt::print(
+      "{:<24} {:>6} {:>6.2f} {:>7.1f} {:>9.1e} {:>9.1e} {:>6} {:>6} {:>6} {:>6.2f} {:>6} "
+      "{:>7.2f}\n",
+      result.name, result.nodes, result.seconds, 1e-6 * result.node_steps_per_second,
+      result.to_exact, result.to_finer, in(result.first_bond, 1e-6), in(result.fork_time, 1e-6),
+      in(result.fork_place, 1e-3), 1e3 * result.tip_place, result.broken, 100.0 * result.residual);
 }
 
 void print_head() {
@@ -244,7 +245,8 @@ void print_head() {
 }
 
 int show_accuracy(const BenchRequest& request) {
-  Json json{{"schema", 1}, {"machine", machine(request.execution.instruction_set)},
+  Json json{{"schema", 1},
+            {"machine", machine(request.execution.instruction_set)},
             {"rows", Json::array()}};
   if (!request.json) print_head();
   for (const Trade& trade : trades()) {

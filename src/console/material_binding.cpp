@@ -27,7 +27,8 @@ constexpr std::array material_options{
     Option{.name = "nu",
            .range = between(-0.99, 0.49),
            .fallback = "1/3",
-           .sentence = "Poisson's ratio of the real material; the model imposes its own 1/3."},
+           .sentence =
+               "Poisson's ratio of the real material; the model's is 1/3, 1/4 in plane strain."},
     Option{.name = "G0",
            .unit = "J/m2",
            .range = above(0.0),

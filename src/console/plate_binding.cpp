@@ -31,7 +31,7 @@ constexpr std::array plate_options{
            .type = OptionType::choice,
            .fallback = "stress",
            .choices = plane_names,
-           .sentence = "Thin, plane stress, or thick, plane strain."},
+           .sentence = "Plane stress for a thin plate, plane strain for a thick one."},
 };
 
 constexpr FunctionDoc plate_doc{

@@ -41,6 +41,15 @@ const Plate& plate_at(lua_State* L, int index) {
               fmt::format("as in {}", simulate_doc.example));
 }
 
+// Options that were wrong read as their defaults; the limit of the step is then not that of what
+// was meant.
+void check_numerics(const Plate& plate, Numerics numerics, Arguments& arguments) {
+  if (!arguments.has("spacing")) return;
+  if (!arguments.good({"horizon", "quadrature", "micromodulus", "constants"}))
+    numerics.step.reset();
+  check(plate, numerics, available_memory(), arguments.problems);
+}
+
 int simulate(lua_State* L) {
   Session& session = session_of(L);
   session.check_overrides_used();
@@ -48,8 +57,7 @@ int simulate(lua_State* L) {
   Arguments arguments = Arguments::from_table(L, 2, simulate_doc);
   const Numerics numerics = numerics_of(arguments);
   check(plate, arguments.problems);
-  if (arguments.has("spacing") && arguments.good({"horizon", "step"}))
-    check(plate, numerics, available_memory(), arguments.problems);
+  check_numerics(plate, numerics, arguments);
   arguments.problems.throw_if_any();
   // Simulations that the script has let go of give back their memory before the next is built.
   lua_gc(L, LUA_GCCOLLECT);

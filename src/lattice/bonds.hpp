@@ -18,7 +18,9 @@ class BondBits {
   BondBits(const NodeLayout& layout, int words)
       : plane_(layout.size()), words_(plane_ * static_cast<std::size_t>(words)) {}
 
-  bool holds(std::ptrdiff_t at, int bond) const { return (words_[index(at, bond)] & mask(bond)) != 0; }
+  bool holds(std::ptrdiff_t at, int bond) const {
+    return (words_[index(at, bond)] & mask(bond)) != 0;
+  }
   void set(std::ptrdiff_t at, int bond) { words_[index(at, bond)] |= mask(bond); }
   void clear(std::ptrdiff_t at, int bond) { words_[index(at, bond)] &= ~mask(bond); }
   void clear_all(std::ptrdiff_t at) {

@@ -75,8 +75,8 @@ Calibration calibrate(const Family& family, const Material& material, double dx,
       result.s0 = std::sqrt(factors.s0_squared * material.G0 / (material.E * delta));
       break;
     case Constants::paper:
-      result.c = 6.0 * material.E / (volume * (1.0 - material.nu));                        // Eq. 8
-      result.s0 = std::sqrt(4.0 * pi * material.G0 / (9.0 * material.E * delta));          // Eq. 10
+      result.c = 6.0 * material.E / (volume * (1.0 - material.nu));                // Eq. 8
+      result.s0 = std::sqrt(4.0 * pi * material.G0 / (9.0 * material.E * delta));  // Eq. 10
       break;
   }
   result.moduli = moduli(family, result.c, dx, plane);

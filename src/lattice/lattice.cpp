@@ -99,7 +99,8 @@ std::vector<std::uint16_t> degrees(const Grid& grid, const Family& family, const
   std::vector<std::uint16_t> result(grid.nodes());
   const NodeLayout layout = grid.layout();
   family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-    const std::uint32_t* plane = bonds.words().data() + static_cast<std::size_t>(bit / 32) * bonds.plane();
+    const std::uint32_t* plane =
+        bonds.words().data() + static_cast<std::size_t>(bit / 32) * bonds.plane();
     const int first = std::max(0, -a), end = std::min(grid.nx, grid.nx - a);
     for (int j = 0; j + b < grid.ny; ++j) {
       const std::uint32_t* word = plane + layout.at(0, j);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/numerics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,36 +19,97 @@ Family family_of(const Numerics& numerics) {
   return Family(numerics.m(), numerics.quadrature, numerics.micromodulus);
 }
 
-// Bytes per node: u, the next u and v; the words of bond bits, which lattice and state both hold, and
-// a no-fail zone once more; the number of bonds; with a history three values for thresholds.
-double bytes_per_node(const Plate& plate, const Numerics& numerics) {
-  const double real = numerics.precision == Precision::f32 ? 4.0 : 8.0;
-  const double words = std::ceil(1.7 * numerics.m() * numerics.m() / 32.0);
-  const double values = plate.material.alpha > 0.0 ? 10.0 : 6.0;
-  return real * values + 4.0 * words * (plate.no_fail.empty() ? 2.0 : 3.0) + 3.0;
+// Columns and rows of nodes; without limit, as a spacing may be absurd.
+struct Extent {
+  double nx, ny;
+  double nodes() const { return nx * ny; }
+};
+
+Extent extent(const Plate& plate, const Numerics& numerics) {
+  return {std::round(plate.width / numerics.spacing), std::round(plate.height / numerics.spacing)};
 }
 
-double nodes(const Plate& plate, const Numerics& numerics) {
-  return std::round(plate.width / numerics.spacing) * std::round(plate.height / numerics.spacing);
+constexpr double most_columns = 0.25 * std::numeric_limits<int>::max();
+
+// Places that a NodeLayout has: with the ghosts of every row.
+double places(const Extent& extent) {
+  if (extent.nx > most_columns) return extent.nodes();
+  const NodeLayout row{static_cast<int>(extent.nx), 1};
+  return extent.ny * static_cast<double>(row.stride()) + NodeLayout::group;
 }
 
 void check_memory(const Plate& plate, const Numerics& numerics, std::uint64_t memory,
                   Problems& problems) {
-  const double needed = memory_needed(plate, numerics);
-  const double count = nodes(plate, numerics);
-  const double side = std::max(plate.width, plate.height) / numerics.spacing;
-  const bool too_long = side > std::numeric_limits<int>::max() / 4.0;
-  if (needed <= static_cast<double>(memory) && !too_long) return;
-  problems.add(
-      fmt::format("simulate: {:.3g} nodes need {} of memory, {} are free", count,
-                  quantity(needed, "B"), quantity(static_cast<double>(memory), "B")),
-      fmt::format(
-          "a spacing of {} would fit",
-          quantity(numerics.spacing * std::sqrt(1.2 * needed / static_cast<double>(memory)), "m")));
+  const double needed = memory_needed(plate, numerics), free = static_cast<double>(memory);
+  const Extent size = extent(plate, numerics);
+  if (needed <= free && std::max(size.nx, size.ny) <= most_columns) return;
+  problems.add(fmt::format("simulate: {:.3g} nodes need {} of memory, {} are free", size.nodes(),
+                           quantity(needed, "B"), quantity(free, "B")),
+               fmt::format("a spacing of {} would fit",
+                           quantity(numerics.spacing * std::sqrt(1.2 * needed / free), "m")));
 }
 
-void check_step(const Plate& plate, const Numerics& numerics, Problems& problems) {
-  if (!numerics.step || numerics.force_step) return;
+// Whether the constants are made for this plate and micromodulus.
+bool constants_apply(const Plate& plate, const Numerics& numerics) {
+  const bool plain =
+      plate.plane == Plane::stress && numerics.micromodulus == Micromodulus::constant;
+  return plain || numerics.constants != Constants::paper;
+}
+
+// Choices that are out of range or do not go together.
+void check_choices(const Plate& plate, const Numerics& numerics, Problems& problems) {
+  if (!(numerics.fidelity >= 0.0 && numerics.fidelity <= 1.0))
+    problems.add(
+        fmt::format("simulate: fidelity is {}, it must lie between 0 and 1", numerics.fidelity));
+  if (numerics.fidelity > 0.0 && plate.material.alpha > 0.0)
+    problems.add(
+        fmt::format(
+            "simulate: fidelity is {} and the material's alpha {}: the history of the least "
+            "stretch needs every bond",
+            shortest(numerics.fidelity), shortest(plate.material.alpha)),
+        "leave out fidelity, or take a material without alpha");
+  if (!constants_apply(plate, numerics))
+    problems.add("simulate: constants = \"paper\" are for plane stress and a constant micromodulus",
+                 "take constants = \"lattice\"");
+}
+
+bool check_spacing(const Plate& plate, const Numerics& numerics, Problems& problems) {
+  if (!(numerics.spacing > 0.0) || !std::isfinite(numerics.spacing)) {
+    problems.add(fmt::format("simulate: spacing is {} m, it must be above 0 m", numerics.spacing));
+    return false;
+  }
+  if (numerics.spacing > std::min(plate.width, plate.height))
+    problems.add(fmt::format("simulate: spacing {} is larger than the plate ({} x {})",
+                             quantity(numerics.spacing, "m"), quantity(plate.width, "m"),
+                             quantity(plate.height, "m")),
+                 "a tenth of the shorter side, or less, gives a lattice");
+  return true;
+}
+
+// Of the horizon, in spacings; true when it makes a family.
+bool check_horizon(const Numerics& numerics, Problems& problems) {
+  constexpr double slack = 1e-9;
+  const double m = numerics.m();
+  const std::string spacing = quantity(numerics.spacing, "m");
+  const std::string horizon = quantity(numerics.horizon_or_default(), "m");
+  if (!(m >= least_m * (1.0 - slack)))
+    problems.add(
+        fmt::format("simulate: horizon {} is under {:g} spacings of {}", horizon, least_m, spacing),
+        fmt::format("4 spacings, {}, are usual", quantity(4.0 * numerics.spacing, "m")));
+  else if (m > most_m * (1.0 + slack))
+    problems.add(
+        fmt::format("simulate: horizon {} is over {:g} spacings of {}", horizon, most_m, spacing),
+        "take a coarser spacing or a shorter horizon");
+  else
+    return true;
+  return false;
+}
+
+// Needs a family, and a material and constants that give it a stiffness.
+void check_step_limit(const Plate& plate, const Numerics& numerics, Problems& problems) {
+  Problems of_material;
+  check(plate.material, of_material);
+  if (!of_material.empty() || !constants_apply(plate, numerics)) return;
   const Family family = family_of(numerics);
   const Calibration calibration =
       calibrate(family, plate.material, numerics.spacing, numerics.constants, plate.plane);
@@ -58,65 +120,30 @@ void check_step(const Plate& plate, const Numerics& numerics, Problems& problems
                "take a smaller step, or leave it out; force_step = true to see it blow up");
 }
 
-// Choices that do not go together.
-void check_choices(const Plate& plate, const Numerics& numerics, Problems& problems) {
-  if (!(numerics.fidelity >= 0.0 && numerics.fidelity <= 1.0))
-    problems.add(
-        fmt::format("simulate: fidelity is {}, it must lie between 0 and 1", numerics.fidelity));
-  if (numerics.fidelity > 0.0 && plate.material.alpha > 0.0)
-    problems.add("simulate: fidelity cannot go with alpha, whose history needs every bond",
-                 "leave out fidelity, or take a material without alpha");
-  const bool plain =
-      plate.plane == Plane::stress && numerics.micromodulus == Micromodulus::constant;
-  if (numerics.constants == Constants::paper && !plain)
-    problems.add(
-        "simulate: constants = \"paper\" are for plane stress and a constant micromodulus",
-        "take constants = \"lattice\"");
-}
-
-// Of the horizon, in spacings; true when a lattice can be made.
-bool check_horizon(const Numerics& numerics, Problems& problems) {
-  const double m = numerics.m();
-  const std::string spacing = quantity(numerics.spacing, "m");
-  const std::string horizon = quantity(numerics.horizon_or_default(), "m");
-  if (!(m >= least_m * (1.0 - 1e-9))) {
-    problems.add(
-        fmt::format("simulate: horizon {} is under {:g} spacings of {}", horizon, least_m, spacing),
-        fmt::format("4 spacings, {}, are usual", quantity(4.0 * numerics.spacing, "m")));
-    return false;
-  }
-  if (m <= most_m * (1.0 + 1e-9) && family_of(numerics).reach() <= NodeLayout::group) return true;
-  problems.add(
-      fmt::format("simulate: horizon {} is over {:g} spacings of {}", horizon,
-                  m <= most_m * (1.0 + 1e-9) ? most_m - 0.5 : most_m, spacing),
-      "take a coarser spacing or a shorter horizon");
-  return false;
+void check_step(const Plate& plate, const Numerics& numerics, bool has_family, Problems& problems) {
+  if (!numerics.step) return;
+  if (!(*numerics.step > 0.0 && std::isfinite(*numerics.step)))
+    problems.add(fmt::format("simulate: step is {} s, it must be above 0 s", *numerics.step));
+  else if (has_family && !numerics.force_step)
+    check_step_limit(plate, numerics, problems);
 }
 
 }  // namespace
 
 double memory_needed(const Plate& plate, const Numerics& numerics) {
-  return nodes(plate, numerics) * bytes_per_node(plate, numerics);
+  const Extent size = extent(plate, numerics);
+  const double real = numerics.precision == Precision::f32 ? 4.0 : 8.0;
+  const double values = plate.material.alpha > 0.0 ? 10.0 : 6.0;
+  const double bits = 4.0 * family_of(numerics).words() * (plate.no_fail.empty() ? 2.0 : 3.0);
+  return places(size) * (real * values + bits) + size.nodes() * sizeof(std::uint16_t);
 }
 
 void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems) {
-  const double least_side = std::min(plate.width, plate.height);
-  if (!(numerics.spacing > 0.0) || !std::isfinite(numerics.spacing)) {
-    problems.add(fmt::format("simulate: spacing is {} m, it must be above 0 m", numerics.spacing));
-    return;
-  }
-  const std::string spacing = quantity(numerics.spacing, "m");
-  if (numerics.spacing > least_side)
-    problems.add(fmt::format("simulate: spacing {} is larger than the plate ({} x {})", spacing,
-                             quantity(plate.width, "m"), quantity(plate.height, "m")),
-                 "a tenth of the shorter side, or less, gives a lattice");
+  const bool has_family =
+      check_spacing(plate, numerics, problems) && check_horizon(numerics, problems);
   check_choices(plate, numerics, problems);
-  const bool has_family = check_horizon(numerics, problems);
-  if (numerics.step && !(*numerics.step > 0.0 && std::isfinite(*numerics.step)))
-    problems.add(fmt::format("simulate: step is {} s, it must be above 0 s", *numerics.step));
-  if (!has_family) return;
-  check_memory(plate, numerics, memory, problems);
-  if (problems.empty()) check_step(plate, numerics, problems);
+  check_step(plate, numerics, has_family, problems);
+  if (has_family) check_memory(plate, numerics, memory, problems);
 }
 
 }  // namespace hackle

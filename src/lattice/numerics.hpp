@@ -59,7 +59,8 @@ struct Numerics {
   Breaking breaking = Breaking::at_once;
   Precision precision = Precision::f64;
   bool fused = false;  // multiply and add in one rounding: faster, but not on every machine
-  double fidelity = 0.0;  // share of the critical stretch below which forces may be linearised, 0..1
+  double fidelity =
+      0.0;  // share of the critical stretch below which forces may be linearised, 0..1
   std::optional<double> step;  // s; nothing: step_fraction of the stability limit
   bool force_step = false;     // accept a step above the limit
 
@@ -71,15 +72,21 @@ struct Numerics {
 // that are stretched up to s0.
 inline constexpr double step_fraction = 0.9;
 
-// Ranges: least_m <= m <= most_m, and no neighbour more than 16 columns away.
+// The range of m. Up to 16 no quadrature reaches further than the 16 columns of a NodeLayout's
+// group.
 inline constexpr double least_m = 2.0;
 inline constexpr double most_m = 16.0;
 
 // Adds a problem for every numerical choice that cannot work on this plate, and for a lattice that
-// would need more memory than `memory` bytes.
+// would need more memory than `memory` bytes. One problem does not hide another, unless the second
+// cannot be decided without the first: no limit of the step without a family, constants that apply
+// and a material.
 void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems);
 
-// Bytes that a simulation of the plate takes.
+// Bytes that a simulation of the plate takes, of all that grows with it: u, the next u and v; with
+// alpha four values more, for thresholds; bond bits of lattice and state, and of no-fail zones; the
+// bonds that each node was born with. Needs a family: least_m <= m <= most_m. Tiles (up to 1 byte a
+// node) and what a run in f32 takes when it goes over to f64 are left out.
 double memory_needed(const Plate& plate, const Numerics& numerics);
 
 }  // namespace hackle

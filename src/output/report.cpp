@@ -33,7 +33,8 @@ std::string model_line(const Simulation& simulation) {
   const Moduli& moduli = lattice.calibration.moduli;
   const WaveSpeeds waves = wave_speeds(moduli.E, moduli.nu, lattice.rho, simulation.plate().plane);
   return fmt::format(
-      "plane {}, {} constants, {} micromodulus: E {} (material {}), nu {:.3f} (material {}), G0 {} (material {}), s0 {:.4g}; "
+      "plane {}, {} constants, {} micromodulus: E {} (material {}), nu {:.3f} (material {}), G0 {} "
+      "(material {}), s0 {:.4g}; "
       "c_R {:.0f} m/s",
       name_of(plane_names, simulation.plate().plane),
       name_of(constants_names, simulation.numerics().constants),
@@ -62,11 +63,10 @@ std::string energy_line(const Energy& energy) {
 }
 
 std::string wall_line(const Simulation& simulation, const Summary& summary) {
-  std::string line =
-      fmt::format("solve {:.2f} s on {} thread{}, {:.3g} M node-steps/s ({} {})",
-                  summary.wall.solve, summary.threads, summary.threads == 1 ? "" : "s",
-                  summary.node_steps_per_second() * 1e-6, summary.precision,
-                  name_of(instruction_set_names, simulation.instruction_set()));
+  std::string line = fmt::format(
+      "solve {:.2f} s on {} thread{}, {:.3g} M node-steps/s ({} {})", summary.wall.solve,
+      summary.threads, summary.threads == 1 ? "" : "s", summary.node_steps_per_second() * 1e-6,
+      summary.precision, name_of(instruction_set_names, simulation.instruction_set()));
   const auto add = [&](const char* stage, double seconds) {
     if (seconds > 0.0) line += fmt::format("; {} {:.2f} s", stage, seconds);
   };
@@ -81,8 +81,9 @@ std::string tiles_line(const Summary& summary) {
   std::string line;
   for (std::size_t path = 0; path < summary.paths.size(); ++path) {
     if (summary.paths[path] == 0) continue;
-    line += fmt::format("{}{} {:.1f} %", line.empty() ? "" : ", ", path_names[path],
-                        100.0 * static_cast<double>(summary.paths[path]) / static_cast<double>(all));
+    line +=
+        fmt::format("{}{} {:.1f} %", line.empty() ? "" : ", ", path_names[path],
+                    100.0 * static_cast<double>(summary.paths[path]) / static_cast<double>(all));
   }
   return line.empty() ? "no step yet" : line;
 }
@@ -94,8 +95,8 @@ std::string report(const Simulation& simulation, const Summary& summary) {
       "{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}\n  tiles    "
       "{}\n  wall     {}\n  state    {}",
       describe(simulation.plate()), lattice_line(simulation, summary), model_line(simulation),
-      time_line(summary), damage_line(summary), energy_line(summary.energy),
-      tiles_line(summary), wall_line(simulation, summary), summary.hash);
+      time_line(summary), damage_line(summary), energy_line(summary.energy), tiles_line(summary),
+      wall_line(simulation, summary), summary.hash);
 }
 
 std::vector<std::string> remarks(const Simulation& simulation) {
@@ -111,8 +112,7 @@ std::vector<std::string> remarks(const Simulation& simulation) {
   if (simulation.widened_at())
     list.push_back(fmt::format(
         "from {} on it was solved in f64: displacements of {:.2g} spacings are too large for f32",
-        quantity(*simulation.widened_at(), "s"),
-        spread_of(simulation.state()).half.maxCoeff()));
+        quantity(*simulation.widened_at(), "s"), spread_of(simulation.state()).half.maxCoeff()));
   const double E = simulation.lattice().calibration.moduli.E / plate.material.E;
   const double G0 = simulation.lattice().calibration.G0 / plate.material.G0;
   if (std::abs(E - 1.0) > 1e-6 || std::abs(G0 - 1.0) > 1e-6)

@@ -23,11 +23,11 @@ nlohmann::ordered_json to_json(const Energy& energy) {
 
 // Shares of all tile-steps.
 nlohmann::ordered_json to_json(const PathCounts& paths) {
-  const auto all = static_cast<double>(std::accumulate(paths.begin(), paths.end(), std::int64_t{0}));
+  const auto all =
+      static_cast<double>(std::accumulate(paths.begin(), paths.end(), std::int64_t{0}));
   nlohmann::ordered_json json;
   for (std::size_t path = 0; path < paths.size(); ++path)
-    json[std::string(path_names[path])] =
-        all > 0.0 ? static_cast<double>(paths[path]) / all : 0.0;
+    json[std::string(path_names[path])] = all > 0.0 ? static_cast<double>(paths[path]) / all : 0.0;
   return json;
 }
 

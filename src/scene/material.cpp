@@ -29,8 +29,9 @@ void check(const Material& material, Problems& problems) {
 }
 
 std::string describe(const Material& material) {
-  return fmt::format("{} (E {}, rho {} kg/m3, G0 {} J/m2)", material.name,
-                     quantity(material.E, "Pa"), shortest(material.rho), shortest(material.G0));
+  return fmt::format("{} (E {}, rho {} kg/m3, G0 {} J/m2{})", material.name,
+                     quantity(material.E, "Pa"), shortest(material.rho), shortest(material.G0),
+                     material.alpha > 0.0 ? ", alpha " + shortest(material.alpha) : "");
 }
 
 }  // namespace hackle

@@ -23,7 +23,7 @@ struct Material {
 // Adds a problem for every value outside its range.
 void check(const Material& material, Problems& problems);
 
-// "Duran 50 (E 65 GPa, rho 2235 kg/m3, G0 204 J/m2)"
+// "Duran 50 (E 65 GPa, rho 2235 kg/m3, G0 204 J/m2)"; an alpha above 0 is said too.
 std::string describe(const Material& material);
 
 }  // namespace hackle

@@ -105,8 +105,9 @@ void check(const Plate& plate, const NoFail& zone, Problems& problems) {
 }
 
 std::string describe(const Plate& plate) {
-  return fmt::format("plate {} x {} mm, {}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
-                     shortest(std::round(plate.height * 1e9) * 1e-6), describe(plate.material),
+  return fmt::format("plate {} x {} mm, {}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
+                     shortest(std::round(plate.height * 1e9) * 1e-6),
+                     plate.plane == Plane::strain ? "plane strain, " : "", describe(plate.material),
                      counted(plate.cracks.size(), "crack"),
                      counted(plate.tractions.size(), "traction"),
                      counted(plate.no_fail.size(), "no-fail zone"));

@@ -44,7 +44,8 @@ struct NoFail {
   Vec2 most{0, 0};   // m, upper right corner, included
 };
 
-// Thin, free of stress across its thickness, or thick, held from straining across it.
+// Thin, free of stress across its thickness, or thick, held from straining across it. Bond-based
+// theory makes Poisson's ratio 1/3 in plane stress and 1/4 in plane strain (physics.md 4.1).
 enum class Plane { stress, strain };
 inline constexpr std::array<std::string_view, 2> plane_names{"stress", "strain"};
 
@@ -67,7 +68,7 @@ void check(const Plate& plate, Problems& problems);
 void check(const Plate& plate, const Crack& crack, Problems& problems);
 void check(const Plate& plate, const NoFail& zone, Problems& problems);
 
-// "plate 100 x 40 mm, Duran 50 (E 65 GPa, ...), 1 crack, 2 tractions"
+// "plate 100 x 40 mm, Duran 50 (E 65 GPa, ...), 1 crack, 2 tractions"; plane strain is said too.
 std::string describe(const Plate& plate);
 
 }  // namespace hackle

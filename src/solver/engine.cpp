@@ -3,87 +3,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "solver/kernel_tables.hpp"
+
 namespace hackle {
 namespace {
-
-// Of series_terms (kernel.hpp), as coefficients of e^0, e^1, ...
-template <class Real>
-inline constexpr std::array<double, series_terms<Real>> g_over_e{};
-template <>
-inline constexpr std::array<double, 3> g_over_e<float>{0.5, -0.3750125174481315,
-                                                       0.31251126571682525};
-template <>
-inline constexpr std::array<double, 6> g_over_e<double>{
-    0.5,
-    -0.375,
-    0.3124999999725654,
-    -0.2734374999742801,
-    0.24609854452148686,
-    -0.22559043236480483};
-
-double threshold_of(double s0) {
-  return s0 * (2.0 + s0);
-}
-
-template <class Real>
-BondClass<Real> bond_class(const Images& image, double unit, double s0, bool varied) {
-  const double L2 = image.xi.squaredNorm();
-  const double pull = unit * image.weight / std::sqrt(L2);
-  BondClass<Real> entry;
-  entry.a = static_cast<Real>(image.xi.x());
-  entry.b = static_cast<Real>(image.xi.y());
-  double scale = pull;
-  for (std::size_t term = 0; term < entry.series.size(); ++term) {
-    scale /= L2;
-    entry.series[term] = static_cast<Real>(scale * g_over_e<Real>[term]);
-  }
-  entry.range = static_cast<Real>(L2 * static_cast<double>(series_range<Real>));
-  entry.most = static_cast<Real>(L2 * threshold_of(s0));
-  entry.sure = varied ? entry.range : std::min(entry.range, entry.most);
-  entry.L2 = static_cast<Real>(L2);
-  entry.inverse_L2 = static_cast<Real>(1.0 / L2);
-  entry.pull = static_cast<Real>(pull);
-  entry.columns = image.a;
-  entry.rows = image.b;
-  entry.images = image.kept();
-  entry.word = image.first_bit / 32;
-  entry.bit = std::uint32_t{1} << (image.first_bit % 32);
-  return entry;
-}
-
-template <class Real>
-std::vector<BondClass<Real>> bond_classes(const Lattice& lattice, double dt, bool varied) {
-  const double unit = lattice.calibration.c * lattice.grid.dx * dt * dt / lattice.rho;
-  std::vector<BondClass<Real>> classes;
-  for (const Images& image : lattice.family.images())
-    classes.push_back(bond_class<Real>(image, unit, lattice.calibration.s0, varied));
-  return classes;
-}
-
-template <class Real>
-std::vector<NodeLoad<Real>> node_loads(const Lattice& lattice, double dt) {
-  std::vector<NodeLoad<Real>> loads;
-  for (const LoadedNode& node : lattice.loads) {
-    const Vec2 in_units = node.acceleration * (dt * dt / lattice.grid.dx);
-    loads.push_back(
-        {node.i, static_cast<Real>(in_units.x()), static_cast<Real>(in_units.y())});
-  }
-  return loads;
-}
-
-std::vector<std::size_t> first_load_of_rows(const Lattice& lattice) {
-  std::vector<std::size_t> first;
-  std::size_t at = 0;
-  for (int j = 0; j <= lattice.grid.ny; ++j) {
-    while (at < lattice.loads.size() && lattice.loads[at].j < j) ++at;
-    first.push_back(at);
-  }
-  return first;
-}
 
 std::vector<int> rows_to_tiles(const std::vector<int>& first_rows) {
   std::vector<int> tile_row;
@@ -120,6 +46,9 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
       loads_(node_loads<Real>(lattice, options.dt)),
       loads_of_row_(first_load_of_rows(lattice)),
       late_(options.breaking == Breaking::next_step),
+      bound_(bound_factors<Real>(lattice.family)),
+      linear_range_(static_cast<Real>(threshold_of(options.fidelity * lattice.calibration.s0))),
+      stencil_(linear_stencil(classes_)),
       tile_rows_(tile_rows(layout_.ny, reach_)),
       tile_row_of_(rows_to_tiles(tile_rows_)),
       next_ux_(layout_.size()),
@@ -127,8 +56,9 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
       kernel_(find_kernel<Real>(options.set, options.arithmetic, features_)),
       threads_(std::move(threads)),
       tasks_(share_out(tile_rows_, threads_.count())),
-      scratch_(static_cast<std::size_t>(threads_.count()),
-               Scratch<Real>(layout_.groups() * NodeLayout::group, reach_, options.fidelity > 0.0)) {
+      scratch_(
+          static_cast<std::size_t>(threads_.count()),
+          Scratch<Real>(layout_.groups() * NodeLayout::group, reach_, options.fidelity > 0.0)) {
   const auto on_row = [](const BondClass<Real>& k) { return k.rows == 0; };
   first_on_row_ = static_cast<int>(std::ranges::find_if(classes_, on_row) - classes_.begin());
   const auto tiles = (tile_rows_.size() - 1) * static_cast<std::size_t>(layout_.groups());
@@ -145,41 +75,6 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
     bond_offsets_[static_cast<std::size_t>(bit)] = b * layout_.stride() + a;
   });
   set_thresholds(lattice, options.alpha);
-  set_bound(lattice);
-  set_stencil(lattice, options.fidelity);
-}
-
-template <class Real>
-void Engine<Real>::set_bound(const Lattice& lattice) {
-  const auto raise = [](Real& factor, double to) {
-    factor = std::max(factor, static_cast<Real>(1.000001 * to));
-  };
-  for (const Images& image : lattice.family.images()) {
-    const Vec2 offset(image.a, image.b);
-    const double L2 = image.xi.squaredNorm();
-    if (image.xi == offset) continue;
-    raise(bound_.direct, image.xi.cwiseProduct(offset).lpNorm<1>() / L2);
-    raise(bound_.shear, std::max(std::abs(image.xi.x() * offset.y()),
-                                 std::abs(image.xi.y() * offset.x())) / L2);
-    raise(bound_.squares, offset.squaredNorm() / L2);
-  }
-}
-
-template <class Real>
-void Engine<Real>::set_stencil(const Lattice& lattice, double fidelity) {
-  linear_range_ = static_cast<Real>(threshold_of(fidelity * lattice.calibration.s0));
-  stencil_.reach = reach_;
-  stencil_.round = true;
-  for (const BondClass<Real>& k : classes_)
-    if (k.columns * k.columns + k.rows * k.rows > reach_ * reach_) stencil_.round = false;
-  for (const BondClass<Real>& k : classes_) {
-    const Real pull = k.pull * k.inverse_L2;
-    stencil_.weights[k.columns][k.rows] = {pull * k.a * k.a, pull * k.a * k.b, pull * k.b * k.b};
-    stencil_.most_rows[k.columns] = std::max(stencil_.most_rows[k.columns], k.rows);
-    const auto bonds = static_cast<Real>(2 * k.images);
-    stencil_.own_x += bonds * pull * k.a * k.a;
-    stencil_.own_y += bonds * pull * k.b * k.b;
-  }
 }
 
 template <class Real>

@@ -26,8 +26,8 @@ class Engine {
  public:
   Engine(const Lattice& lattice, const EngineOptions& options, Threads threads);
 
-  // `lattice` is the one it was made for. To be called before the first step, and whenever a state is not the one that step() left. Gives
-  // a state without thresholds those of an untouched plate.
+  // `lattice` is the one it was made for. To be called before the first step, and whenever a state
+  // is not the one that step() left. Gives a state without thresholds those of an untouched plate.
   void prepare(const Lattice& lattice, State& state);
 
   // u, v, bonds and thresholds go on by one step; the rest of the state is the caller's.
@@ -47,8 +47,6 @@ class Engine {
   void advance(const KernelData<Real>& data);
   void set_thresholds(const Lattice& lattice, double alpha);
   void survey(const Lattice& lattice, Motion<Real>& motion, const State& state);
-  void set_bound(const Lattice& lattice);
-  void set_stencil(const Lattice& lattice, double fidelity);
   void find_intact(const Lattice& lattice, const BondBits& bonds);
   void break_bonds(BondBits& bonds);
   int tile_of(std::ptrdiff_t place) const;

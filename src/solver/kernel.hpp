@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The inner loop's interface: a kernel takes some rows of the plate through one time step.
-// Everything it needs is prepared in tables; which kernel runs is chosen once, by precision, options
-// of the scene and instruction set. All kernels of one precision give the same bits.
+// Everything it needs is prepared in tables; which kernel runs is chosen once, by precision,
+// options of the scene and instruction set. All kernels of one precision give the same bits.
 #pragma once
 
 #include <array>
@@ -24,25 +24,25 @@ inline constexpr int series_terms = sizeof(Real) == 4 ? 3 : 6;
 template <class Real>
 inline constexpr Real series_range = sizeof(Real) == 4 ? Real{0.0078125} : Real{0.00390625};
 
-// The mirror images of one offset, in lattice units (kernel.md 0). With xi = (a, b), L its length and
-// h the relative displacement, E = hx (hx + 2a) + hy (hy + 2b) = L^2 e, and the acceleration is
+// The mirror images of one offset, in lattice units (kernel.md 0). With xi = (a, b), L its length
+// and h the relative displacement, E = hx (hx + 2a) + hy (hy + 2b) = L^2 e, and the acceleration is
 // K g(e) (a + hx, b + hy) with K = c w dx dt^2/(rho L).
 template <class Real>
 struct BondClass {
   Real a{};
   Real b{};
   std::array<Real, series_terms<Real>> series{};  // K g(e) = E (series[0] + E (series[1] + ...))
-  Real range{};                  // |E| up to which the series is exact
-  Real most{};                   // the bond breaks when E is above: L^2 ((1 + s0)^2 - 1)
-  Real sure{};                   // |E| up to which nothing of both can happen
+  Real range{};                                   // |E| up to which the series is exact
+  Real most{};  // the bond breaks when E is above: L^2 ((1 + s0)^2 - 1)
+  Real sure{};  // |E| up to which nothing of both can happen
   Real L2{};
-  Real inverse_L2{};             // 1/L^2
-  Real pull{};                   // K
+  Real inverse_L2{};  // 1/L^2
+  Real pull{};        // K
   int columns = 0;
   int rows = 0;
-  int images = 0;           // kept by a node: 2, or 1 on an axis
-  int word = 0;             // of its bits
-  std::uint32_t bit = 0;    // of the first image, as a mask; the second is twice that
+  int images = 0;         // kept by a node: 2, or 1 on an axis
+  int word = 0;           // of its bits
+  std::uint32_t bit = 0;  // of the first image, as a mask; the second is twice that
 };
 
 // The linearised bonds, by columns a and rows b of their offset: K/L^2 times xi xi^T.
@@ -56,15 +56,16 @@ template <class Real>
 struct LinearStencil {
   int reach = 0;
   bool round = false;  // the family is that of a whole m: every offset with a^2 + b^2 <= reach^2
-  Real own_x{};  // sum of xx over all bonds of a node, and of yy
+  Real own_x{};        // sum of xx over all bonds of a node, and of yy
   Real own_y{};
   int most_rows[NodeLayout::group + 1] = {};  // the largest b of every a
   LinearWeight<Real> weights[NodeLayout::group + 1][NodeLayout::group + 1] = {};
 };
 
-// |e| <= 2 (direct A + shear (B + C)) + squares (2 A^2 + B^2 + C^2) for every bond between nodes whose
-// neighbours differ by at most A (|d_x u_x|, |d_y u_y|), B (|d_y u_x|) and C (|d_x u_y|), by Cauchy
-// (kernel.md 4). 1, 1/2 and 1, unless bonds end beside their neighbour (Quadrature::centroid).
+// |e| <= 2 (direct A + shear (B + C)) + squares (2 A^2 + B^2 + C^2) for every bond between nodes
+// whose neighbours differ by at most A (|d_x u_x|, |d_y u_y|), B (|d_y u_x|) and C (|d_x u_y|), by
+// Cauchy (kernel.md 4). 1, 1/2 and 1, unless bonds end beside their neighbour
+// (Quadrature::centroid).
 template <class Real>
 struct BoundFactors {
   Real direct{1};
@@ -143,10 +144,11 @@ struct Rows {
 template <class Real>
 struct Kernel {
   // One step of the rows: reads u of nodes up to `reach` rows away, writes only what belongs to its
-  // rows. Bonds that are found stretched too far are appended to the scratch's losses, and the caller
-  // breaks them when all rows are done.
+  // rows. Bonds that are found stretched too far are appended to the scratch's losses, and the
+  // caller breaks them when all rows are done.
   void (*advance)(const KernelData<Real>& data, Scratch<Real>& scratch, Rows rows) = nullptr;
-  // Fills next_range of the rows from next_u; differences across the border of the rows are left out.
+  // Fills next_range of the rows from next_u; differences across the border of the rows are left
+  // out.
   void (*survey)(const KernelData<Real>& data, Rows rows) = nullptr;
   // Adds the differences between the rows j - 1 and j, which belong to two tiles.
   void (*join)(const KernelData<Real>& data, int j) = nullptr;

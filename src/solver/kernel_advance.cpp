@@ -8,6 +8,7 @@
 #include "solver/kernel_advance.hpp"
 
 #include "solver/kernel_linear.hpp"
+#include "solver/kernel_paths.hpp"
 #include "solver/kernel_rows.hpp"
 #include "solver/kernel_survey.hpp"
 
@@ -26,7 +27,12 @@ class Sweep {
  public:
   // The columns [first, end) of the layout, counted from its first.
   Sweep(const KernelData<Real>& data, Scratch<Real>& scratch, Rows rows, int first, int end)
-      : data_(data), scratch_(scratch), rows_(rows), first_(first), columns_(end - first) {
+      : data_(data),
+        scratch_(scratch),
+        rows_(rows),
+        first_(first),
+        columns_(end - first),
+        paths_(data, scratch, first) {
     const int margin = (data.reach + lanes<Real> - 1) / lanes<Real> * lanes<Real>;
     const bool last = end == data.layout.groups() * NodeLayout::group;
     begin_ = first == 0 ? 0 : -margin;
@@ -86,12 +92,6 @@ class Sweep {
     return data_.ax == nullptr && data_.tiles.first_row[tile_row] >= rows_.begin;
   }
   void choose_paths(int tile_row);
-  void look_ahead(int tile_row);
-  Outlook<Real> look(int tile_row, int column) const;
-  Outlook<Real>& outlook(int tile_row, int group) {
-    return scratch_.outlooks[static_cast<unsigned>(tile_row + 3) % 3][group + 2];
-  }
-  Path choose(int tile_row, int group);
   RowWork<Real> row_work();
   void begin_row(int j);
   void point_to_bits(const BondClass<Real>& k);
@@ -99,7 +99,8 @@ class Sweep {
   void add_bonds_on_row(int j);
   // What moves once is not looked at again.
   bool was_moving(int tile_row, std::ptrdiff_t q) const {
-    return data_.range[data_.tiles.index(tile_row, static_cast<int>((first_ + q) >> 4))].moving != 0;
+    return data_.range[data_.tiles.index(tile_row, static_cast<int>((first_ + q) >> 4))].moving !=
+           0;
   }
   void linearise();
   void add_loads(int j);
@@ -111,89 +112,21 @@ class Sweep {
   const KernelData<Real>& data_;
   Scratch<Real>& scratch_;
   Rows rows_;
-  int first_;       // column of the layout at which the block begins
-  int columns_;     // of the block
-  int begin_ = 0;   // of the block and what reaches into it, counted from its first column
+  int first_;      // column of the layout at which the block begins
+  int columns_;    // of the block
+  int begin_ = 0;  // of the block and what reaches into it, counted from its first column
   int end_ = 0;
-  bool fresh_ = true;  // no paths chosen yet
+  PathChooser<Real, features.varied> paths_;
   RowWork<Real> work_{};
   Sums<Real> waiting_[NodeLayout::group + 1];
 };
 
 template <KernelFeatures features>
 void Sweep<features>::choose_paths(int tile_row) {
-  look_ahead(tile_row);
-  TileRun* run = scratch_.runs.data() - 1;
-  for (int q = begin_; q < end_; q = (q + NodeLayout::group) & -NodeLayout::group) {
-    const int group = q >> 4, next = (group + 1) * NodeLayout::group;
-    const bool linear = outlook(tile_row, group).linear;
-    const Path path = choose(tile_row, group);
-    if (q == begin_ || path != run->path || linear != run->linear) *++run = {path, linear, q, q};
-    run->end = next < end_ ? next : end_;
-    if (counts(tile_row) && q >= 0 && q < columns_)
-      ++scratch_.counts[static_cast<int>(linear ? Path::linear : path)];
-  }
-  scratch_.run_count = static_cast<int>(run - scratch_.runs.data()) + 1;
-  scratch_.computes = false;
-  for (; run >= scratch_.runs.data(); --run)
-    scratch_.computes |= run->path != Path::still && run->path != Path::linear;
+  paths_.choose(tile_row, begin_, end_);
+  if (counts(tile_row)) paths_.count(columns_);
   for (int q = 0; q < columns_; ++q) scratch_.seen.row(0)[q] = 0;
   if constexpr (features.history) fill(scratch_.seen.row(1), columns_);
-}
-
-// The outlooks that the choice for a row of tiles needs and the row before did not.
-template <KernelFeatures features>
-void Sweep<features>::look_ahead(int tile_row) {
-  const bool linear = data_.linear_range > 0;
-  const int first = fresh_ ? tile_row - 1 : tile_row + 1;
-  for (int row = linear ? first : tile_row; row <= (linear ? tile_row + 1 : tile_row); ++row)
-    for (int group = (begin_ >> 4) - 1; group * NodeLayout::group < end_ + NodeLayout::group; ++group)
-      outlook(row, group) = look(row, first_ / NodeLayout::group + group);
-  fresh_ = false;
-}
-
-template <KernelFeatures features>
-Outlook<Real> Sweep<features>::look(int tile_row, int column) const {
-  const TileGrid& tiles = data_.tiles;
-  if (tile_row < 0 || tile_row >= tiles.rows || column < 0 || column >= tiles.columns) return {};
-  Real direct = 0, xy = 0, yx = 0;
-  Real threshold = features.varied ? unstretched<Real> : data_.least_threshold;
-  std::uint32_t moving = data_.loaded[tiles.index(tile_row, column)];
-  for (int r = tile_row > 0 ? tile_row - 1 : 0; r <= tile_row + 1 && r < tiles.rows; ++r)
-    for (int c = column > 0 ? column - 1 : 0; c <= column + 1 && c < tiles.columns; ++c) {
-      const TileRange<Real>& range = data_.range[tiles.index(r, c)];
-      direct = range.direct > direct ? range.direct : direct;
-      xy = range.xy > xy ? range.xy : xy;
-      yx = range.yx > yx ? range.yx : yx;
-      moving |= range.moving;
-      if constexpr (features.varied)
-        threshold = range.least_threshold < threshold ? range.least_threshold : threshold;
-    }
-  // The slack covers the rounding of the differences.
-  constexpr auto slack = static_cast<Real>(1.00001);
-  const Real strain = data_.bound.direct * direct + data_.bound.shear * (xy + yx);
-  const Real squares = data_.bound.squares * (2 * direct * direct + xy * xy + yx * yx);
-  const Real bound = slack * (2 * strain + squares);
-  const bool complete = data_.complete[tiles.index(tile_row, column)] != 0;
-  return {bound, threshold, moving == 0, complete && moving != 0 && bound < data_.linear_range};
-}
-
-// The cheapest path that gives the same bits as the careful one. Bonds need not be computed at all
-// where they serve none but linearised forces: nobody else may read their sums.
-template <KernelFeatures features>
-Path Sweep<features>::choose(int tile_row, int group) {
-  const Outlook<Real>& own = outlook(tile_row, group);
-  if (own.still) return Path::still;
-  if (own.linear) {
-    bool deep = true;
-    for (int row = tile_row - 1; row <= tile_row + 1; ++row)
-      for (int g = group - 1; g <= group + 1; ++g)
-        deep = deep && outlook(row, g).linear;
-    if (deep) return Path::linear;
-  }
-  if (!(own.bound < own.threshold && own.bound < series_range<Real>)) return Path::careful;
-  const int tile = data_.tiles.index(tile_row, first_ / NodeLayout::group + group);
-  return data_.intact[tile] != 0 ? Path::intact : Path::damaged;
 }
 
 // What all rows of the block have in common.
@@ -347,7 +280,8 @@ void Sweep<features>::move_threshold(std::ptrdiff_t place, std::ptrdiff_t q, Vec
 template <KernelFeatures features>
 void Sweep<features>::summarise(int tile_row) {
   for (int q = 0; q < columns_; q += NodeLayout::group) {
-    TileRange<Real>& range = data_.next_range[data_.tiles.index(tile_row, (first_ + q) / NodeLayout::group)];
+    TileRange<Real>& range =
+        data_.next_range[data_.tiles.index(tile_row, (first_ + q) / NodeLayout::group)];
     Real threshold = unstretched<Real>;
     bool moving = was_moving(tile_row, q);
     for (int lane = 0; lane < NodeLayout::group; ++lane) {

@@ -60,23 +60,22 @@ HACKLE_INLINE Mask<Real> suspicious(const BondClass<Real>& k, const KeptRow<Real
                                     Vector<Real> E, std::ptrdiff_t q, std::ptrdiff_t to) {
   Vector<Real> limit = every(k.sure);
   if constexpr (features.varied)
-    limit = least<Real>(limit, k.L2 * least<Real>(load(row.threshold + q),
-                                                  load(row.threshold + q + to)));
+    limit = least<Real>(limit,
+                        k.L2 * least<Real>(load(row.threshold + q), load(row.threshold + q + to)));
   return above(magnitude<Real>(E), limit);
 }
 
-// What the suspicious lanes need, once in a while: the exact pull where the series ends, and to note
-// the bonds that break. Takes these out of `held`.
+// What the suspicious lanes need, once in a while: the exact pull where the series ends, and to
+// note the bonds that break. Takes these out of `held`.
 template <class Real, KernelFeatures features>
 __attribute__((noinline)) void settle(const BondClass<Real>& k, const KeptRow<Real>& row,
                                       std::ptrdiff_t q, std::ptrdiff_t to, std::uint32_t bit,
-                                      const Vector<Real>& E, Mask<Real>& held,
-                                      Vector<Real>& pull) {
+                                      const Vector<Real>& E, Mask<Real>& held, Vector<Real>& pull) {
   pull = select(above(magnitude<Real>(E), every(k.range)), exact(k, E), pull);
   Mask<Real> over = above(E, every(k.most));
   if constexpr (features.varied)
-    over = above(E * k.inverse_L2,
-                 least<Real>(load(row.threshold + q), load(row.threshold + q + to)));
+    over =
+        above(E * k.inverse_L2, least<Real>(load(row.threshold + q), load(row.threshold + q + to)));
   over = over & held;
   if constexpr (features.guarded) over = over.but_not(load_bit<Real>(row.unbreakable + q, bit));
   if (!row.late) held = held.but_not(over);
@@ -88,9 +87,9 @@ __attribute__((noinline)) void settle(const BondClass<Real>& k, const KeptRow<Re
 // Where the two ends of a bond lie.
 enum class Span { quad, column, row };
 
-// The bonds that the nodes from column q keep to those at the distance `to`. `a` carries the sign of
-// the image. Both ends of a bond see this one result, so they agree to the last bit; it is exactly
-// the mirror image of the result of the mirrored bond (kernel.md 2).
+// The bonds that the nodes from column q keep to those at the distance `to`. `a` carries the sign
+// of the image. Both ends of a bond see this one result, so they agree to the last bit; it is
+// exactly the mirror image of the result of the mirrored bond (kernel.md 2).
 template <class Real, KernelFeatures features, Path path, Span span>
 HACKLE_INLINE BondForce<Real> bond_force(const BondClass<Real>& k, const KeptRow<Real>& row, Real a,
                                          Vector<Real> x, Vector<Real> y, std::ptrdiff_t q,

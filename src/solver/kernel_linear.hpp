@@ -24,8 +24,9 @@ struct ColumnSums {
   Real* qy(int a) const { return rows.row(4 * a + 3); }
 };
 
-// One vector of columns: the sums of the column offset a. `reach` is that of the family when it is known to the
-// compiler, which then keeps everything in registers and leaves out what vanishes; 0 otherwise.
+// One vector of columns: the sums of the column offset a. `reach` is that of the family when it is
+// known to the compiler, which then keeps everything in registers and leaves out what vanishes; 0
+// otherwise.
 template <class Real, int reach>
 __attribute__((noinline)) void fold_rows(const LinearStencil<Real>& stencil, const RowWork<Real>& w,
                                          const ColumnSums<Real>& sums, Columns columns) {
@@ -94,12 +95,24 @@ HACKLE_INLINE void linear_row(const LinearStencil<Real>& stencil, const RowWork<
   const int margin = (stencil.reach + lanes<Real> - 1) / lanes<Real> * lanes<Real>;
   const Columns wide{columns.begin - margin, columns.end + margin};
   switch (stencil.round ? stencil.reach : 0) {
-    case 2: fold_rows<Real, 2>(stencil, w, sums, wide); break;
-    case 3: fold_rows<Real, 3>(stencil, w, sums, wide); break;
-    case 4: fold_rows<Real, 4>(stencil, w, sums, wide); break;
-    case 5: fold_rows<Real, 5>(stencil, w, sums, wide); break;
-    case 6: fold_rows<Real, 6>(stencil, w, sums, wide); break;
-    default: fold_rows<Real, 0>(stencil, w, sums, wide); break;
+    case 2:
+      fold_rows<Real, 2>(stencil, w, sums, wide);
+      break;
+    case 3:
+      fold_rows<Real, 3>(stencil, w, sums, wide);
+      break;
+    case 4:
+      fold_rows<Real, 4>(stencil, w, sums, wide);
+      break;
+    case 5:
+      fold_rows<Real, 5>(stencil, w, sums, wide);
+      break;
+    case 6:
+      fold_rows<Real, 6>(stencil, w, sums, wide);
+      break;
+    default:
+      fold_rows<Real, 0>(stencil, w, sums, wide);
+      break;
   }
   fold_columns(stencil, w, sums, columns);
 }

@@ -2,9 +2,9 @@
 // The bonds of one class, a row of nodes at a time. Part of a kernel, see kernel_advance.cpp.
 //
 // Each bond is computed once, at the node that keeps it. Its force goes into the sum of that node
-// and, through a row of its own, into that of the other end: reading the row shifted costs less than
-// scattering. Sums are mirror-symmetric to the bit: the images of a class are added to each other
-// first, bonds up and bonds down in two sums of the same order, and those on the row last.
+// and, through a row of its own, into that of the other end: reading the row shifted costs less
+// than scattering. Sums are mirror-symmetric to the bit: the images of a class are added to each
+// other first, bonds up and bonds down in two sums of the same order, and those on the row last.
 #pragma once
 
 #include "solver/kernel_bond.hpp"
@@ -44,7 +44,7 @@ struct RowWork {
   KeptRow<Real> row;
   const TileRun* runs;  // of columns whose bonds are computed: the block, and what reaches into it
   int run_count;
-  int columns;      // of the block
+  int columns;  // of the block
   std::ptrdiff_t stride;
   Sums<Real> up;     // of the row itself
   Sums<Real> down;   // of the row that the class reaches to
@@ -64,11 +64,20 @@ HACKLE_INLINE void for_runs(const TileRun* runs, int count, const Work& work, co
   for (int n = 0; n < count; ++n) {
     const Columns columns{runs[n].begin, runs[n].end};
     switch (runs[n].path) {
-      case Path::intact: work.template operator()<Path::intact>(columns); break;
-      case Path::damaged: work.template operator()<Path::damaged>(columns); break;
-      case Path::careful: work.template operator()<Path::careful>(columns); break;
-      case Path::still: rest(columns); break;
-      case Path::linear: break;
+      case Path::intact:
+        work.template operator()<Path::intact>(columns);
+        break;
+      case Path::damaged:
+        work.template operator()<Path::damaged>(columns);
+        break;
+      case Path::careful:
+        work.template operator()<Path::careful>(columns);
+        break;
+      case Path::still:
+        rest(columns);
+        break;
+      case Path::linear:
+        break;
     }
   }
 }
@@ -94,8 +103,10 @@ __attribute__((noinline)) void keep_quads(const BondClass<Real>& class_, const R
   const std::ptrdiff_t right = k.rows * w.stride + k.columns, left = k.rows * w.stride - k.columns;
   for (std::ptrdiff_t q = columns.begin; q < columns.end; q += lanes<Real>) {
     const Vector<Real> x = load(w.row.ux + q), y = load(w.row.uy + q);
-    const auto one = bond_force<Real, features, path, Span::quad>(k, w.row, k.a, x, y, q, right, k.bit);
-    const auto two = bond_force<Real, features, path, Span::quad>(k, w.row, -k.a, x, y, q, left, k.bit << 1);
+    const auto one =
+        bond_force<Real, features, path, Span::quad>(k, w.row, k.a, x, y, q, right, k.bit);
+    const auto two =
+        bond_force<Real, features, path, Span::quad>(k, w.row, -k.a, x, y, q, left, k.bit << 1);
     keep(w.first, q, one, features.history);
     keep(w.second, q, two, features.history);
     add(w.up.x, q, one.x + two.x);
@@ -128,14 +139,15 @@ HACKLE_INLINE void add_quads(const BondClass<Real>& k, const RowWork<Real>& w) {
 
 // Classes (0, +b): both ends are in one column.
 template <class Real, KernelFeatures features, Path path>
-__attribute__((noinline)) void keep_column(const BondClass<Real>& class_,
-                                           const RowWork<Real>& work, Columns columns) {
+__attribute__((noinline)) void keep_column(const BondClass<Real>& class_, const RowWork<Real>& work,
+                                           Columns columns) {
   const BondClass<Real> k = class_;
   const RowWork<Real> w = work;
   const std::ptrdiff_t up = k.rows * w.stride;
   for (std::ptrdiff_t q = columns.begin; q < columns.end; q += lanes<Real>) {
     const Vector<Real> x = load(w.row.ux + q), y = load(w.row.uy + q);
-    const auto force = bond_force<Real, features, path, Span::column>(k, w.row, Real{0}, x, y, q, up, k.bit);
+    const auto force =
+        bond_force<Real, features, path, Span::column>(k, w.row, Real{0}, x, y, q, up, k.bit);
     add(w.up.x, q, force.x);
     add(w.up.y, q, force.y);
     add(w.down.x, q, force.x);
@@ -169,7 +181,8 @@ __attribute__((noinline)) void keep_row(const BondClass<Real>& class_, const Row
   const RowWork<Real> w = work;
   for (std::ptrdiff_t q = columns.begin; q < columns.end; q += lanes<Real>) {
     const Vector<Real> x = load(w.row.ux + q), y = load(w.row.uy + q);
-    keep(w.first, q, bond_force<Real, features, path, Span::row>(k, w.row, k.a, x, y, q, k.columns, k.bit),
+    keep(w.first, q,
+         bond_force<Real, features, path, Span::row>(k, w.row, k.a, x, y, q, k.columns, k.bit),
          features.history);
   }
 }

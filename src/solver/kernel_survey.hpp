@@ -17,10 +17,10 @@ struct Differences {
   // image of a tile sees the mirror images of its differences.
   HACKLE_INLINE void add_along_row(const Real* ux, const Real* uy) {
     const Vector<Real> x = load(ux), y = load(uy);
-    direct = most<Real>(direct, most<Real>(magnitude<Real>(load(ux + 1) - x),
-                                           magnitude<Real>(x - load(ux - 1))));
-    yx = most<Real>(yx, most<Real>(magnitude<Real>(load(uy + 1) - y),
-                                   magnitude<Real>(y - load(uy - 1))));
+    direct = most<Real>(
+        direct, most<Real>(magnitude<Real>(load(ux + 1) - x), magnitude<Real>(x - load(ux - 1))));
+    yx = most<Real>(
+        yx, most<Real>(magnitude<Real>(load(uy + 1) - y), magnitude<Real>(y - load(uy - 1))));
   }
 
   // Between the places n and those a row above.
@@ -64,8 +64,7 @@ HACKLE_INLINE void survey_tile(const KernelData<Real>& data, int tile_row, int g
     }
     if (first > rows.begin) {
       const std::ptrdiff_t below = data.layout.at(column, first - 1);
-      differences.add_across_rows(data.next_ux + below, data.next_uy + below,
-                                  data.layout.stride());
+      differences.add_across_rows(data.next_ux + below, data.next_uy + below, data.layout.stride());
     }
     differences.widen(range, column, data.layout.nx);
   }
@@ -94,12 +93,10 @@ void join_rows(const KernelData<Real>& data, int j) {
       const int column = data.layout.first_column() + group * NodeLayout::group + part;
       const std::ptrdiff_t below = data.layout.at(column, j - 1);
       Differences<Real> differences;
-      differences.add_across_rows(data.next_ux + below, data.next_uy + below,
-                                  data.layout.stride());
+      differences.add_across_rows(data.next_ux + below, data.next_uy + below, data.layout.stride());
       differences.widen(data.next_range[data.tiles.index(tile_row - 1, group)], column,
                         data.layout.nx);
-      differences.widen(data.next_range[data.tiles.index(tile_row, group)], column,
-                        data.layout.nx);
+      differences.widen(data.next_range[data.tiles.index(tile_row, group)], column, data.layout.nx);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Displacements that have grown too large for single precision. Differences of neighbours are what
-// counts, and f32 rounds u to 6e-8 of its size: a plate that has drifted by two spacings gains energy
-// (kernel.md 6).
+// counts, and f32 rounds u to 6e-8 of its size: a plate that has drifted by two spacings gains
+// energy (kernel.md 6).
 #pragma once
 
 #include "solver/state.hpp"
@@ -19,8 +19,8 @@ Spread spread_of(const State& state);
 // A drift of the whole plate is taken out of u, into the origin, when it exceeds this, in spacings.
 inline constexpr double most_drift = 0.03125;
 
-// Moves the middle of a state in f32 into its origin when it has drifted. The middle of a scene that
-// is symmetric is exactly 0 across the midline, so symmetry is kept. True when u has changed.
+// Moves the middle of a state in f32 into its origin when it has drifted. The middle of a scene
+// that is symmetric is exactly 0 across the midline, so symmetry is kept. True when u has changed.
 bool take_out_drift(State& state);
 
 // Whether what remains rounds the stretch of bonds by more than 5e-5 of the critical stretch s0.

@@ -24,7 +24,8 @@ template <class Real>
 class ScratchRows {
  public:
   ScratchRows(int rows, int columns)
-      : stride_(columns + 4 * NodeLayout::group), values_(static_cast<std::size_t>(rows * stride_)) {}
+      : stride_(columns + 4 * NodeLayout::group),
+        values_(static_cast<std::size_t>(rows * stride_)) {}
 
   Real* row(int k) { return values_.data() + k * stride_ + 2 * NodeLayout::group; }
   void clear() { std::ranges::fill(values_, Real{}); }
@@ -53,8 +54,8 @@ struct Outlook {
 
 template <class Real>
 struct Scratch {
-  // Columns of a block at most, a multiple of a group: rows of 2 kB, so that the dozen that a row of
-  // nodes works on fills no more than the fastest cache.
+  // Columns of a block at most, a multiple of a group: rows of 2 kB, so that the dozen that a row
+  // of nodes works on fills no more than the fastest cache.
   static constexpr int block = 2048 / sizeof(Real);
 
   Scratch(int widest, int reach, bool linear)
@@ -65,18 +66,20 @@ struct Scratch {
         seen(2, columns),
         folded(linear ? 4 * (reach + 1) : 0, columns),
         runs(static_cast<std::size_t>(columns / NodeLayout::group + 2)) {
-    for (auto& row : outlooks) row.resize(static_cast<std::size_t>(columns / NodeLayout::group + 4));
+    for (auto& row : outlooks)
+      row.resize(static_cast<std::size_t>(columns / NodeLayout::group + 4));
   }
 
   int columns;
-  ScratchRows<Real> up;    // force x, y of the bonds that a row keeps, then of all; least e
-  ScratchRows<Real> down;  // the same for bonds that lower rows keep: 3 (row mod (reach + 1)) + 0..2
-  ScratchRows<Real> bond;  // force x, y and e of the images of one class: 3 image + 0..2
-  ScratchRows<Real> seen;  // of a row of tiles: bits of u and v, least threshold
+  ScratchRows<Real> up;  // force x, y of the bonds that a row keeps, then of all; least e
+  ScratchRows<Real>
+      down;  // the same for bonds that lower rows keep: 3 (row mod (reach + 1)) + 0..2
+  ScratchRows<Real> bond;    // force x, y and e of the images of one class: 3 image + 0..2
+  ScratchRows<Real> seen;    // of a row of tiles: bits of u and v, least threshold
   ScratchRows<Real> folded;  // see kernel_linear.hpp
   // Of three rows of tiles, row t in t mod 3, over the block and two tiles on either side.
   std::array<std::vector<Outlook<Real>>, 3> outlooks;
-  std::vector<TileRun> runs;   // of a row of tiles, over the block and what reaches into it
+  std::vector<TileRun> runs;  // of a row of tiles, over the block and what reaches into it
   int run_count = 0;
   bool computes = false;  // some run computes bonds
   std::vector<Loss> losses;

@@ -66,8 +66,12 @@ struct Mask {
 #else
   Bits<Real> set;
 #endif
-  HACKLE_INLINE Mask operator&(Mask other) const { return {set & other.set}; }
-  HACKLE_INLINE Mask but_not(Mask other) const { return {set & ~other.set}; }
+  HACKLE_INLINE Mask operator&(Mask other) const {
+    return {set & other.set};
+  }
+  HACKLE_INLINE Mask but_not(Mask other) const {
+    return {set & ~other.set};
+  }
   HACKLE_INLINE bool any() const;
   HACKLE_INLINE bool operator[](int lane) const;
 };
@@ -144,8 +148,8 @@ HACKLE_INLINE Mask<Real> load_bit(const std::uint32_t* words, std::uint32_t bit)
 
 template <class Real>
 HACKLE_INLINE Vector<Real> magnitude(Vector<Real> v) {
-  constexpr auto sign = static_cast<decltype(Bits<Real>{}[0] + 0)>(
-      std::uint64_t{1} << (8 * sizeof(Real) - 1));
+  constexpr auto sign =
+      static_cast<decltype(Bits<Real>{}[0] + 0)>(std::uint64_t{1} << (8 * sizeof(Real) - 1));
   return (Vector<Real>)((Bits<Real>)v & ~sign);
 }
 
@@ -248,8 +252,12 @@ HACKLE_INLINE Vector<Real> multiply_add(Vector<Real> a, Vector<Real> b, Vector<R
 class FlushDenormals {
  public:
 #if defined(__x86_64__)
-  HACKLE_INLINE FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040U); }
-  HACKLE_INLINE ~FlushDenormals() { _mm_setcsr(before_); }
+  HACKLE_INLINE FlushDenormals() : before_(_mm_getcsr()) {
+    _mm_setcsr(before_ | 0x8040U);
+  }
+  HACKLE_INLINE ~FlushDenormals() {
+    _mm_setcsr(before_);
+  }
 
  private:
   unsigned before_;
@@ -258,7 +266,9 @@ class FlushDenormals {
     asm volatile("mrs %0, fpcr" : "=r"(before_));
     asm volatile("msr fpcr, %0" : : "r"(before_ | (std::uint64_t{1} << 24)));
   }
-  HACKLE_INLINE ~FlushDenormals() { asm volatile("msr fpcr, %0" : : "r"(before_)); }
+  HACKLE_INLINE ~FlushDenormals() {
+    asm volatile("msr fpcr, %0" : : "r"(before_));
+  }
 
  private:
   std::uint64_t before_;

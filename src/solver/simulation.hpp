@@ -52,9 +52,9 @@ class Simulation {
   double dt() const { return dt_; }                                       // s
   double time() const { return static_cast<double>(state_.step) * dt_; }  // s
   double end_time() const { return end_time_; }                           // s, asked for
-  double external_work() const;                            // work done by the loads so far, J/m
-  Vec2 displacement(int i, int j) const;                   // m
-  std::vector<Vec2> velocities() const;                    // m/s, now, by Grid::index
+  double external_work() const;           // work done by the loads so far, J/m
+  Vec2 displacement(int i, int j) const;  // m
+  std::vector<Vec2> velocities() const;   // m/s, now, by Grid::index
   // Whether the bond of node (i, j) to (i + column, j + row) holds.
   bool holds(int i, int j, int column, int row) const;
   // Tile-steps so far by the path they took.

@@ -11,8 +11,8 @@
 
 namespace hackle {
 
-// Displacement and velocity of every node in lattice units, u/dx and v dt/dx, so that u += v needs no
-// factor. Places are those of a NodeLayout; ghosts mean nothing.
+// Displacement and velocity of every node in lattice units, u/dx and v dt/dx, so that u += v needs
+// no factor. Places are those of a NodeLayout; ghosts mean nothing.
 template <class Real>
 struct Motion {
   Values<Real> ux, uy;

@@ -26,8 +26,8 @@ struct TileGrid {
 // First rows of the rows of tiles of a lattice of ny rows, and ny.
 std::vector<int> tile_rows(int ny, int reach);
 
-// What bounds the stretch of bonds in a tile (kernel.md 4): the largest differences of displacements
-// between neighbouring nodes, those across its border included.
+// What bounds the stretch of bonds in a tile (kernel.md 4): the largest differences of
+// displacements between neighbouring nodes, those across its border included.
 template <class Real>
 struct TileRange {
   Real direct{};  // |d_x u_x|, |d_y u_y|

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Solves some steps of a plate in one thread, with AVX2 where there is: for counting instructions from
-// outside.
+// Solves some steps of a plate in one thread, with AVX2 where there is: for counting instructions
+// from outside.
 //
 //   count_steps STEPS NODES [f32|f64] [zones] [alpha] [fidelity] [fused]
 #include <cstdlib>

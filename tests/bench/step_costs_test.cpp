@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a step costs in instructions, which no other process disturbs: options that a scene does not
-// use cost nothing, those that it uses cost what they must. Counted by valgrind; skipped without it.
+// use cost nothing, those that it uses cost what they must. Counted by valgrind; skipped without
+// it.
 #include <cstdio>
 #include <cstdlib>
 #include <regex>

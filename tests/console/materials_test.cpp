@@ -36,6 +36,16 @@ TEST(Materials, AnUnknownNameGetsTheNearest) {
   }
 }
 
+TEST(Materials, ALibraryMayGiveAlpha) {
+  const test::Folder folder;
+  write_text(folder.path / "m.lua",
+             "return { a = { title = 'A', E = 1, rho = 1, nu = 0, G0 = 1, alpha = 0.02 },"
+             " b = { title = 'B', E = 1, rho = 1, nu = 0, G0 = 1 } }");
+  const Materials materials(folder.path / "m.lua");
+  EXPECT_EQ(materials.find("a").material.alpha, 0.02);
+  EXPECT_EQ(materials.find("b").material.alpha, 0.0);
+}
+
 TEST(Materials, ABrokenLibraryIsRefused) {
   const test::Folder folder;
   const auto expect_refused = [&](const std::string& text) {
@@ -45,6 +55,7 @@ TEST(Materials, ABrokenLibraryIsRefused) {
   expect_refused("return 5");
   expect_refused("return { a = 1 }");
   expect_refused("return { a = { title = 'A', E = -1, rho = 1, nu = 0, G0 = 1 } }");
+  expect_refused("return { a = { title = 'A', E = 1, rho = 1, nu = 0, G0 = 1, alpha = 1 } }");
   expect_refused("syntax error");
 }
 
@@ -52,6 +63,9 @@ TEST(Materials, AScriptCanUseItsOwn) {
   EXPECT_EQ(
       test::message_of("local m = material { E = 3*GPa, rho = 1200, G0 = 300 }\n"
                        "assert(m.E == 3e9 and m.G0 == 300 and m.name == 'own material')\n"
+                       "assert(m.alpha == 0)\n"
+                       "m = material { E = 3*GPa, rho = 1200, G0 = 300, alpha = 0.25 }\n"
+                       "assert(m.alpha == 0.25)\n"
                        "assert(tostring(material 'duran50'):find('Duran 50 glass', 1, true))\n"
                        "plate { width = 1, height = 1, material = m }"),
       "");

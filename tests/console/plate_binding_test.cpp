@@ -25,6 +25,16 @@ TEST(PlateBinding, CallsChain) {
       "");
 }
 
+TEST(PlateBinding, IsInPlaneStressUnlessItSaysStrain) {
+  EXPECT_EQ(
+      test::message_of(
+          plate +
+          "assert(not tostring(p):find('strain'))\n"
+          "local q = plate { width = 1, height = 1, material = 'duran50', plane = 'strain' }\n"
+          "assert(tostring(q):find('plane strain', 1, true), tostring(q))"),
+      "");
+}
+
 TEST(PlateBinding, AnUnknownNameGetsTheNearest) {
   EXPECT_EQ(test::message_of(plate + "p:crck { }"),
             "test.lua:2: plate has no 'crck' (did you mean 'crack'?)");

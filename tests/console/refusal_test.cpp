@@ -84,6 +84,46 @@ TEST(Refusal, AHorizonUnderTwoSpacings) {
               HasSubstr("simulate: horizon 1.5 mm is under 2 spacings of 1 mm"));
 }
 
+TEST(Refusal, ABadStepHidesNoOtherProblem) {
+  EXPECT_THAT(simulate("{ spacing = 1*mm, horizon = 1.5*mm, step = -1*ns, fidelity = 2 }"),
+              testing::AllOf(HasSubstr("step is -1 ns, it must be above 0 s"),
+                             HasSubstr("fidelity is 2, it must be between 0 and 1"),
+                             HasSubstr("horizon 1.5 mm is under 2 spacings of 1 mm")));
+}
+
+TEST(Refusal, AStepIsNotJudgedByOptionsThatWereNotMeant) {
+  // 1 us is too long for any lattice of this spacing, but of which nobody knows.
+  EXPECT_THAT(simulate("{ spacing = 1*mm, horizon = 'far', step = 1*us }"),
+              testing::AllOf(HasSubstr("horizon is the text 'far'"),
+                             testing::Not(HasSubstr("stability limit"))));
+}
+
+TEST(Refusal, ThePapersConstantsInPlaneStrain) {
+  const std::string thick =
+      "p = plate { width = 100*mm, height = 40*mm, material = 'duran50', plane = 'strain' }\n";
+  EXPECT_THAT(
+      refusal(thick + "simulate(p, { spacing = 1*mm, constants = 'paper' })", ErrorKind::refused),
+      HasSubstr("constants = \"paper\" are for plane stress"));
+  EXPECT_THAT(simulate("{ spacing = 1*mm, constants = 'paper', micromodulus = 'conical' }"),
+              HasSubstr("a constant micromodulus"));
+}
+
+TEST(Refusal, FidelityWithAHistory) {
+  EXPECT_THAT(refusal("m = material { E = 65*GPa, rho = 2235, G0 = 204, alpha = 0.25 }\n"
+                      "p = plate { width = 100*mm, height = 40*mm, material = m }\n"
+                      "simulate(p, { spacing = 1*mm, fidelity = 0.3 })",
+                      ErrorKind::refused),
+              HasSubstr("fidelity is 0.3 and the material's alpha 0.25"));
+}
+
+TEST(Refusal, AnUnknownQuadratureOrPlane) {
+  EXPECT_THAT(simulate("{ spacing = 1*mm, quadrature = 'centroids' }"),
+              HasSubstr("quadrature is 'centroids' (did you mean 'centroid'?)"));
+  EXPECT_THAT(refusal("plate { width = 1, height = 1, material = 'duran50', plane = 'strian' }",
+                      ErrorKind::refused),
+              HasSubstr("plane is 'strian' (did you mean 'strain'?)"));
+}
+
 TEST(Refusal, ACrackOutsideThePlate) {
   EXPECT_THAT(
       refusal(plate + "p:crack { from = {0, 50*mm}, to = {50*mm, 20*mm} }", ErrorKind::refused),

@@ -33,6 +33,26 @@ TEST(SimulationBinding, ReadsInOneLine) {
             "");
 }
 
+TEST(SimulationBinding, TakesEveryQuadratureMicromodulusAndPrecision) {
+  EXPECT_EQ(test::message_of(R"(
+    for _, plane in ipairs { "stress", "strain" } do
+      local p = plate { width = 60*mm, height = 40*mm, material = "duran50", plane = plane }
+      for _, quadrature in ipairs { "full", "ramp", "area", "centroid" } do
+        for _, micromodulus in ipairs { "constant", "conical" } do
+          local s = simulate(p, { spacing = 4*mm, quadrature = quadrature,
+                                  micromodulus = micromodulus, precision = "f32" })
+          s:step(2)
+          local text = s:report()
+          assert(text:find("plane " .. plane, 1, true), text)
+          assert(text:find(quadrature .. " quadrature", 1, true), text)
+          assert(text:find(micromodulus .. " micromodulus: E 65 GPa", 1, true), text)
+        end
+      end
+    end
+  )"),
+            "");
+}
+
 TEST(SimulationBinding, SolvesACopyOfThePlate) {
   EXPECT_EQ(test::message_of(test::scene + R"(
     local bonds = s.bonds

@@ -2,7 +2,7 @@
 #include "lattice/cell_area.hpp"
 
 #include <cmath>
-#include <numbers>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -44,10 +44,39 @@ TEST(CellArea, IsOneInsideAndNothingOutside) {
   EXPECT_EQ(cell_inside_circle(5, 0, 4.5).area, 0.0);  // touches
 }
 
-TEST(CellArea, IsTheSameForTheCellOnTheOtherSideOfTheDiagonal) {
+TEST(CellArea, OnTheAxisIsThatOfTheTextbooks) {
+  // The rim passes through the cell (0, 4): a circular segment over a chord of length 1 and a
+  // rectangle below it.
+  const double R = 4.0, half_angle = std::asin(0.5 / R), height = std::sqrt(R * R - 0.25);
+  const double segment = R * R * (half_angle - 0.5 * std::sin(2.0 * half_angle));
+  const CellPart part = cell_inside_circle(0, 4, R);
+  EXPECT_NEAR(part.area, segment + height - 3.5, 1e-14);
+  // Moment about the axis: of the segment (2 R sin)^3/12, of the rectangle its area times its
+  // middle.
+  const double moment = 1.0 / 12.0 + 0.5 * (height * height - 3.5 * 3.5);
+  EXPECT_NEAR(part.centroid.y(), moment / part.area, 1e-13);
+  EXPECT_EQ(part.centroid.x(), 0.0);
+}
+
+TEST(CellArea, ExchangesWithTheAxesToTheLastBit) {
   for (int b = 0; b <= 6; ++b)
-    for (int a = b + 1; a <= 6; ++a)
-      EXPECT_NEAR(cell_inside_circle(a, b, 5.2).area, cell_inside_circle(b, a, 5.2).area, 1e-13);
+    for (int a = b + 1; a <= 6; ++a) {
+      const CellPart one = cell_inside_circle(a, b, 5.2), other = cell_inside_circle(b, a, 5.2);
+      EXPECT_EQ(one.area, other.area);
+      EXPECT_EQ(one.centroid.x(), other.centroid.y());
+      EXPECT_EQ(one.centroid.y(), other.centroid.x());
+    }
+}
+
+TEST(CellArea, OfASliverHasItsCentroidInTheCell) {
+  for (double excess = 1e-1; excess > 1e-13; excess *= 0.3) {
+    const double corner = Vec2(3.5, 8.5).norm();
+    for (const auto& [a, b, radius] : {std::tuple{0, 12, 11.5 + excess}, {4, 9, corner + excess}}) {
+      const CellPart part = cell_inside_circle(a, b, radius);
+      if (part.area == 0.0) continue;
+      EXPECT_LE((part.centroid - Vec2(a, b)).lpNorm<Eigen::Infinity>(), 0.5) << excess;
+    }
+  }
 }
 
 }  // namespace

@@ -69,7 +69,8 @@ TEST(CrackCut, BrokenCracksCountAsDamageAndAbsentOnesDoNot) {
   EXPECT_EQ(absent.born[beside], degree(absent, 5, 10));
 }
 
-// Mirror images of a random crack, about both midlines, cut mirror images of its bonds. Half of the cracks end on nodes and bonds exactly.
+// Mirror images of a random crack, about both midlines, cut mirror images of its bonds. Half of the
+// cracks end on nodes and bonds exactly.
 TEST(CrackCut, CommutesWithMirrorsForAnyCrack) {
   std::mt19937 random(11);
   const int nx = 13, ny = 12;

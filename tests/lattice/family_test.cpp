@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lattice/node_layout.hpp"
+
 namespace hackle {
 namespace {
 
@@ -87,6 +89,38 @@ TEST(Family, CentroidsLieInTheirCellsAndOnlyRimCellsMoveThem) {
       EXPECT_EQ(xi.y(), 0.0);
     }
   });
+}
+
+TEST(Family, ExactAreasLeaveOutCellsThatOnlyTouchTheHorizon) {
+  EXPECT_EQ(Family(4.5, Quadrature::area).reach(), 4);
+  EXPECT_EQ(Family(2.25e-3 / 0.5e-3 + 1e-14, Quadrature::area).reach(), 4);
+  EXPECT_EQ(Family(4.51, Quadrature::area).reach(), 5);
+  // A corner: (3.5, 3.5) is where the cell (4, 4) begins.
+  const double corner = 3.5 * std::numbers::sqrt2;
+  EXPECT_EQ(Family(corner, Quadrature::area).bonds() + 4,
+            Family(corner + 1e-3, Quadrature::area).bonds());
+}
+
+TEST(Family, EveryChoiceReachesNoFurtherThanAGroupOfColumnsAndHasWeights) {
+  for (double m = least_m; m <= most_m; m += 0.125)
+    for (const auto quadrature :
+         {Quadrature::full, Quadrature::ramp, Quadrature::area, Quadrature::centroid})
+      for (const auto micromodulus : {Micromodulus::constant, Micromodulus::conical}) {
+        const Family family(m, quadrature, micromodulus);
+        EXPECT_LE(family.reach(), NodeLayout::group) << m;
+        for (const Images& image : family.images()) {
+          EXPECT_GT(image.weight, 1e-12) << m;
+          EXPECT_LE(image.weight, 1.0) << m;
+          EXPECT_LE(image.first_bit / 32, family.words() - 1);
+        }
+      }
+}
+
+TEST(Family, ABondAtTheHorizonHasNoConeWhateverTheRounding) {
+  for (const double m : {std::sqrt(5.0), std::sqrt(10.0), std::sqrt(41.0), 5.0}) {
+    const Family family(m, Quadrature::full, Micromodulus::conical);
+    for (const Images& image : family.images()) EXPECT_LT(image.length(), m - 1e-3);
+  }
 }
 
 TEST(Family, AConicalMicromodulusEndsAtTheHorizon) {

@@ -14,8 +14,9 @@ TEST(Lattice, CountsTheBondsOfARectangle) {
   // An offset (a, b) fits (nx - |a|)(ny - |b|) times.
   const Lattice lattice(test::bare_plate(200, 80), test::numerics());
   std::int64_t expected = 0;
-  lattice.family.for_each_bond(
-      [&](int a, int b, const Vec2&, double, int) { expected += (200 - std::abs(a)) * (80 - std::abs(b)); });
+  lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int) {
+    expected += (200 - std::abs(a)) * (80 - std::abs(b));
+  });
   EXPECT_EQ(lattice.bonds_born(), expected);
   EXPECT_EQ(lattice.bonds.count(), expected);
 }

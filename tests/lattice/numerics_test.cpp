@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "lattice/lattice.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
@@ -14,9 +15,10 @@ using testing::HasSubstr;
 
 constexpr std::uint64_t plenty = std::uint64_t{1} << 40;
 
-std::string problems_of(const Numerics& numerics, std::uint64_t memory = plenty) {
+std::string problems_of(const Plate& plate, const Numerics& numerics,
+                        std::uint64_t memory = plenty) {
   Problems problems;
-  check(test::edge_crack(12e6), numerics, memory, problems);
+  check(plate, numerics, memory, problems);
   try {
     problems.throw_if_any();
   } catch (const Error& error) {
@@ -24,6 +26,10 @@ std::string problems_of(const Numerics& numerics, std::uint64_t memory = plenty)
     return error.what();
   }
   return "";
+}
+
+std::string problems_of(const Numerics& numerics, std::uint64_t memory = plenty) {
+  return problems_of(test::edge_crack(12e6), numerics, memory);
 }
 
 TEST(Numerics, TheUsualChoicesAreAccepted) {
@@ -61,9 +67,97 @@ TEST(Numerics, AStepAboveTheLimitIsRefusedUnlessForced) {
   EXPECT_EQ(problems_of(numerics), "");
 }
 
+TEST(Numerics, TheStepLimitIsThatOfThePlaneTheQuadratureAndTheMicromodulus) {
+  Plate plate = test::edge_crack(12e6);
+  Numerics numerics = test::numerics();
+  for (const auto plane : {Plane::stress, Plane::strain})
+    for (const auto quadrature : {Quadrature::full, Quadrature::area, Quadrature::centroid})
+      for (const auto micromodulus : {Micromodulus::constant, Micromodulus::conical}) {
+        plate.plane = plane;
+        numerics.quadrature = quadrature;
+        numerics.micromodulus = micromodulus;
+        const double limit = Lattice(plate, numerics).step_limit;
+        numerics.step = 0.999 * limit;
+        EXPECT_EQ(problems_of(plate, numerics), "");
+        numerics.step = 1.001 * limit;
+        EXPECT_THAT(problems_of(plate, numerics), HasSubstr("above the stability limit"));
+      }
+}
+
+TEST(Numerics, FidelityIsAShareAndNotForMaterialsWithAHistory) {
+  Numerics numerics = test::numerics();
+  for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
+    numerics.fidelity = bad;
+    EXPECT_THAT(problems_of(numerics), HasSubstr("it must lie between 0 and 1"));
+  }
+  numerics.fidelity = 0.3;
+  EXPECT_EQ(problems_of(numerics), "");
+  Plate plate = test::edge_crack(12e6);
+  plate.material.alpha = 0.25;
+  EXPECT_THAT(problems_of(plate, numerics),
+              HasSubstr("fidelity is 0.3 and the material's alpha 0.25"));
+  numerics.fidelity = 0.0;
+  EXPECT_EQ(problems_of(plate, numerics), "");
+}
+
+TEST(Numerics, ThePapersConstantsAreForPlaneStressAndAConstantMicromodulus) {
+  Numerics numerics = test::numerics();
+  numerics.constants = Constants::paper;
+  EXPECT_EQ(problems_of(numerics), "");
+  Plate thick = test::edge_crack(12e6);
+  thick.plane = Plane::strain;
+  EXPECT_THAT(problems_of(thick, numerics), HasSubstr("for plane stress"));
+  numerics.micromodulus = Micromodulus::conical;
+  EXPECT_THAT(problems_of(numerics), HasSubstr("a constant micromodulus"));
+}
+
+TEST(Numerics, NoProblemHidesAnother) {
+  Numerics numerics = test::numerics();
+  numerics.step = 240e-9;
+  numerics.fidelity = 2.0;
+  EXPECT_THAT(problems_of(numerics, 1000),
+              testing::AllOf(HasSubstr("fidelity is 2"), HasSubstr("above the stability limit"),
+                             HasSubstr("1.6e+04 nodes need")));
+  numerics.horizon = 0.5e-3;
+  numerics.step = -1.0;
+  EXPECT_THAT(problems_of(numerics),
+              testing::AllOf(HasSubstr("under 2 spacings"), HasSubstr("fidelity is 2"),
+                             HasSubstr("step is -1 s")));
+  numerics.spacing = 0.0;
+  EXPECT_THAT(problems_of(numerics),
+              testing::AllOf(HasSubstr("spacing is 0 m"), HasSubstr("fidelity is 2")));
+}
+
+TEST(Numerics, ABadMaterialHasNoStepLimit) {
+  Plate plate = test::edge_crack(12e6);
+  plate.material.rho = 0.0;
+  Numerics numerics = test::numerics();
+  numerics.step = 1.0;
+  EXPECT_EQ(problems_of(plate, numerics), "");  // check(plate) refuses it
+}
+
+// 200 x 80 nodes: a row of a NodeLayout has 240 places, and the last row 16 after it.
+constexpr double places = 80.0 * 240.0 + 16.0;
+constexpr double born = 2.0 * 16000.0;
+
 TEST(Numerics, MemoryIsThatOfTheArrays) {
-  // 48 bytes of u, v, a, 2 of born, 8 for each of lattice's, state's and the zones' bond bits.
-  EXPECT_DOUBLE_EQ(memory_needed(test::edge_crack(0.0), test::numerics()), 16000.0 * 63.0);
+  // u, the next u and v; 24 kept bonds in a word of lattice and state, and of the no-fail zones.
+  Numerics numerics = test::numerics();
+  Plate plate = test::edge_crack(0.0);
+  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (48.0 + 3.0 * 4.0) + born);
+  plate.no_fail.clear();
+  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (48.0 + 2.0 * 4.0) + born);
+  numerics.precision = Precision::f32;
+  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (24.0 + 2.0 * 4.0) + born);
+  plate.material.alpha = 0.02;
+  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (40.0 + 2.0 * 4.0) + born);
+}
+
+TEST(Numerics, MemoryCountsTheWordsOfTheFamily) {
+  Numerics numerics = test::numerics();
+  numerics.quadrature = Quadrature::area;  // 34 kept bonds
+  Plate plate = test::edge_crack(0.0);
+  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (48.0 + 3.0 * 8.0) + born);
 }
 
 }  // namespace

@@ -19,8 +19,24 @@ TEST(Report, SaysWhatWasSolvedAndHow) {
       testing::AllOf(HasSubstr("plate 100 x 40 mm, Duran 50 glass"),
                      HasSubstr("16 000 nodes, 372 854 bonds; spacing 0.5 mm, horizon 2 mm "
                                "(m = 4); full quadrature"),
-                     HasSubstr("lattice constants: E 65 GPa (material 65 GPa), nu 0.317"),
+                     HasSubstr("plane stress, lattice constants, constant micromodulus: E 65 GPa "
+                               "(material 65 GPa), nu 0.317 (material 0.2), G0 204 J/m2"),
                      HasSubstr("steps of 209 ns (limit 232.4 ns)"), HasSubstr("J/m put in")));
+}
+
+TEST(Report, SaysPlaneQuadratureAndMicromodulus) {
+  Plate plate = test::edge_crack(12e6);
+  plate.plane = Plane::strain;
+  Numerics numerics = test::numerics();
+  numerics.quadrature = Quadrature::area;
+  numerics.micromodulus = Micromodulus::conical;
+  numerics.constants = Constants::continuum;
+  const hackle::Run run(plate, numerics, {1}, Talk::quiet, {"x.lua", ""});
+  EXPECT_THAT(run.report(),
+              testing::AllOf(HasSubstr("plate 100 x 40 mm, plane strain, Duran 50 glass"),
+                             HasSubstr("area quadrature"),
+                             HasSubstr("plane strain, continuum constants, conical micromodulus: "),
+                             HasSubstr("nu 0.246 (material 0.2)")));
 }
 
 TEST(Remarks, AreSilentForAnOrdinaryScene) {

@@ -13,8 +13,8 @@ Reference::Reference(const PeerPlate& plate)
       a_(u_),
       s0_(plate.grid.nodes(), std::numeric_limits<double>::infinity()),
       next_s0_(s0_) {
-  Family(plate.m, Quadrature::ramp).for_each_bond(
-      [&](int a, int b, const Vec2&, double weight, int) {
+  Family(plate.m, Quadrature::ramp)
+      .for_each_bond([&](int a, int b, const Vec2&, double weight, int) {
         family_.push_back({a, b, weight});
         family_.push_back({-a, -b, weight});
       });

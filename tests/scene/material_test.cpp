@@ -32,8 +32,23 @@ TEST(Material, EveryBadValueIsNamedAtOnce) {
     EXPECT_THAT(text, testing::HasSubstr(part));
 }
 
+TEST(Material, AlphaIsAShare) {
+  Material material = test::duran50();
+  for (const double good : {0.0, 0.02, 0.25}) {
+    material.alpha = good;
+    EXPECT_EQ(problems_of(material), "");
+  }
+  for (const double bad : {-0.1, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    material.alpha = bad;
+    EXPECT_THAT(problems_of(material), testing::HasSubstr("at least 0 and below 1"));
+  }
+}
+
 TEST(Material, DescriptionCarriesUnits) {
   EXPECT_EQ(describe(test::duran50()), "Duran 50 glass (E 65 GPa, rho 2235 kg/m3, G0 204 J/m2)");
+  Material tough = test::duran50();
+  tough.alpha = 0.25;
+  EXPECT_EQ(describe(tough), "Duran 50 glass (E 65 GPa, rho 2235 kg/m3, G0 204 J/m2, alpha 0.25)");
 }
 
 }  // namespace

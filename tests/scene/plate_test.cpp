@@ -83,5 +83,13 @@ TEST(Plate, DescriptionCountsWhatIsOnIt) {
             "2 tractions, 2 no-fail zones");
 }
 
+TEST(Plate, DescriptionSaysPlaneStrain) {
+  Plate plate = test::bare_plate(200, 80);
+  plate.plane = Plane::strain;
+  EXPECT_EQ(describe(plate),
+            "plate 100 x 40 mm, plane strain, Duran 50 glass (E 65 GPa, rho 2235 kg/m3, G0 204 "
+            "J/m2)");
+}
+
 }  // namespace
 }  // namespace hackle

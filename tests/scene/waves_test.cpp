@@ -30,15 +30,34 @@ INSTANTIATE_TEST_SUITE_P(Table, Waves,
                                          Row{72e9, 0.22, 2440, 5569, 3478, 3156},
                                          Row{32e9, 0.2, 2450, 3689, 2333, 2112}));
 
+TEST(WaveSpeeds, InPlaneStrainMatchTheTable) {
+  const WaveSpeeds speeds = wave_speeds(32e9, 0.2, 2450.0, Plane::strain);
+  EXPECT_NEAR(speeds.longitudinal, 3810.0, 0.51);
+  EXPECT_NEAR(speeds.shear, 2333.0, 0.51);
+  EXPECT_NEAR(speeds.rayleigh, 2125.0, 0.51);
+}
+
+// E and nu of plane strain become those of plane stress of the same moduli C11, C12 and C66.
+TEST(WaveSpeeds, AreThoseOfTheModuliInBothPlanes) {
+  const double E = 5.0 / 6.0, nu = 0.25;  // C11 = 1, C12 = C66 = 1/3
+  const WaveSpeeds thick = wave_speeds(E, nu, 1.0, Plane::strain);
+  const WaveSpeeds thin = wave_speeds(8.0 / 9.0, 1.0 / 3.0, 1.0, Plane::stress);
+  EXPECT_NEAR(thick.longitudinal, 1.0, 1e-15);
+  EXPECT_NEAR(thick.shear, std::sqrt(1.0 / 3.0), 1e-15);
+  EXPECT_NEAR(thick.longitudinal, thin.longitudinal, 1e-15);
+  EXPECT_NEAR(thick.rayleigh, thin.rayleigh, 1e-15);
+}
+
 TEST(WaveSpeeds, RayleighSolvesItsEquation) {
-  for (double nu = -0.9; nu < 0.5; nu += 0.1) {
-    const WaveSpeeds speeds = wave_speeds(1.0, nu, 1.0);
-    const double s = std::pow(speeds.rayleigh / speeds.shear, 2);
-    const double l = std::pow(speeds.rayleigh / speeds.longitudinal, 2);
-    // Both sides are of the order 1; bisection leaves a few roundings.
-    EXPECT_NEAR(std::pow(2.0 - s, 2), 4.0 * std::sqrt((1.0 - s) * (1.0 - l)), 1e-12) << nu;
-    EXPECT_LT(speeds.rayleigh, speeds.shear);
-  }
+  for (const auto plane : {Plane::stress, Plane::strain})
+    for (double nu = -0.9; nu < 0.5; nu += 0.1) {
+      const WaveSpeeds speeds = wave_speeds(1.0, nu, 1.0, plane);
+      const double s = std::pow(speeds.rayleigh / speeds.shear, 2);
+      const double l = std::pow(speeds.rayleigh / speeds.longitudinal, 2);
+      // Both sides are of the order 1; bisection leaves a few roundings.
+      EXPECT_NEAR(std::pow(2.0 - s, 2), 4.0 * std::sqrt((1.0 - s) * (1.0 - l)), 1e-12) << nu;
+      EXPECT_LT(speeds.rayleigh, speeds.shear);
+    }
 }
 
 }  // namespace

@@ -148,8 +148,8 @@ TEST_P(EveryChoice, GivesTheSameBitsHoweverItIsCarriedOut) {
   Simulation whole = plate({1});
   whole.run(steps() * whole.dt());
   const std::int64_t left = whole.state().bonds.count(), all = whole.lattice().bonds.count();
-  EXPECT_LT(left, 0.98 * static_cast<double>(all));
-  EXPECT_GT(left, 0.05 * static_cast<double>(all));
+  EXPECT_GT(all - left, 1000);
+  EXPECT_GT(left, all / 20);
 
   EXPECT_EQ(hash({GetParam().threads}), whole.state().hash());
   for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2}) {

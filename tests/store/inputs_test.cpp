@@ -28,6 +28,27 @@ TEST(Inputs, SayEverythingThatARunWasMadeFrom) {
   EXPECT_EQ(numerics["critical_stretch"], simulation.lattice().calibration.s0);
 }
 
+TEST(Inputs, NameEveryChoice) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.plane = Plane::strain;
+  plate.material.alpha = 0.25;
+  Numerics choices = test::numerics();
+  choices.quadrature = Quadrature::centroid;
+  choices.micromodulus = Micromodulus::conical;
+  choices.precision = Precision::f32;
+  choices.breaking = Breaking::next_step;
+  const auto json = nlohmann::json::parse(inputs_of(Simulation(plate, choices)));
+  EXPECT_EQ(json["plate"]["plane"], "strain");
+  EXPECT_EQ(json["plate"]["material"]["alpha"], 0.25);
+  const auto& numerics = json["numerics"];
+  EXPECT_EQ(numerics["quadrature"], "centroid");
+  EXPECT_EQ(numerics["micromodulus"], "conical");
+  EXPECT_EQ(numerics["precision"], "f32");
+  EXPECT_EQ(numerics["breaking"], "next_step");
+  EXPECT_EQ(numerics["fidelity"], 0.0);
+  EXPECT_EQ(numerics["fused"], false);
+}
+
 TEST(Inputs, AreJsonWhateverBytesAMaterialIsCalled) {
   Plate plate = test::bare_plate(20, 10);
   plate.material.name = "gl\xE4s";  // Latin-1
