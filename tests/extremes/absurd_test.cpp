@@ -49,7 +49,8 @@ const Quantity quantities[] = {
     {"step", [](Scene& s, double x) { s.numerics.step = x; }},
 };
 
-Outcome outcome_of(const Quantity& quantity, double value, Precision precision, bool forced = false) {
+Outcome outcome_of(const Quantity& quantity, double value, Precision precision,
+                   bool forced = false) {
   Scene scene = usual();
   scene.numerics.precision = precision;
   scene.numerics.force_step = forced;
@@ -86,9 +87,10 @@ TEST(TwoThingsFarFromAnyPlate, EndInNumbersARefusalOrACleanStop) {
             scene.plate.material.rho = rho;
             scene.plate.material.G0 = G0;
             scene.plate.tractions[0].stress.y() = stress;
-            test::outcome(scene.plate, scene.numerics, 70,
-                          fmt::format("E {:g}, rho {:g}, G0 {:g}, stress {:g}, {}", E, rho, G0,
-                                      stress, precision_names[static_cast<std::size_t>(precision)]));
+            test::outcome(
+                scene.plate, scene.numerics, 70,
+                fmt::format("E {:g}, rho {:g}, G0 {:g}, stress {:g}, {}", E, rho, G0, stress,
+                            precision_names[static_cast<std::size_t>(precision)]));
           }
 }
 

@@ -78,15 +78,16 @@ TEST_P(ViolentMotion, APlateThatBreaksInOneStepFliesApart) {
 
 // A square of half its size keeps its energy while it swings back, if nothing breaks. The energy
 // error of leapfrog is (omega dt)^2/4 of the share of the shortest waves: a step of a tenth of the
-// limit makes that 1 %.
+// limit makes that 1 %. Later it buckles, and nodes meet that no step resolves.
 TEST_P(ViolentMotion, APlateOfHalfItsSizeSwingsBack) {
   Simulation simulation = plate(20, 20, 1e8, 0.1);
   simulation.restore(test::displaced(simulation, [](const Vec2& x) { return Vec2(-0.5 * x); }));
   const double start = energy(simulation).strain;
   for (int part = 0; part < 20; ++part) {
-    simulation.run(50.0 * simulation.dt());
+    simulation.run(10.0 * simulation.dt());
     const Energy now = energy(simulation);
-    ASSERT_NEAR((now.kinetic + now.strain) / start, 1.0, 0.01) << "step " << simulation.state().step;
+    ASSERT_NEAR((now.kinetic + now.strain) / start, 1.0, 0.01)
+        << "step " << simulation.state().step;
   }
   EXPECT_EQ(simulation.state().bonds, simulation.lattice().bonds);
   test::expect_numbers(simulation, "half its size");
@@ -132,8 +133,8 @@ TEST_P(ViolentMotion, ASpinningPlateHoldsOrBurstsAndKeepsItsMomentum) {
   for (const double share : {0.005, 0.015, 0.1, 0.3, 1.0}) {
     Simulation simulation = plate(40, 40);
     const double turn = share * sound(simulation) / (20.0 * std::sqrt(2.0));  // rad a step
-    simulation.restore(test::thrown(
-        simulation, [&](const Vec2& x) { return Vec2(-turn * x.y(), turn * x.x()); }));
+    simulation.restore(
+        test::thrown(simulation, [&](const Vec2& x) { return Vec2(-turn * x.y(), turn * x.x()); }));
     const Momentum before = momentum(simulation);
     const double start = energy(simulation).kinetic;
     simulation.run(400.0 * simulation.dt());
@@ -148,8 +149,7 @@ TEST_P(ViolentMotion, ASpinningPlateHoldsOrBurstsAndKeepsItsMomentum) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Precisions, ViolentMotion,
-                         testing::Values(Precision::f64, Precision::f32),
+INSTANTIATE_TEST_SUITE_P(Precisions, ViolentMotion, testing::Values(Precision::f64, Precision::f32),
                          [](const auto& precision) {
                            return std::string(
                                precision_names[static_cast<std::size_t>(precision.param)]);

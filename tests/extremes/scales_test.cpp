@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine works in lattice units: a problem of the same numbers without dimension has the same
-// solution, whatever its size, stiffness and density. Factors that are powers of two (of four under a
-// square root) are exact: then to the last bit.
+// solution, whatever its size, stiffness and density. Factors that are powers of two (of four under
+// a square root) are exact: then to the last bit.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -15,9 +15,9 @@ namespace hackle {
 namespace {
 
 struct Scale {
-  double dx = 0x1p-11;   // m
-  double E = 0x1p36;     // Pa
-  double rho = 0x1p11;   // kg/m3
+  double dx = 0x1p-11;  // m
+  double E = 0x1p36;    // Pa
+  double rho = 0x1p11;  // kg/m3
 };
 
 // An edge crack in 60 x 40 nodes under `load` of the strength E s0, with s0 of 1e-3.
@@ -26,7 +26,8 @@ Plate plate_of(const Scale& scale, double load, double alpha) {
   plate.width = 60.0 * scale.dx;
   plate.height = 40.0 * scale.dx;
   plate.material = {"test", scale.E, scale.rho, 0.25, 0x1p-19 * scale.E * scale.dx, alpha};
-  plate.cracks.push_back({{0.0, 20.0 * scale.dx}, {24.0 * scale.dx, 20.0 * scale.dx}, Born::broken});
+  plate.cracks.push_back(
+      {{0.0, 20.0 * scale.dx}, {24.0 * scale.dx, 20.0 * scale.dx}, Born::broken});
   plate.tractions.push_back({Edge::top, {0.0, load * 0x1p-10 * scale.E}});
   plate.tractions.push_back({Edge::bottom, {0.0, -load * 0x1p-10 * scale.E}});
   plate.no_fail.push_back(strip(plate, Edge::top, 4.0 * scale.dx));
@@ -53,8 +54,8 @@ Simulation solve(const Scale& scale, Precision precision, double load = 0.25, do
 
 // From 0.2 nm to 16 m of spacing, 1e-3 to 1e15 Pa, 1e-6 to 1e8 kg/m3.
 constexpr Scale exact_scales[] = {
-    {0x1p-32, 0x1p36, 0x1p11}, {0x1p4, 0x1p36, 0x1p11},   {0x1p-11, 0x1p-10, 0x1p11},
-    {0x1p-11, 0x1p50, 0x1p11}, {0x1p-11, 0x1p36, 0x1p-19}, {0x1p-11, 0x1p36, 0x1p27},
+    {0x1p-32, 0x1p36, 0x1p11},  {0x1p4, 0x1p36, 0x1p11},    {0x1p-11, 0x1p-10, 0x1p11},
+    {0x1p-11, 0x1p50, 0x1p11},  {0x1p-11, 0x1p36, 0x1p-19}, {0x1p-11, 0x1p36, 0x1p27},
     {0x1p-32, 0x1p50, 0x1p-19}, {0x1p4, 0x1p-10, 0x1p27},
 };
 
@@ -77,9 +78,9 @@ TEST_P(Scales, OfAnySizeGiveTheSameBondsAndDisplacements) {
   double most = 0.0;
   for (int j = 0; j < 40; ++j)
     for (int i = 0; i < 60; ++i) most = std::max(most, usual.state().u(i, j).norm());
-  for (const Scale& scale : {Scale{1e-9, 70e9, 2200.0}, Scale{13.0, 70e9, 2200.0},
-                             Scale{1e-3, 1e-3, 2200.0}, Scale{1e-3, 1e15, 2200.0},
-                             Scale{1e-3, 70e9, 1e-6}, Scale{1e-3, 70e9, 1e8}}) {
+  for (const Scale& scale :
+       {Scale{1e-9, 70e9, 2200.0}, Scale{13.0, 70e9, 2200.0}, Scale{1e-3, 1e-3, 2200.0},
+        Scale{1e-3, 1e15, 2200.0}, Scale{1e-3, 70e9, 1e-6}, Scale{1e-3, 70e9, 1e8}}) {
     const Simulation other = solve(scale, GetParam());
     EXPECT_EQ(other.state().bonds, usual.state().bonds);
     double worst = 0.0;
@@ -90,8 +91,8 @@ TEST_P(Scales, OfAnySizeGiveTheSameBondsAndDisplacements) {
   }
 }
 
-// Without breaking the answer is linear in the load up to some strains, here 4 times the load over E,
-// and rounding, which is relative in every number.
+// Without breaking the answer is linear in the load up to some strains, here 4 times the load over
+// E, and rounding, which is relative in every number.
 TEST_P(Scales, OfTheLoadAreFollowedDownToATrillionthOfTheStrength) {
   const auto scaled = [&](double load) {
     const Simulation simulation = solve({}, GetParam(), load);

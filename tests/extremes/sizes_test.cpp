@@ -68,7 +68,9 @@ TEST(ALargePlate, IsLikeASmallOne) {
     for (int row = 1; row <= m * steps + 1; ++row)
       ASSERT_EQ(large.state().u(i, size - row), small.state().u(narrow / 2, narrow - row));
   EXPECT_EQ(large.state().u(size / 2, 0), Vec2(0, 0));
-  EXPECT_LT(static_cast<double>(large.bytes()), memory_needed(large.plate(), large.numerics()));
+  // What a tile of 16 by 8 nodes takes, some 60 bytes, is not reckoned with.
+  EXPECT_LT(static_cast<double>(large.bytes()),
+            1.02 * memory_needed(large.plate(), large.numerics()));
 }
 
 TEST(ATooLargePlate, IsRefusedBeforeAnythingIsAllocated) {

@@ -30,7 +30,7 @@ double drift(Precision precision, int steps) {
   numerics.step = 50e-9;
   Simulation simulation(test::bare_plate(40, 16), numerics, {1});
   simulation.restore(test::displaced(simulation, [](const Vec2& x) {
-    return Vec2(3e-4 * x.x() * std::cos(0.2 * x.y()), 1e-4 * x.y() + 2e-4 * x.x());
+    return Vec2(5e-5 * x.x() * std::cos(0.2 * x.y()), 2e-5 * x.y() + 4e-5 * x.x());
   }));
   const double start = mean_energy(simulation);
   double worst = 0.0;
@@ -38,19 +38,19 @@ double drift(Precision precision, int steps) {
     for (int n = 0; n < steps / 10; ++n) simulation.step();
     worst = std::max(worst, std::abs(mean_energy(simulation) / start - 1.0));
   }
-  EXPECT_EQ(simulation.state().bonds, simulation.lattice().bonds) << "the test must stay elastic";
+  EXPECT_TRUE(simulation.state().bonds == simulation.lattice().bonds) << "it must stay elastic";
   return worst;
 }
 
-// At a fifth of the limit the energy of a mode swings by (omega dt)^2/4, at most 5 % for the shortest
-// waves and 1e-3 for those of this plate; the mean of 50 samples by less than 2e-4.
+// At a fifth of the limit the energy of a mode swings by (omega dt)^2/4, at most 5 % for the
+// shortest waves and 1e-3 for those of this plate; the mean of 50 samples by less than 2e-4.
 TEST(Energy, DoesNotDriftInAHundredThousandSteps) {
   EXPECT_LT(drift(Precision::f64, 100000), 2e-4);
   EXPECT_LT(drift(Precision::f32, 100000), 2e-4);
 }
 
-// Every step rounds u and v by 1e-16 of some 1e-2 dx, at random: after 1e5 steps there and back, 1e-13
-// of what moved, and waves of this amplitude do not tell two neighbouring states far apart.
+// Every step rounds u and v by 1e-16 of some 1e-2 dx, at random: after 1e5 steps there and back,
+// 1e-13 of what moved, and waves of this amplitude do not tell two neighbouring states far apart.
 TEST(Time, CanBeReversedAfterAHundredThousandSteps) {
   Simulation simulation(test::bare_plate(24, 16), test::numerics(), {1});
   const State start = test::shaken(simulation.state(), 1e-6, 9);

@@ -37,9 +37,8 @@ Momentum momentum(const Simulation& simulation) {
 // A free plate that spins, drifts and shakes.
 Simulation thrown_plate() {
   Simulation simulation(test::bare_plate(30, 20), test::numerics());
-  State state = test::thrown(simulation, [](const Vec2& x) {
-    return Vec2(1e-3 - 1e-3 * x.y(), 2e-3 + 1e-3 * x.x());
-  });
+  State state = test::thrown(
+      simulation, [](const Vec2& x) { return Vec2(1e-3 - 1e-3 * x.y(), 2e-3 + 1e-3 * x.x()); });
   simulation.restore(test::shaken(std::move(state), 1e-5, 3));
   return simulation;
 }

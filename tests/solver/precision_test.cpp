@@ -24,7 +24,8 @@ Numerics single() {
 
 // kernel.md 6: 2e-7 at this spacing.
 TEST(SinglePrecision, BreaksTheSameBondsAsDoublePrecision) {
-  Simulation exact(test::edge_crack(12e6), test::numerics()), rounded(test::edge_crack(12e6), single());
+  Simulation exact(test::edge_crack(12e6), test::numerics()),
+      rounded(test::edge_crack(12e6), single());
   exact.run(32e-6);
   rounded.run(32e-6);
   EXPECT_LT(exact.state().bonds.count(), exact.lattice().bonds.count() - 3000);
@@ -123,8 +124,8 @@ TEST_P(Denormals, AheadOfTheWaveAllIsExactlyZeroAndStill) {
   const PathCounts& counts = simulation.path_counts();
   std::int64_t all = 0;
   for (const std::int64_t count : counts) all += count;
-  // 50 by 8 tiles, for a border of two groups of 16 columns lies on the midline. The wave takes 80 of
-  // 400 rows, half of them in the mean, and two tiles more.
+  // 50 by 8 tiles, for a border of two groups of 16 columns lies on the midline. The wave takes 80
+  // of 400 rows, half of them in the mean, and two tiles more.
   EXPECT_EQ(all, 20 * 50 * 8);
   EXPECT_GT(counts[static_cast<int>(Path::still)], all * 8 / 10);
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The engine against the same rules written down a second time (support/reference.hpp).
+#include "support/reference.hpp"
+
 #include <cmath>
 #include <tuple>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "support/reference.hpp"
 #include "support/scenes.hpp"
 #include "support/states.hpp"
 
@@ -145,7 +146,8 @@ TEST_P(BreakingRule, TakesTheSameBondsAsTheReference) {
   double worst = 0.0;
   for (int j = 0; j < 30; ++j)
     for (int i = 0; i < 44; ++i)
-      worst = std::max(worst, (simulation.state().u(i, j) - reference.u(i, j).cast<double>()).norm());
+      worst =
+          std::max(worst, (simulation.state().u(i, j) - reference.u(i, j).cast<double>()).norm());
   EXPECT_LT(worst, 1e-8);
 }
 

@@ -37,7 +37,8 @@ TEST_P(Deck, DoesNotDependOnThreads) {
 
 TEST_P(Deck, DoesNotDependOnTheInstructionSet) {
   const Plate plate = test::edge_crack(24e6);
-  const std::string baseline = hash_after(12e-6, {1, InstructionSet::baseline}, plate, in(GetParam()));
+  const std::string baseline =
+      hash_after(12e-6, {1, InstructionSet::baseline}, plate, in(GetParam()));
   for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
     if (!is_supported(set)) continue;
     EXPECT_EQ(hash_after(12e-6, {1, set}, plate, in(GetParam())), baseline);
@@ -166,14 +167,15 @@ TEST_P(EveryChoice, GivesTheSameBitsHoweverItIsCarriedOut) {
   EXPECT_EQ(second.state().hash(), whole.state().hash());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Choices, EveryChoice, testing::ValuesIn(choices()), [](const auto& choice) {
-      const Choice& c = choice.param;
-      return fmt::format("m{:g}_{}{}{}_{}", c.m,
-                         precision_names[static_cast<std::size_t>(c.precision)],
-                         c.alpha > 0.0 ? "_history" : "", c.no_fail ? "_guarded" : "",
-                         quadrature_names[static_cast<std::size_t>(c.quadrature)]);
-    });
+INSTANTIATE_TEST_SUITE_P(Choices, EveryChoice, testing::ValuesIn(choices()),
+                         [](const auto& choice) {
+                           const Choice& c = choice.param;
+                           return fmt::format(
+                               "m{:g}_{}{}{}_{}", c.m,
+                               precision_names[static_cast<std::size_t>(c.precision)],
+                               c.alpha > 0.0 ? "_history" : "", c.no_fail ? "_guarded" : "",
+                               quadrature_names[static_cast<std::size_t>(c.quadrature)]);
+                         });
 
 }  // namespace
 }  // namespace hackle

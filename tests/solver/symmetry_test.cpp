@@ -59,10 +59,10 @@ std::string name_of(const std::tuple<Precision, double>& kind) {
                      std::get<1>(kind) > 0.0 ? "_history" : "");
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, MirrorSymmetry,
-    testing::Combine(testing::Values(Precision::f64, Precision::f32), testing::Values(0.0, 0.25)),
-    [](const auto& kind) { return name_of(kind.param); });
+INSTANTIATE_TEST_SUITE_P(Kinds, MirrorSymmetry,
+                         testing::Combine(testing::Values(Precision::f64, Precision::f32),
+                                          testing::Values(0.0, 0.25)),
+                         [](const auto& kind) { return name_of(kind.param); });
 
 }  // namespace
 }  // namespace hackle

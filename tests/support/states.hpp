@@ -81,8 +81,7 @@ inline State reversed(const Simulation& simulation) {
   const std::vector<Vec2> velocities = simulation.velocities();
   const double unit = simulation.dt() / grid.dx;
   for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      state.set_v(i, j, -unit * velocities[grid.index(i, j)]);
+    for (int i = 0; i < grid.nx; ++i) state.set_v(i, j, -unit * velocities[grid.index(i, j)]);
   state.step = 0;
   return state;
 }
