@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -105,15 +106,30 @@ bool check_horizon(const Numerics& numerics, Problems& problems) {
   return false;
 }
 
-// Needs a family, and a material and constants that give it a stiffness.
-void check_step_limit(const Plate& plate, const Numerics& numerics, Problems& problems) {
+// Needs a family. Nothing when the material or the constants give it no stiffness, which is said
+// elsewhere.
+std::optional<Calibration> calibration_of(const Plate& plate, const Numerics& numerics,
+                                          const Family& family) {
   Problems of_material;
   check(plate.material, of_material);
-  if (!of_material.empty() || !constants_apply(plate, numerics)) return;
+  if (!of_material.empty() || !constants_apply(plate, numerics)) return std::nullopt;
+  return calibrate(family, plate.material, numerics.spacing, numerics.constants, plate.plane);
+}
+
+void check_against_limit(const Plate& plate, const Numerics& numerics, Problems& problems) {
   const Family family = family_of(numerics);
-  const Calibration calibration =
-      calibrate(family, plate.material, numerics.spacing, numerics.constants, plate.plane);
-  const double limit = step_limit(family, calibration.c, plate.material.rho, numerics.spacing);
+  const auto calibration = calibration_of(plate, numerics, family);
+  if (!calibration) return;
+  const double rho = plate.material.rho, dx = numerics.spacing;
+  if (!std::isnormal(calibration->c * dx / rho)) {
+    problems.add(fmt::format("simulate: E {}, rho {} kg/m3 and spacing {} are beyond what numbers "
+                             "can express together",
+                             quantity(plate.material.E, "Pa"), rho, quantity(dx, "m")),
+                 "take values nearer to a real plate's");
+    return;
+  }
+  if (!numerics.step || numerics.force_step) return;
+  const double limit = step_limit(family, calibration->c, rho, dx);
   if (*numerics.step <= limit) return;
   problems.add(fmt::format("simulate: step is {}, above the stability limit of {}",
                            quantity(*numerics.step, "s"), quantity(limit, "s")),
@@ -121,11 +137,10 @@ void check_step_limit(const Plate& plate, const Numerics& numerics, Problems& pr
 }
 
 void check_step(const Plate& plate, const Numerics& numerics, bool has_family, Problems& problems) {
-  if (!numerics.step) return;
-  if (!(*numerics.step > 0.0 && std::isfinite(*numerics.step)))
+  if (numerics.step && !(*numerics.step > 0.0 && std::isfinite(*numerics.step)))
     problems.add(fmt::format("simulate: step is {} s, it must be above 0 s", *numerics.step));
-  else if (has_family && !numerics.force_step)
-    check_step_limit(plate, numerics, problems);
+  else if (has_family)
+    check_against_limit(plate, numerics, problems);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ struct Numerics {
   std::optional<double> step;  // s; nothing: step_fraction of the stability limit
   bool force_step = false;     // accept a step above the limit
 
-  double horizon_or_default() const { return horizon > 0.0 ? horizon : 4.0 * spacing; }
+  double horizon_or_default() const { return horizon != 0.0 ? horizon : 4.0 * spacing; }
   double m() const { return horizon_or_default() / spacing; }  // delta/dx
 };
 

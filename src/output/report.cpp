@@ -39,7 +39,7 @@ std::string model_line(const Simulation& simulation) {
       name_of(plane_names, simulation.plate().plane),
       name_of(constants_names, simulation.numerics().constants),
       name_of(micromodulus_names, simulation.numerics().micromodulus), quantity(moduli.E, "Pa"),
-      quantity(material.E, "Pa"), moduli.nu, shortest(material.nu),
+      quantity(material.E, "Pa"), moduli.nu, fmt::format("{:.3g}", material.nu),
       quantity(lattice.calibration.G0, "J/m2"), quantity(material.G0, "J/m2"),
       lattice.calibration.s0, waves.rayleigh);
 }

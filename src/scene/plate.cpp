@@ -78,6 +78,7 @@ void check(const Plate& plate, Problems& problems) {
   check_size("height", plate.height, problems);
   check(plate.material, problems);
   for (const Crack& crack : plate.cracks) check(plate, crack, problems);
+  for (const Traction& traction : plate.tractions) check(traction, problems);
   for (const NoFail& zone : plate.no_fail) check(plate, zone, problems);
 }
 
@@ -91,6 +92,12 @@ void check(const Plate& plate, const Crack& crack, Problems& problems) {
   check_end("to", crack.to);
   if (crack.from == crack.to)
     problems.add("crack: 'from' and 'to' are the same point", "give the two ends of the crack");
+}
+
+void check(const Traction& traction, Problems& problems) {
+  if (traction.stress.allFinite()) return;
+  problems.add(fmt::format("traction: stress on the {} edge is {{{}, {}}} Pa, it must be finite",
+                           name_of(traction.edge), traction.stress.x(), traction.stress.y()));
 }
 
 void check(const Plate& plate, const NoFail& zone, Problems& problems) {

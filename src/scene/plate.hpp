@@ -63,10 +63,12 @@ struct Plate {
 NoFail strip(const Plate& plate, Edge edge, double depth);
 
 // Adds a problem for everything in the plate (or in one thing that is to go on it) that makes no
-// sense: sizes, materials, cracks of no length or off the plate, zones off the plate.
+// sense: sizes, materials, cracks of no length or off the plate, zones off the plate, stresses that
+// are no numbers.
 void check(const Plate& plate, Problems& problems);
 void check(const Plate& plate, const Crack& crack, Problems& problems);
 void check(const Plate& plate, const NoFail& zone, Problems& problems);
+void check(const Traction& traction, Problems& problems);
 
 // "plate 100 x 40 mm, Duran 50 (E 65 GPa, ...), 1 crack, 2 tractions"; plane strain is said too.
 std::string describe(const Plate& plate);

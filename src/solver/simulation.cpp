@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "solver/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -30,6 +32,17 @@ const Plate& checked(const Plate& plate, const Numerics& numerics, InstructionSe
   return plate;
 }
 
+Lattice with_strength(Lattice lattice, std::vector<float> strength) {
+  const bool positive = std::ranges::all_of(strength, [](float s) { return s > 0.0F; });
+  if (!strength.empty() && (strength.size() != lattice.grid.nodes() || !positive))
+    throw Error(ErrorKind::refused,
+                fmt::format("simulate: strength has {} values above 0 or not, the lattice {} nodes",
+                            strength.size(), lattice.grid.nodes()),
+                "give one value above 0 for every node");
+  lattice.strength = std::move(strength);
+  return lattice;
+}
+
 using AnyEngine = std::variant<Engine<double>, Engine<float>>;
 
 AnyEngine engine_for(Precision precision, const Lattice& lattice, const EngineOptions& options,
@@ -45,10 +58,13 @@ std::size_t bytes_of(const T& values) {
 
 }  // namespace
 
-Simulation::Simulation(Plate plate, Numerics numerics, Execution execution)
+Simulation::Simulation(Plate plate, Numerics numerics, Execution execution,
+                       std::vector<float> strength)
     : plate_(std::move(plate)),
       numerics_(numerics),
-      lattice_(checked(plate_, numerics_, execution.instruction_set), numerics_),
+      lattice_(
+          with_strength(Lattice(checked(plate_, numerics_, execution.instruction_set), numerics_),
+                        std::move(strength))),
       state_(lattice_, numerics_.precision),
       dt_(numerics_.step.value_or(default_step(lattice_.step_limit))),
       instruction_set_(execution.instruction_set),
@@ -148,10 +164,15 @@ void Simulation::advance_to(std::int64_t last_step, std::span<Observer* const> o
 }
 
 void Simulation::check_finite() const {
+  // What a field can hold, which is in single precision.
+  constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
   const Grid& grid = lattice_.grid;
+  const double u_most = most / grid.dx, v_most = most / (grid.dx / dt_);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
-      if (state_.v(i, j).allFinite() && state_.u(i, j).allFinite()) continue;
+      const double u = (state_.origin + state_.u(i, j)).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+      const double v = state_.v(i, j).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+      if (u < u_most && v < v_most) continue;
       const Vec2 place = grid.position(i, j);
       throw Error(ErrorKind::run_failed,
                   fmt::format("the solution has diverged by step {}, at {}, at ({}, {}): the step "

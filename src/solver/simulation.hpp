@@ -25,8 +25,10 @@ struct Execution {
 class Simulation {
  public:
   // Checks plate and numerics first: throws Error (refused) with every problem found, before
-  // anything large is allocated.
-  Simulation(Plate plate, Numerics numerics, Execution execution = {});
+  // anything large is allocated. `strength` is the critical stretch of every node over s0, above 0,
+  // by Grid::index, or nothing: a bond breaks by the weaker of its ends.
+  Simulation(Plate plate, Numerics numerics, Execution execution = {},
+             std::vector<float> strength = {});
 
   // One time step. Nothing is written, printed or checked in it.
   void step();
@@ -68,7 +70,8 @@ class Simulation {
   // The default step for a limit: step_fraction of it, rounded down to three digits.
   static double default_step(double limit);
 
-  // Throws Error (run_failed) unless every displacement and velocity is finite.
+  // Throws Error (run_failed) unless every displacement and velocity is finite, and in single
+  // precision, too.
   void check_finite() const;
 
  private:

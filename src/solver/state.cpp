@@ -56,7 +56,9 @@ std::string State::hash() const {
   std::visit(
       [&](const auto& m) {
         for (const auto* values : {&m.ux, &m.uy, &m.vx, &m.vy, &m.threshold})
-          hash.add(std::span(*values));
+          for (int j = 0; j < layout.ny && !values->empty(); ++j)
+            hash.add(std::span(*values).subspan(static_cast<std::size_t>(layout.at(0, j)),
+                                                static_cast<std::size_t>(layout.nx)));
       },
       motion);
   hash.add(std::span(bonds.words()));

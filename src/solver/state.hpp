@@ -40,7 +40,7 @@ struct State {
   void set_u(int i, int j, const Vec2& u);
   void set_v(int i, int j, const Vec2& v);
 
-  // Sixteen hexadecimal digits over all of the above: equal means the same bits.
+  // Sixteen hexadecimal digits over all of the above, ghosts apart: equal means the same bits.
   std::string hash() const;
 };
 

@@ -133,7 +133,6 @@ TEST_P(BreakingRule, TakesTheSameBondsAsTheReference) {
   const Numerics numerics = test::numerics(0.5e-3, 1.5e-3);
   Simulation simulation(plate(), numerics, {1});
   Reference reference(simulation);
-  // Rounding grows with the branching crack: 1e-16 by e in some 6 steps after the first break.
   for (int part = 0; part < 10; ++part) {
     for (int n = 0; n < 20; ++n) {
       simulation.step();
@@ -148,7 +147,8 @@ TEST_P(BreakingRule, TakesTheSameBondsAsTheReference) {
     for (int i = 0; i < 44; ++i)
       worst =
           std::max(worst, (simulation.state().u(i, j) - reference.u(i, j).cast<double>()).norm());
-  EXPECT_LT(worst, 1e-8);
+  // Found: 2e-14 dx. Far too little to decide about a bond, as breaking multiplies differences.
+  EXPECT_LT(worst, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Histories, BreakingRule, testing::Values(0.0, 0.02, 0.25, 0.9));
