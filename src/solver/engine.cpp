@@ -26,6 +26,7 @@ std::vector<Rows> share_out(const std::vector<int>& first_rows, int threads) {
   const int per_thread = std::clamp(rows / (threads * least_rows), 1, most_per_thread);
   const int tasks = threads == 1 ? 1 : std::min(rows, threads * per_thread);
   std::vector<Rows> list;
+  list.reserve(static_cast<std::size_t>(tasks));
   for (int task = 0; task < tasks; ++task)
     list.push_back({first_rows[static_cast<std::size_t>(rows * task / tasks)],
                     first_rows[static_cast<std::size_t>(rows * (task + 1) / tasks)]});
@@ -226,9 +227,9 @@ void Engine<Real>::break_bonds(BondBits& bonds) {
   for (Scratch<Real>& scratch : scratch_) {
     for (const Loss& loss : scratch.losses) {
       bonds.clear(loss.at, loss.word, loss.bit);
-      const auto bond = static_cast<std::size_t>(32 * loss.word + std::countr_zero(loss.bit));
+      const int bond = 32 * loss.word + std::countr_zero(loss.bit);
       const auto here = static_cast<std::size_t>(tile_of(loss.at));
-      const auto there = static_cast<std::size_t>(tile_of(loss.at + bond_offsets_[bond]));
+      const auto there = static_cast<std::size_t>(tile_of(loss.at + bond_offsets_[static_cast<std::size_t>(bond)]));
       intact_[here] = complete_[here] = complete_[there] = 0;
     }
     scratch.losses.clear();

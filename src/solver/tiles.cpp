@@ -11,6 +11,7 @@ std::vector<int> tile_rows(int ny, int reach) {
   // neighbour when it is too thin for that.
   const int each_side = std::max(0, (ny / height - 1) / 2);
   std::vector<int> first;
+  first.reserve(2 * static_cast<std::size_t>(each_side) + 3);
   for (int k = 0; k < each_side; ++k) first.push_back(k * height);
   const int left = ny - 2 * each_side * height;
   first.push_back(each_side * height);
