@@ -229,7 +229,8 @@ void Engine<Real>::break_bonds(BondBits& bonds) {
       bonds.clear(loss.at, loss.word, loss.bit);
       const int bond = 32 * loss.word + std::countr_zero(loss.bit);
       const auto here = static_cast<std::size_t>(tile_of(loss.at));
-      const auto there = static_cast<std::size_t>(tile_of(loss.at + bond_offsets_[static_cast<std::size_t>(bond)]));
+      const auto there = static_cast<std::size_t>(
+          tile_of(loss.at + bond_offsets_[static_cast<std::size_t>(bond)]));
       intact_[here] = complete_[here] = complete_[there] = 0;
     }
     scratch.losses.clear();

@@ -66,7 +66,8 @@ struct Scratch {
         seen(2, columns),
         folded(linear ? 4 * (reach + 1) : 0, columns),
         runs(static_cast<std::size_t>(columns) / NodeLayout::group + 2) {
-    for (auto& row : outlooks) row.resize(static_cast<std::size_t>(columns) / NodeLayout::group + 4);
+    for (auto& row : outlooks)
+      row.resize(static_cast<std::size_t>(columns) / NodeLayout::group + 4);
   }
 
   int columns;
