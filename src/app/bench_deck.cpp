@@ -21,8 +21,8 @@ BenchDeck bench_deck(const Configuration& configuration, int nodes) {
   plate.material = {"Duran 50 glass", 65e9, 2235.0, 0.2, 204.0};
   plate.material.alpha = configuration.alpha;
   plate.cracks.push_back({{0.0, 0.5 * height}, {0.5 * width, 0.5 * height}});
-  plate.tractions.push_back({Edge::top, {0.0, stress}});
-  plate.tractions.push_back({Edge::bottom, {0.0, -stress}});
+  plate.loads.tractions.push_back({Edge::top, {0.0, stress}});
+  plate.loads.tractions.push_back({Edge::bottom, {0.0, -stress}});
   for (const Edge edge : {Edge::top, Edge::bottom})
     plate.no_fail.push_back(strip(plate, edge, deck.numerics.horizon_or_default()));
   return deck;

@@ -60,7 +60,8 @@ bool lammps_is_installed() {
 std::string lammps_deck(const BenchDeck& deck, double alpha, int steps) {
   const Lattice lattice(deck.plate, deck.numerics);
   const double dx = lattice.grid.dx, rho = lattice.rho;
-  const double load = deck.plate.tractions.front().stress.y() / dx;  // force density, N/m3
+  const double load =
+      deck.plate.loads.tractions.front().stress.constant().y() / dx;  // force density, N/m3
   return fmt::format(
       R"(units si
 dimension 2

@@ -144,7 +144,7 @@ int add_traction(lua_State* L) {
   Plate& plate = self<Plate>(L, traction_doc);
   Arguments arguments = Arguments::from_table(L, 2, traction_doc);
   arguments.problems.throw_if_any();
-  plate.tractions.push_back({arguments.choice<Edge>("edge"), arguments.point("stress")});
+  plate.loads.tractions.push_back({arguments.choice<Edge>("edge"), arguments.point("stress")});
   return return_self(L);
 }
 
@@ -165,10 +165,10 @@ int add_nofail(lua_State* L) {
   Arguments arguments = Arguments::from_table(L, 2, nofail_doc);
   check_one_way(arguments);
   arguments.problems.throw_if_any();
-  const NoFail zone = arguments.has("edge")
-                          ? strip(plate, arguments.choice<Edge>("edge"), arguments.number("depth"))
-                          : NoFail{arguments.point("from"), arguments.point("to")};
-  check(plate, zone, arguments.problems);
+  const Shape zone = arguments.has("edge")
+                         ? strip(plate, arguments.choice<Edge>("edge"), arguments.number("depth"))
+                         : rectangle(arguments.point("from"), arguments.point("to"));
+  check_no_fail(plate, zone, arguments.problems);
   arguments.problems.throw_if_any();
   plate.no_fail.push_back(zone);
   return return_self(L);

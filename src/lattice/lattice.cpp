@@ -2,9 +2,10 @@
 #include "lattice/lattice.hpp"
 
 #include <algorithm>
-#include <map>
+#include <limits>
 #include <numeric>
 
+#include "lattice/carve.hpp"
 #include "lattice/crack_cut.hpp"
 #include "lattice/symbol.hpp"
 
@@ -27,22 +28,11 @@ void cut_all(const std::vector<Crack>& cracks, Born born, const Grid& grid, cons
     if (crack.born == born) cut(crack, grid, family, bonds);
 }
 
-bool in_zone(const NoFail& zone, const Grid& grid, int i, int j) {
-  constexpr double tie = 1e-9;
-  const Vec2 node = grid.from_centre(i, j);
-  const Vec2 least = grid.from_centre(zone.least), most = grid.from_centre(zone.most);
-  return (node.array() >= least.array() - tie).all() && (node.array() <= most.array() + tie).all();
-}
-
-BondBits bonds_in_zones(const std::vector<NoFail>& zones, const Grid& grid, const Family& family) {
+BondBits bonds_in_zones(const std::vector<Shape>& zones, const Grid& grid, const Family& family) {
   if (zones.empty()) return {};
-  const auto safe = [&](int i, int j) {
-    return std::ranges::any_of(zones,
-                               [&](const NoFail& zone) { return in_zone(zone, grid, i, j); });
-  };
   std::vector<char> safe_node(grid.nodes());
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) safe_node[grid.index(i, j)] = safe(i, j);
+  for (const Shape& zone : zones)
+    for_nodes_in(zone, grid, [&](int i, int j) { safe_node[grid.index(i, j)] = 1; });
 
   BondBits bonds(grid.layout(), family.words());
   for (int j = 0; j < grid.ny; ++j)
@@ -55,24 +45,25 @@ BondBits bonds_in_zones(const std::vector<NoFail>& zones, const Grid& grid, cons
   return bonds;
 }
 
-std::vector<LoadedNode> loaded_nodes(const std::vector<Traction>& tractions, const Grid& grid,
-                                     double rho) {
-  std::map<std::size_t, LoadedNode> loads;
-  for (const Traction& traction : tractions) {
-    const bool along_x = traction.edge == Edge::top || traction.edge == Edge::bottom;
-    const bool far_side = traction.edge == Edge::top || traction.edge == Edge::right;
-    for (int k = 0; k < (along_x ? grid.nx : grid.ny); ++k) {
-      const int i = along_x ? k : (far_side ? grid.nx - 1 : 0);
-      const int j = along_x ? (far_side ? grid.ny - 1 : 0) : k;
-      LoadedNode& node =
-          loads.try_emplace(grid.index(i, j), LoadedNode{i, j, {0, 0}}).first->second;
-      node.acceleration += traction.stress / (rho * grid.dx);
-    }
+std::vector<MaterialOnLattice> materials_of(const Plate& plate, const Family& family, double dx,
+                                            Constants constants) {
+  const auto on_lattice = [&](const Material& material) {
+    return MaterialOnLattice{material, calibrate(family, material, dx, constants, plate.plane)};
+  };
+  std::vector<MaterialOnLattice> materials{on_lattice(plate.material)};
+  for (const Inclusion& inclusion : plate.inclusions)
+    materials.push_back(on_lattice(inclusion.material));
+  return materials;
+}
+
+// What bounds every bond and every node of the plate.
+double safe_step(const Family& family, const std::vector<MaterialOnLattice>& materials, double dx) {
+  double c = 0.0, rho = std::numeric_limits<double>::max();
+  for (const MaterialOnLattice& entry : materials) {
+    c = std::max(c, entry.calibration.c);
+    rho = std::min(rho, entry.material.rho);
   }
-  std::vector<LoadedNode> list;
-  list.reserve(loads.size());
-  for (const auto& entry : loads) list.push_back(entry.second);
-  return list;
+  return step_limit(family, c, rho, dx);
 }
 
 }  // namespace
@@ -80,12 +71,14 @@ std::vector<LoadedNode> loaded_nodes(const std::vector<Traction>& tractions, con
 Lattice::Lattice(const Plate& plate, const Numerics& numerics)
     : grid(make_grid(plate, numerics.spacing)),
       family(numerics.m(), numerics.quadrature, numerics.micromodulus),
-      calibration(calibrate(family, plate.material, grid.dx, numerics.constants, plate.plane)),
+      materials(materials_of(plate, family, grid.dx, numerics.constants)),
+      material(materials_of_nodes(plate, grid)),
+      calibration(materials.front().calibration),
       rho(plate.material.rho),
-      step_limit(hackle::step_limit(family, calibration.c, rho, grid.dx)),
+      step_limit(safe_step(family, materials, grid.dx)),
       bonds(uncut_bonds(grid, family)),
-      unbreakable(bonds_in_zones(plate.no_fail, grid, family)),
-      loads(loaded_nodes(plate.tractions, grid, rho)) {
+      unbreakable(bonds_in_zones(plate.no_fail, grid, family)) {
+  carve(plate.cutouts, material, grid, family, bonds);
   cut_all(plate.cracks, Born::absent, grid, family, bonds);
   born = degrees(grid, family, bonds);
   cut_all(plate.cracks, Born::broken, grid, family, bonds);

@@ -12,11 +12,10 @@
 
 namespace hackle {
 
-// A node on which a load acts.
-struct LoadedNode {
-  int i = 0;
-  int j = 0;
-  Vec2 acceleration{0, 0};  // m/s2
+// A material as bonds between its nodes have it.
+struct MaterialOnLattice {
+  Material material;
+  Calibration calibration;
 };
 
 struct Lattice {
@@ -24,15 +23,28 @@ struct Lattice {
 
   Grid grid;
   Family family;
-  Calibration calibration;
-  double rho;                       // kg/m3
-  double step_limit;                // s, 2/omega_max
+  // The plate's own material first, then those of its inclusions. A bond between two has the mean
+  // of their micromoduli, and breaks by the weaker.
+  std::vector<MaterialOnLattice> materials;
+  std::vector<std::uint8_t>
+      material;                     // per node: of `materials`, or void_node; empty when all are 0
+  Calibration calibration;          // of the plate's own material
+  double rho;                       // kg/m3, of the plate's own material
+  double step_limit;                // s, 2/omega_max; of the stiffest and the lightest material
   BondBits bonds;                   // at t = 0, after the cracks were cut
   std::vector<std::uint16_t> born;  // per node: bonds it was born with, the base of its damage
   BondBits unbreakable;             // bonds of no-fail zones; empty when there are none
   std::vector<float> strength;      // per node: its critical stretch over s0; empty when all are 1
-  std::vector<LoadedNode> loads;    // each node once, ordered by index
 
+  // Of the nodes that cut-outs removed, which exist in name only: without bonds, loads and motion.
+  static constexpr std::uint8_t void_node = 255;
+  bool is_void(int i, int j) const {
+    return !material.empty() && material[grid.index(i, j)] == void_node;
+  }
+  // The material of a node that is not void.
+  const MaterialOnLattice& material_at(int i, int j) const {
+    return material.empty() ? materials.front() : materials[material[grid.index(i, j)]];
+  }
   std::int64_t bonds_born() const;
 };
 

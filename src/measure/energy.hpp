@@ -12,8 +12,9 @@ struct Energy {
   double strain = 0.0;   // sum over the bonds that hold of 1/2 c w s^2 |xi| V^2
   double broken = 0.0;   // the same at s = s0, over the bonds that broke since t = 0: what the
                         // fracture energy G0 charges for them. Cuts made by the scene cost nothing.
-  double external = 0.0;  // work done by the loads
-  double residual() const { return external - kinetic - strain - broken; }
+  double damped = 0.0;    // kinetic energy taken by damping
+  double external = 0.0;  // work done by loads and supports, and what the start gave
+  double residual() const { return external - kinetic - strain - broken - damped; }
 };
 
 Energy energy(const Simulation& simulation);

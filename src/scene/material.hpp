@@ -18,6 +18,8 @@ struct Material {
   // How far compression toughens it: a bond breaks at s0 - alpha s_min, where s_min is the least
   // stretch around its ends (paper Eq. 11); in [0, 1).
   double alpha = 0.0;
+  double alphaT = 0.0;  // thermal expansion, 1/K, >= 0
+  double s0 = 0.0;      // critical stretch, when it is given; 0: it follows from G0
 };
 
 // Adds a problem for every value outside its range.

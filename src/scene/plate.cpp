@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "scene/plate.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "base/units.hpp"
 
 namespace hackle {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, Edge>, 4> edges{
-    {{"left", Edge::left}, {"right", Edge::right}, {"bottom", Edge::bottom}, {"top", Edge::top}}};
 
 std::string point_text(const Vec2& point) {
   return fmt::format("({}, {})", quantity(point.x(), "m"), quantity(point.y(), "m"));
@@ -36,88 +33,98 @@ void check_size(const char* key, double value, Problems& problems) {
   problems.add(fmt::format("plate: {} is {} m, it must be above 0 m", key, value));
 }
 
+void check_rims(const Plate& plate, Problems& problems) {
+  for (const Pressure& pressure : plate.loads.pressures) {
+    std::vector<std::string_view> rims;
+    for (const Cutout& cutout : plate.cutouts)
+      if (!cutout.name.empty()) rims.push_back(cutout.name);
+    if (std::ranges::find(rims, pressure.rim) != rims.end()) continue;
+    problems.add(fmt::format("pressure: there is no hole or notch named '{}'{}", pressure.rim,
+                             did_you_mean(pressure.rim, rims)),
+                 rims.empty() ? "give it a name: p:hole { name = \"bore\", ... }"
+                              : "named are " + comma_list(rims));
+  }
+}
+
 std::string counted(std::size_t count, const char* noun) {
   return count == 0 ? std::string() : fmt::format(", {} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 }  // namespace
 
-std::string_view name_of(Edge edge) {
-  for (const auto& [name, value] : edges)
-    if (value == edge) return name;
-  return "?";
-}
-
-std::optional<Edge> edge_named(std::string_view name) {
-  for (const auto& [known, value] : edges)
-    if (known == name) return value;
-  return std::nullopt;
-}
-
-NoFail strip(const Plate& plate, Edge edge, double depth) {
-  NoFail zone{{0.0, 0.0}, {plate.width, plate.height}};
+Shape strip(const Plate& plate, Edge edge, double depth) {
+  Vec2 least{0.0, 0.0}, most{plate.width, plate.height};
   switch (edge) {
     case Edge::left:
-      zone.most.x() = depth;
+      most.x() = depth;
       break;
     case Edge::right:
-      zone.least.x() = plate.width - depth;
+      least.x() = plate.width - depth;
       break;
     case Edge::bottom:
-      zone.most.y() = depth;
+      most.y() = depth;
       break;
     case Edge::top:
-      zone.least.y() = plate.height - depth;
+      least.y() = plate.height - depth;
       break;
   }
-  return zone;
+  return rectangle(least, most);
 }
 
 void check(const Plate& plate, Problems& problems) {
   check_size("width", plate.width, problems);
   check_size("height", plate.height, problems);
   check(plate.material, problems);
+  for (const Cutout& cutout : plate.cutouts) check(cutout.shape, "cut-out", problems);
+  for (const Inclusion& inclusion : plate.inclusions) {
+    check(inclusion.shape, "inclusion", problems);
+    check(inclusion.material, problems);
+  }
   for (const Crack& crack : plate.cracks) check(plate, crack, problems);
-  for (const Traction& traction : plate.tractions) check(traction, problems);
-  for (const NoFail& zone : plate.no_fail) check(plate, zone, problems);
+  for (const Shape& zone : plate.no_fail) check_no_fail(plate, zone, problems);
+  check(plate.loads, problems);
+  check_rims(plate, problems);
 }
 
 void check(const Plate& plate, const Crack& crack, Problems& problems) {
-  const auto check_end = [&](const char* key, const Vec2& end) {
-    if (on_plate(plate, end)) return;
-    problems.add(fmt::format("crack: '{}' {} lies outside the plate", key, point_text(end)),
-                 extent_text(plate) + ", origin at its lower left corner");
-  };
-  check_end("from", crack.from);
-  check_end("to", crack.to);
-  if (crack.from == crack.to)
+  const bool straight = crack.points.size() == 2;
+  for (std::size_t k = 0; k < crack.points.size(); ++k) {
+    if (on_plate(plate, crack.points[k])) continue;
+    const std::string which =
+        straight ? (k == 0 ? "'from'" : "'to'") : fmt::format("point {}", k + 1);
+    problems.add(
+        fmt::format("crack: {} {} lies outside the plate", which, point_text(crack.points[k])),
+        extent_text(plate) + ", origin at its lower left corner");
+  }
+  if (crack.points.size() < 2)
+    problems.add("crack: it has fewer than two points");
+  else if (std::ranges::adjacent_find(crack.points) == crack.points.end())
+    return;
+  else if (straight)
     problems.add("crack: 'from' and 'to' are the same point", "give the two ends of the crack");
+  else
+    problems.add("crack: two points in a row are the same");
 }
 
-void check(const Traction& traction, Problems& problems) {
-  if (traction.stress.allFinite()) return;
-  problems.add(fmt::format("traction: stress on the {} edge is {{{}, {}}} Pa, it must be finite",
-                           name_of(traction.edge), traction.stress.x(), traction.stress.y()));
-}
-
-void check(const Plate& plate, const NoFail& zone, Problems& problems) {
-  if (!(zone.least.x() <= zone.most.x() && zone.least.y() <= zone.most.y()))
-    problems.add("nofail: 'from' must be the lower left and 'to' the upper right corner");
-  const bool apart = zone.most.x() < 0.0 || zone.most.y() < 0.0 || zone.least.x() > plate.width ||
-                     zone.least.y() > plate.height;
+void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems) {
+  check(zone, "nofail", problems);
+  const Box box = bounds(zone);
+  const bool apart = box.most.x() < 0.0 || box.most.y() < 0.0 || box.least.x() > plate.width ||
+                     box.least.y() > plate.height;
   if (apart)
     problems.add(fmt::format("nofail: the zone from {} to {} lies outside the plate",
-                             point_text(zone.least), point_text(zone.most)),
+                             point_text(box.least), point_text(box.most)),
                  extent_text(plate));
 }
 
 std::string describe(const Plate& plate) {
-  return fmt::format("plate {} x {} mm, {}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
-                     shortest(std::round(plate.height * 1e9) * 1e-6),
-                     plate.plane == Plane::strain ? "plane strain, " : "", describe(plate.material),
-                     counted(plate.cracks.size(), "crack"),
-                     counted(plate.tractions.size(), "traction"),
-                     counted(plate.no_fail.size(), "no-fail zone"));
+  return fmt::format(
+      "plate {} x {} mm, {}{}{}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
+      shortest(std::round(plate.height * 1e9) * 1e-6),
+      plate.plane == Plane::strain ? "plane strain, " : "", describe(plate.material),
+      counted(plate.cutouts.size(), "cut-out"), counted(plate.inclusions.size(), "inclusion"),
+      counted(plate.cracks.size(), "crack"), describe(plate.loads),
+      counted(plate.no_fail.size(), "no-fail zone"));
 }
 
 }  // namespace hackle

@@ -4,44 +4,71 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
+#include "scene/loads.hpp"
 #include "scene/material.hpp"
+#include "scene/shape.hpp"
 #include "scene/vec2.hpp"
 
 namespace hackle {
 
-enum class Edge { left, right, bottom, top };
-
-std::string_view name_of(Edge edge);
-std::optional<Edge> edge_named(std::string_view name);
-
 // Whether the bonds that a crack cuts count as damage, or were never there.
 enum class Born { broken, absent };
 
-// A straight crack of zero width. It cuts every bond that has a point in common with it; its two
-// ends do not belong to it. No mirror changes that rule.
+// A crack of zero width along straight pieces. It cuts every bond that has a point in common with
+// it; its two ends do not belong to it, unless they are the same point. No mirror changes that
+// rule.
 struct Crack {
-  Vec2 from{0, 0};  // m, on the plate
-  Vec2 to{0, 0};    // m, on the plate
+  Crack() = default;
+  Crack(const Vec2& from, const Vec2& to, Born how = Born::broken) : points{from, to}, born(how) {}
+  Crack(std::vector<Vec2> along, Born how) : points(std::move(along)), born(how) {}
+
+  std::vector<Vec2> points;  // m, on the plate; at least two
   Born born = Born::broken;
 };
 
-// A stress vector on a whole edge from t = 0 on, positive along x and y. It acts as a body force
-// on the outermost row of nodes, so that the resultant is exact.
-struct Traction {
-  Edge edge = Edge::top;
-  Vec2 stress{0, 0};  // Pa
+// Material taken away: a hole or a notch. Nodes inside are void, bonds that pass through are
+// absent.
+struct Cutout {
+  Shape shape;
+  std::string name;  // by which a pressure finds its rim; "" for none
 };
 
-// A rectangle in which bonds never break; a bond with one end in it is safe too.
-struct NoFail {
-  Vec2 least{0, 0};  // m, lower left corner, included
-  Vec2 most{0, 0};   // m, upper right corner, included
+// Another material. A node inside is of it, by the last inclusion that covers the node.
+struct Inclusion {
+  Shape shape;
+  Material material;
+};
+
+// Displacement and velocity at t = 0, added where areas overlap.
+struct Start {
+  Region region;
+  VectorField displacement;  // m
+  VectorField velocity;      // m/s
+};
+
+// How strength differs from place to place: the critical stretch of a node is s0 times a factor of
+// mean 1 drawn from a distribution. The same flaws for every spacing once they are correlated.
+struct Scatter {
+  enum class Kind { weibull, normal };
+  Kind kind = Kind::weibull;
+  double spread = 0.0;       // Weibull modulus, or standard deviation of a normal distribution
+  double correlation = 0.0;  // m, >= 0; 0: each node for itself
+  std::int64_t seed = 1;
+};
+
+// Nodes that have lost bonds push each other away when they come near: K = stiffness times that of
+// a bond (LAMMPS: 15), below `reach` times their distance at rest.
+struct Contact {
+  double stiffness = 15.0;
+  double reach = 0.9;
 };
 
 // Thin, free of stress across its thickness, or thick, held from straining across it. Bond-based
@@ -54,21 +81,26 @@ struct Plate {
   double height = 0.0;  // m, along y, > 0
   Material material;
   Plane plane = Plane::stress;
+  std::vector<Cutout> cutouts;
+  std::vector<Inclusion> inclusions;
   std::vector<Crack> cracks;
-  std::vector<Traction> tractions;
-  std::vector<NoFail> no_fail;
+  // Areas, rims included, in which bonds never break; a bond with one end in one is safe too.
+  std::vector<Shape> no_fail;
+  std::vector<Start> starts;
+  std::optional<Scatter> scatter;
+  std::optional<Contact> contact;
+  Loads loads;
 };
 
-// The strip of width `depth` along an edge, as a no-fail zone.
-NoFail strip(const Plate& plate, Edge edge, double depth);
+// The strip of width `depth` along an edge.
+Shape strip(const Plate& plate, Edge edge, double depth);
 
 // Adds a problem for everything in the plate (or in one thing that is to go on it) that makes no
 // sense: sizes, materials, cracks of no length or off the plate, zones off the plate, stresses that
 // are no numbers.
 void check(const Plate& plate, Problems& problems);
 void check(const Plate& plate, const Crack& crack, Problems& problems);
-void check(const Plate& plate, const NoFail& zone, Problems& problems);
-void check(const Traction& traction, Problems& problems);
+void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems);
 
 // "plate 100 x 40 mm, Duran 50 (E 65 GPa, ...), 1 crack, 2 tractions"; plane strain is said too.
 std::string describe(const Plate& plate);

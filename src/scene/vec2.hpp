@@ -8,4 +8,10 @@ namespace hackle {
 // A point or vector of the plane; the unit is said where it is used.
 using Vec2 = Eigen::Vector2d;
 
+// A straight piece between two points; both may be the same.
+struct Segment {
+  Vec2 from{0, 0};
+  Vec2 to{0, 0};
+};
+
 }  // namespace hackle

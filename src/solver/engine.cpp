@@ -44,8 +44,8 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
       reach_(lattice.family.reach()),
       classes_(bond_classes<Real>(lattice, options.dt, features_.varied)),
       all_bonds_(static_cast<std::size_t>(lattice.family.words())),
-      loads_(node_loads<Real>(lattice, options.dt)),
-      loads_of_row_(first_load_of_rows(lattice)),
+      acceleration_unit_(options.dt * options.dt / lattice.grid.dx),
+      loads_of_row_(static_cast<std::size_t>(layout_.ny) + 1),
       late_(options.breaking == Breaking::next_step),
       bound_(bound_factors<Real>(lattice.family)),
       linear_range_(static_cast<Real>(threshold_of(options.fidelity * lattice.calibration.s0))),
@@ -68,8 +68,6 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
   intact_.resize(tiles);
   complete_.resize(tiles);
   loaded_.resize(tiles);
-  for (const LoadedNode& load : lattice.loads)
-    loaded_[static_cast<std::size_t>(tile_of(layout_.at(load.i, load.j)))] = 1;
   bond_offsets_.resize(32 * all_bonds_.size());
   lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
     all_bonds_[static_cast<std::size_t>(bit / 32)] |= std::uint32_t{1} << (bit % 32);
@@ -103,6 +101,39 @@ int Engine<Real>::tile_of(std::ptrdiff_t place) const {
   const auto column = place - layout_.at(layout_.first_column(), static_cast<int>(j));
   return tile_row_of_[static_cast<std::size_t>(j)] * layout_.groups() +
          static_cast<int>(column / NodeLayout::group);
+}
+
+template <class Real>
+void Engine<Real>::set_loads(const Loading& loading) {
+  loads_ = node_loads<Real>(loading.forces(), acceleration_unit_);
+  loads_of_row_ = first_of_rows(loading.forces(), layout_.ny);
+  leads_ = node_leads<Real>(loading.led());
+  leads_of_row_ = first_of_rows(loading.led(), layout_.ny);
+  inertia_of_leads_.clear();
+  std::ranges::fill(loaded_, std::uint8_t{0});
+  const auto mark = [this](int i, int j) {
+    loaded_[static_cast<std::size_t>(tile_of(layout_.at(i, j)))] = 1;
+  };
+  for (const LoadedNode& node : loading.forces()) mark(node.i, node.j);
+  for (const LedNode& node : loading.led()) {
+    mark(node.i, node.j);
+    inertia_of_leads_.push_back(node.inertia);
+  }
+}
+
+template <class Real>
+double Engine<Real>::work_of_leads() const {
+  double work = 0.0;
+  for (std::size_t k = 0; k < leads_.size(); ++k)
+    work += inertia_of_leads_[k] * static_cast<double>(leads_[k].work);
+  return work;
+}
+
+template <class Real>
+void Engine<Real>::let_lead(KernelData<Real>& data) {
+  if (leads_.empty()) return;
+  data.leads = leads_.data();
+  data.leads_of_row = leads_of_row_.data();
 }
 
 template <class Real>
@@ -211,6 +242,7 @@ void Engine<Real>::step(const Lattice& lattice, State& state) {
   auto& motion = std::get<Motion<Real>>(state.motion);
   KernelData<Real> data = tables(lattice, motion, state);
   let_write(data, motion);
+  let_lead(data);
   advance(data);
   for (std::size_t task = 1; task < tasks_.size(); ++task) kernel_.join(data, tasks_[task].begin);
   break_bonds(state.bonds);
@@ -247,6 +279,7 @@ void Engine<Real>::accelerations(const Lattice& lattice, const State& state, Val
   KernelData<Real> data = tables(lattice, std::get<Motion<Real>>(state.motion), state);
   data.ax = ax.data();
   data.ay = ay.data();
+  let_lead(data);
   advance(data);
 }
 

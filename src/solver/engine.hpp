@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/kernel.hpp"
+#include "solver/loading.hpp"
 #include "solver/scratch.hpp"
 #include "solver/state.hpp"
 #include "solver/threads.hpp"
@@ -26,6 +27,11 @@ class Engine {
  public:
   Engine(const Lattice& lattice, const EngineOptions& options, Threads threads);
 
+  // What acts from now on.
+  void set_loads(const Loading& loading);
+  // The work it took in the last step to lead nodes, in units of rho dx^4/dt^2.
+  double work_of_leads() const;
+
   // `lattice` is the one it was made for. To be called before the first step, and whenever a state
   // is not the one that step() left. Gives a state without thresholds those of an untouched plate.
   void prepare(const Lattice& lattice, State& state);
@@ -44,6 +50,7 @@ class Engine {
   KernelData<Real> tables(const Lattice& lattice, const Motion<Real>& motion,
                           const State& state) const;
   void let_write(KernelData<Real>& data, Motion<Real>& motion);
+  void let_lead(KernelData<Real>& data);
   void advance(const KernelData<Real>& data);
   void set_thresholds(const Lattice& lattice, double alpha);
   void survey(const Lattice& lattice, Motion<Real>& motion, const State& state);
@@ -57,8 +64,11 @@ class Engine {
   std::vector<BondClass<Real>> classes_;
   int first_on_row_ = 0;
   std::vector<std::uint32_t> all_bonds_;  // words of a node that lacks none
+  double acceleration_unit_;              // a lattice unit over 1 m/s2: dt^2/dx
   std::vector<NodeLoad<Real>> loads_;
-  std::vector<std::size_t> loads_of_row_;
+  std::vector<NodeLead<Real>> leads_;
+  std::vector<double> inertia_of_leads_;
+  std::vector<std::size_t> loads_of_row_, leads_of_row_;
 
   bool late_;
   BoundFactors<Real> bound_;

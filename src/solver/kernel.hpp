@@ -73,12 +73,25 @@ struct BoundFactors {
   Real squares{1};
 };
 
-// A steady acceleration of one node, in lattice units.
+// An acceleration of one node, in lattice units.
 template <class Real>
 struct NodeLoad {
   int i = 0;
   Real x{};
   Real y{};
+};
+
+// A node that moves by x, y in this step whatever pulls at it, along one axis or both.
+template <class Real>
+struct NodeLead {
+  int i = 0;
+  bool along_x = true;
+  bool along_y = true;
+  Real x{};
+  Real y{};
+  // Written by the kernel: the work that it takes, for a node of mass 1. The change of its
+  // momentum that no bond and no load makes, times the mean of its velocities before and after.
+  Real work{};
 };
 
 // A bond that was found stretched too far.
@@ -118,6 +131,8 @@ struct KernelData {
 
   const NodeLoad<Real>* loads = nullptr;
   const std::size_t* loads_of_row = nullptr;  // row j has loads[loads_of_row[j]] and following
+  NodeLead<Real>* leads = nullptr;
+  const std::size_t* leads_of_row = nullptr;  // none when there are no leads
 
   TileGrid tiles;
   const TileRange<Real>* range = nullptr;  // of u

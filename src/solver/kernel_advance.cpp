@@ -60,6 +60,7 @@ class Sweep {
       if (j < rows_.begin) continue;
       add_bonds_on_row(j);
       add_loads(j);
+      if (data_.leads_of_row != nullptr) lead(j);
       if (data_.ax == nullptr)
         advance(j, tile_row);
       else
@@ -104,6 +105,7 @@ class Sweep {
   }
   void linearise();
   void add_loads(int j);
+  void lead(int j);
   void show(int j);
   void advance(int j, int tile_row);
   void move_threshold(std::ptrdiff_t place, std::ptrdiff_t q, Vector<Real> e);
@@ -224,6 +226,29 @@ void Sweep<features>::add_loads(int j) {
     if (q < 0 || q >= columns_) continue;
     force.x[q] += load.x;
     force.y[q] += load.y;
+  }
+}
+
+// Makes advance() move the node as it is led: from rest, by a force that amounts to its move.
+template <KernelFeatures features>
+void Sweep<features>::lead(int j) {
+  const auto along = [&](Real& force, Real& v, Real move) {
+    const Real wanted = move - (v + data_.kick * force);
+    const Real work = Real{0.5} * wanted * (v + move);
+    if (data_.ax != nullptr) return force = 0;
+    v = 0;
+    force = move / data_.kick;
+    return work;
+  };
+  for (std::size_t n = data_.leads_of_row[j]; n < data_.leads_of_row[j + 1]; ++n) {
+    NodeLead<Real>& node = data_.leads[n];
+    const int q = node.i - data_.layout.first_column() - first_;
+    if (q < 0 || q >= columns_) continue;
+    const std::ptrdiff_t at = place(j) + q;
+    Real work = 0;
+    if (node.along_x) work += along(work_.up.x[q], data_.vx[at], node.x);
+    if (node.along_y) work += along(work_.up.y[q], data_.vy[at], node.y);
+    node.work = work;
   }
 }
 

@@ -64,23 +64,24 @@ std::vector<BondClass<Real>> bond_classes(const Lattice& lattice, double dt, boo
 }
 
 template <class Real>
-std::vector<NodeLoad<Real>> node_loads(const Lattice& lattice, double dt) {
+std::vector<NodeLoad<Real>> node_loads(const std::vector<LoadedNode>& forces, double unit) {
   std::vector<NodeLoad<Real>> loads;
-  for (const LoadedNode& node : lattice.loads) {
-    const Vec2 in_units = node.acceleration * (dt * dt / lattice.grid.dx);
+  loads.reserve(forces.size());
+  for (const LoadedNode& node : forces) {
+    const Vec2 in_units = node.acceleration * unit;
     loads.push_back({node.i, static_cast<Real>(in_units.x()), static_cast<Real>(in_units.y())});
   }
   return loads;
 }
 
-std::vector<std::size_t> first_load_of_rows(const Lattice& lattice) {
-  std::vector<std::size_t> first;
-  std::size_t at = 0;
-  for (int j = 0; j <= lattice.grid.ny; ++j) {
-    while (at < lattice.loads.size() && lattice.loads[at].j < j) ++at;
-    first.push_back(at);
-  }
-  return first;
+template <class Real>
+std::vector<NodeLead<Real>> node_leads(const std::vector<LedNode>& led) {
+  std::vector<NodeLead<Real>> leads;
+  leads.reserve(led.size());
+  for (const LedNode& node : led)
+    leads.push_back({node.i, node.along_x, node.along_y, static_cast<Real>(node.move.x()),
+                     static_cast<Real>(node.move.y())});
+  return leads;
 }
 
 template <class Real>
@@ -122,8 +123,10 @@ LinearStencil<Real> linear_stencil(const std::vector<BondClass<Real>>& classes) 
 
 template std::vector<BondClass<float>> bond_classes(const Lattice&, double, bool);
 template std::vector<BondClass<double>> bond_classes(const Lattice&, double, bool);
-template std::vector<NodeLoad<float>> node_loads(const Lattice&, double);
-template std::vector<NodeLoad<double>> node_loads(const Lattice&, double);
+template std::vector<NodeLoad<float>> node_loads(const std::vector<LoadedNode>&, double);
+template std::vector<NodeLoad<double>> node_loads(const std::vector<LoadedNode>&, double);
+template std::vector<NodeLead<float>> node_leads(const std::vector<LedNode>&);
+template std::vector<NodeLead<double>> node_leads(const std::vector<LedNode>&);
 template BoundFactors<float> bound_factors(const Family&);
 template BoundFactors<double> bound_factors(const Family&);
 template LinearStencil<float> linear_stencil(const std::vector<BondClass<float>>&);

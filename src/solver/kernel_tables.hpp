@@ -6,6 +6,7 @@
 
 #include "lattice/lattice.hpp"
 #include "solver/kernel.hpp"
+#include "solver/loading.hpp"
 
 namespace hackle {
 
@@ -17,11 +18,24 @@ double threshold_of(double stretch);
 template <class Real>
 std::vector<BondClass<Real>> bond_classes(const Lattice& lattice, double dt, bool varied);
 
+// Ordered by index, as they came. `unit` is a lattice unit of acceleration over 1 m/s2: dt^2/dx.
 template <class Real>
-std::vector<NodeLoad<Real>> node_loads(const Lattice& lattice, double dt);
+std::vector<NodeLoad<Real>> node_loads(const std::vector<LoadedNode>& forces, double unit);
+template <class Real>
+std::vector<NodeLead<Real>> node_leads(const std::vector<LedNode>& led);
 
-// The first of these loads in every row of nodes, and their number.
-std::vector<std::size_t> first_load_of_rows(const Lattice& lattice);
+// The first of these nodes in every row, and their number.
+template <class Node>
+std::vector<std::size_t> first_of_rows(const std::vector<Node>& nodes, int rows) {
+  std::vector<std::size_t> first;
+  first.reserve(static_cast<std::size_t>(rows) + 1);
+  std::size_t at = 0;
+  for (int j = 0; j <= rows; ++j) {
+    while (at < nodes.size() && nodes[at].j < j) ++at;
+    first.push_back(at);
+  }
+  return first;
+}
 
 template <class Real>
 BoundFactors<Real> bound_factors(const Family& family);

@@ -13,6 +13,9 @@
 #include "base/machine.hpp"
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
+#include "lattice/carve.hpp"
+#include "solver/bond_energy.hpp"
+#include "solver/damping.hpp"
 #include "solver/rigid_motion.hpp"
 
 namespace hackle {
@@ -43,6 +46,17 @@ Lattice with_strength(Lattice lattice, std::vector<float> strength) {
   return lattice;
 }
 
+void set_in_motion(const std::vector<Start>& starts, const Lattice& lattice, double dt,
+                   State& state) {
+  for (const Start& start : starts)
+    for_nodes_in(start.region, lattice.grid, [&](int i, int j) {
+      if (lattice.is_void(i, j)) return;
+      const Vec2 place = lattice.grid.position(i, j);
+      state.set_u(i, j, state.u(i, j) + start.displacement.at(place) / lattice.grid.dx);
+      state.set_v(i, j, state.v(i, j) + start.velocity.at(place) * (dt / lattice.grid.dx));
+    });
+}
+
 using AnyEngine = std::variant<Engine<double>, Engine<float>>;
 
 AnyEngine engine_for(Precision precision, const Lattice& lattice, const EngineOptions& options,
@@ -67,9 +81,11 @@ Simulation::Simulation(Plate plate, Numerics numerics, Execution execution,
                         std::move(strength))),
       state_(lattice_, numerics_.precision),
       dt_(numerics_.step.value_or(default_step(lattice_.step_limit))),
+      loading_(plate_, lattice_, dt_),
       instruction_set_(execution.instruction_set),
       threads_(execution.threads > 0 ? execution.threads : available_cores()),
       engine_(engine_for(numerics_.precision, lattice_, options(), threads_)) {
+  if (!plate_.starts.empty()) start();
   prepare();
 }
 
@@ -96,16 +112,53 @@ void Simulation::restore(State state) {
   prepare();
 }
 
+// The energy that the start gives is accounted for as work.
+void Simulation::start() {
+  set_in_motion(plate_.starts, lattice_, dt_, state_);
+  double doubled = 0.0;
+  for (int j = 0; j < lattice_.grid.ny; ++j)
+    for (int i = 0; i < lattice_.grid.nx; ++i)
+      if (!lattice_.is_void(i, j))
+        doubled +=
+            lattice_.material_at(i, j).material.rho / lattice_.rho * state_.v(i, j).squaredNorm();
+  state_.external_work = 0.5 * doubled + bond_energy(lattice_, state_).held / energy_unit();
+}
+
 void Simulation::prepare() {
-  std::visit([this](auto& engine) { engine.prepare(lattice_, state_); }, engine_);
+  loading_.update(lattice_, state_);
+  std::visit(
+      [this](auto& engine) {
+        engine.set_loads(loading_);
+        engine.prepare(lattice_, state_);
+      },
+      engine_);
+}
+
+void Simulation::set_loads(Loads loads) {
+  Plate plate = plate_;
+  plate.loads = std::move(loads);
+  Problems problems;
+  check(plate, problems);
+  problems.throw_if_any();
+  loading_ = Loading(plate, lattice_, dt_);
+  plate_ = std::move(plate);
+  prepare();
 }
 
 void Simulation::step() {
+  take_loads();
   std::visit([this](auto& engine) { engine.step(lattice_, state_); }, engine_);
   ++state_.step;
   count_external_work();
   if (state_.precision() == Precision::f32 && state_.step % steps_between_checks == 0)
     keep_f32_exact();
+}
+
+void Simulation::take_loads() {
+  if (loading_.update(lattice_, state_))
+    std::visit([this](auto& engine) { engine.set_loads(loading_); }, engine_);
+  if (plate_.loads.damping > 0.0)
+    state_.damped += damp(lattice_, std::exp(-plate_.loads.damping * dt_), threads_, state_);
 }
 
 // At fixed steps, so that the bits do not depend on how a run is cut into pieces.
@@ -124,8 +177,11 @@ void Simulation::keep_f32_exact() {
 // The loads are constant over a step and v is its displacement: their work is exact.
 void Simulation::count_external_work() {
   const double unit = dt_ * dt_ / lattice_.grid.dx;  // m/s2 to lattice units
-  for (const LoadedNode& load : lattice_.loads)
-    state_.external_work += unit * load.acceleration.dot(state_.v(load.i, load.j));
+  for (const LoadedNode& load : loading_.forces())
+    state_.external_work += load.inertia * unit * load.acceleration.dot(state_.v(load.i, load.j));
+  if (!loading_.led().empty())
+    state_.external_work +=
+        std::visit([](const auto& engine) { return engine.work_of_leads(); }, engine_);
 }
 
 void Simulation::run(double duration, std::span<Observer* const> observers) {
@@ -146,6 +202,7 @@ void Simulation::advance_to(std::int64_t last_step, std::span<Observer* const> o
       observer->observe(*this);
     }
   };
+  loading_.tabulate(state_.step, last_step + 1);
   let_look();
   while (state_.step < last_step) {
     {
@@ -184,10 +241,18 @@ void Simulation::check_finite() const {
     }
 }
 
-double Simulation::external_work() const {
-  // Lattice units of energy per metre: mass of a node rho dx^2, times (dx/dt)^2.
+// Lattice units of energy per metre: mass of a node rho dx^2, times (dx/dt)^2.
+double Simulation::energy_unit() const {
   const double dx = lattice_.grid.dx;
-  return state_.external_work * lattice_.rho * dx * dx * (dx / dt_) * (dx / dt_);
+  return lattice_.rho * dx * dx * (dx / dt_) * (dx / dt_);
+}
+
+double Simulation::external_work() const {
+  return state_.external_work * energy_unit();
+}
+
+double Simulation::damped_energy() const {
+  return state_.damped * energy_unit();
 }
 
 Vec2 Simulation::displacement(int i, int j) const {

@@ -10,6 +10,7 @@
 
 #include "lattice/lattice.hpp"
 #include "solver/engine.hpp"
+#include "solver/loading.hpp"
 #include "solver/observer.hpp"
 #include "solver/state.hpp"
 #include "solver/threads.hpp"
@@ -40,6 +41,9 @@ class Simulation {
   // has diverged.
   void run(double duration, std::span<Observer* const> observers = {});
 
+  // Other loads from now on. Throws Error (refused) with every problem found.
+  void set_loads(Loads loads);
+
   // Goes on from another state of the same lattice: a kept one, which gives the same bits, or one
   // prepared by hand.
   void restore(State state);
@@ -48,13 +52,15 @@ class Simulation {
   const Numerics& numerics() const { return numerics_; }
   const Lattice& lattice() const { return lattice_; }
   const State& state() const { return state_; }
+  const Loading& loading() const { return loading_; }
   int threads() const { return threads_.count(); }
   InstructionSet instruction_set() const { return instruction_set_; }
 
   double dt() const { return dt_; }                                       // s
   double time() const { return static_cast<double>(state_.step) * dt_; }  // s
   double end_time() const { return end_time_; }                           // s, asked for
-  double external_work() const;           // work done by the loads so far, J/m
+  double external_work() const;           // done by loads and supports so far, J/m
+  double damped_energy() const;           // taken by damping so far, J/m
   Vec2 displacement(int i, int j) const;  // m
   std::vector<Vec2> velocities() const;   // m/s, now, by Grid::index
   // Whether the bond of node (i, j) to (i + column, j + row) holds.
@@ -76,8 +82,11 @@ class Simulation {
 
  private:
   EngineOptions options() const;
+  void start();
   void prepare();
+  void take_loads();
   void count_external_work();
+  double energy_unit() const;  // J/m
   void keep_f32_exact();
   void advance_to(std::int64_t last_step, std::span<Observer* const> observers);
 
@@ -86,6 +95,7 @@ class Simulation {
   Lattice lattice_;
   State state_;
   double dt_;
+  Loading loading_;
   double end_time_ = 0.0;
   double solve_seconds_ = 0.0;
   std::optional<double> widened_at_;

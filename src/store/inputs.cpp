@@ -17,18 +17,106 @@ Json to_json(const Material& material) {
           {"nu", material.nu},     {"G0_J_m2", material.G0}, {"alpha", material.alpha}};
 }
 
+Json to_json(const std::vector<Vec2>& points) {
+  Json list = Json::array();
+  for (const Vec2& point : points) list.push_back(to_json(point));
+  return list;
+}
+
+Json to_json(const Shape& shape) {
+  Json json = {{"kind", kind_of(shape)}};
+  if (const auto* ellipse = std::get_if<Ellipse>(&shape))
+    json.update({{"centre_m", to_json(ellipse->centre)},
+                 {"radii_m", to_json(ellipse->radii)},
+                 {"angle", ellipse->angle}});
+  else if (const auto* polygon = std::get_if<Polygon>(&shape))
+    json["points_m"] = to_json(polygon->points);
+  else if (const auto* slot = std::get_if<Capsule>(&shape))
+    json.update({{"from_m", to_json(slot->axis.from)},
+                 {"to_m", to_json(slot->axis.to)},
+                 {"radius_m", slot->radius}});
+  else if (const auto* bitmap = std::get_if<Bitmap>(&shape))
+    json.update({{"from_m", to_json(bitmap->least)},
+                 {"to_m", to_json(bitmap->most)},
+                 {"columns", bitmap->columns},
+                 {"rows", bitmap->rows},
+                 {"inside", bitmap->inside}});
+  return json;
+}
+
+Json to_json(const Region& region) {
+  return region ? to_json(*region) : Json("plate");
+}
+
+Json to_json(const Course& course) {
+  if (course.is_constant() || course.is_function()) return course.describe();
+  return to_json(course.points());
+}
+
+Json to_json(const VectorField& field) {
+  return field.is_constant() ? to_json(field.constant()) : Json("function");
+}
+
+Json to_json(const ScalarField& field) {
+  return field.is_constant() ? Json(field.constant()) : Json("function");
+}
+
+Json to_json(const Cutout& cutout) {
+  return {{"name", cutout.name}, {"shape", to_json(cutout.shape)}};
+}
+
+Json to_json(const Inclusion& inclusion) {
+  return {{"shape", to_json(inclusion.shape)}, {"material", to_json(inclusion.material)}};
+}
+
 Json to_json(const Crack& crack) {
-  return {{"from_m", to_json(crack.from)},
-          {"to_m", to_json(crack.to)},
+  return {{"points_m", to_json(crack.points)},
           {"born", crack.born == Born::broken ? "broken" : "absent"}};
 }
 
-Json to_json(const Traction& traction) {
-  return {{"edge", name_of(traction.edge)}, {"stress_Pa", to_json(traction.stress)}};
+Json to_json(const Traction& load) {
+  return {{"edge", name_of(load.edge)},
+          {"stress_Pa", to_json(load.stress)},
+          {"depth_m", load.depth},
+          {"time", to_json(load.course)}};
 }
 
-Json to_json(const NoFail& zone) {
-  return {{"from_m", to_json(zone.least)}, {"to_m", to_json(zone.most)}};
+Json to_json(const Pressure& load) {
+  return {{"rim", load.rim}, {"pressure_Pa", load.pressure}, {"time", to_json(load.course)}};
+}
+
+Json to_json(const BodyForce& load) {
+  return {{"region", to_json(load.region)},
+          {"force_N_m3", to_json(load.force)},
+          {"time", to_json(load.course)}};
+}
+
+Json to_json(const Support& load) {
+  const bool velocity = load.kind == Support::Kind::velocity;
+  return {{"region", to_json(load.region)},
+          {velocity ? "velocity_m_s" : "displacement_m", to_json(load.value)},
+          {"along_x", load.along_x},
+          {"along_y", load.along_y},
+          {"time", to_json(load.course)}};
+}
+
+Json to_json(const Heating& load) {
+  return {{"region", to_json(load.region)},
+          {"change_K", to_json(load.change)},
+          {"time", to_json(load.course)}};
+}
+
+Json to_json(const Impactor& load) {
+  return {{"centre_m", to_json(load.centre)},
+          {"radius_m", load.radius},
+          {"velocity_m_s", to_json(load.velocity)},
+          {"mass_kg_m", load.mass}};
+}
+
+Json to_json(const Start& start) {
+  return {{"region", to_json(start.region)},
+          {"displacement_m", to_json(start.displacement)},
+          {"velocity_m_s", to_json(start.velocity)}};
 }
 
 template <class T>
@@ -43,8 +131,17 @@ Json to_json(const Plate& plate) {
           {"height_m", plate.height},
           {"material", to_json(plate.material)},
           {"plane", plane_names[static_cast<std::size_t>(plate.plane)]},
+          {"cutouts", list_of(plate.cutouts)},
+          {"inclusions", list_of(plate.inclusions)},
           {"cracks", list_of(plate.cracks)},
-          {"tractions", list_of(plate.tractions)},
+          {"tractions", list_of(plate.loads.tractions)},
+          {"pressures", list_of(plate.loads.pressures)},
+          {"body_forces", list_of(plate.loads.body_forces)},
+          {"supports", list_of(plate.loads.supports)},
+          {"temperatures", list_of(plate.loads.heatings)},
+          {"impactors", list_of(plate.loads.impactors)},
+          {"damping_1_s", plate.loads.damping},
+          {"starts", list_of(plate.starts)},
           {"no_fail", list_of(plate.no_fail)}};
 }
 

@@ -22,7 +22,8 @@ int main(int argc, char** argv) {
   BenchDeck deck = bench_deck(configuration, std::atoi(argv[2]));
   // Elastic and all in motion: what is counted is the same in every step.
   if (!with("zones")) deck.plate.no_fail.clear();
-  for (Traction& traction : deck.plate.tractions) traction.stress *= 1e-3;
+  for (Traction& traction : deck.plate.loads.tractions)
+    traction.stress = Vec2(1e-3 * traction.stress.constant());
   const InstructionSet set =
       is_supported(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
   Simulation simulation(deck.plate, deck.numerics, {1, set});

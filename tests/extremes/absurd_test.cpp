@@ -24,7 +24,7 @@ struct Scene {
 Scene usual() {
   Scene scene{test::bare_plate(24, 18), test::numerics()};
   scene.plate.cracks.push_back({{0.0, 4.5e-3}, {4e-3, 4.5e-3}, Born::broken});
-  scene.plate.tractions.push_back({Edge::top, {1e6, 10e6}});
+  scene.plate.loads.tractions.push_back({Edge::top, {1e6, 10e6}});
   return scene;
 }
 
@@ -42,8 +42,8 @@ const Quantity quantities[] = {
     {"nu", [](Scene& s, double x) { s.plate.material.nu = x; }},
     {"G0", [](Scene& s, double x) { s.plate.material.G0 = x; }},
     {"alpha", [](Scene& s, double x) { s.plate.material.alpha = x; }},
-    {"crack", [](Scene& s, double x) { s.plate.cracks[0].to.x() = x; }},
-    {"stress", [](Scene& s, double x) { s.plate.tractions[0].stress.y() = x; }},
+    {"crack", [](Scene& s, double x) { s.plate.cracks[0].points[1].x() = x; }},
+    {"stress", [](Scene& s, double x) { s.plate.loads.tractions[0].stress = Vec2(1e6, x); }},
     {"spacing", [](Scene& s, double x) { s.numerics.spacing = x; }},
     {"horizon", [](Scene& s, double x) { s.numerics.horizon = x; }},
     {"step", [](Scene& s, double x) { s.numerics.step = x; }},
@@ -86,7 +86,7 @@ TEST(TwoThingsFarFromAnyPlate, EndInNumbersARefusalOrACleanStop) {
             scene.plate.material.E = E;
             scene.plate.material.rho = rho;
             scene.plate.material.G0 = G0;
-            scene.plate.tractions[0].stress.y() = stress;
+            scene.plate.loads.tractions[0].stress = Vec2(1e6, stress);
             test::outcome(
                 scene.plate, scene.numerics, 70,
                 fmt::format("E {:g}, rho {:g}, G0 {:g}, stress {:g}, {}", E, rho, G0, stress,

@@ -28,8 +28,8 @@ Plate plate_of(const Scale& scale, double load, double alpha) {
   plate.material = {"test", scale.E, scale.rho, 0.25, 0x1p-19 * scale.E * scale.dx, alpha};
   plate.cracks.push_back(
       {{0.0, 20.0 * scale.dx}, {24.0 * scale.dx, 20.0 * scale.dx}, Born::broken});
-  plate.tractions.push_back({Edge::top, {0.0, load * 0x1p-10 * scale.E}});
-  plate.tractions.push_back({Edge::bottom, {0.0, -load * 0x1p-10 * scale.E}});
+  plate.loads.tractions.push_back({Edge::top, {0.0, load * 0x1p-10 * scale.E}});
+  plate.loads.tractions.push_back({Edge::bottom, {0.0, -load * 0x1p-10 * scale.E}});
   plate.no_fail.push_back(strip(plate, Edge::top, 4.0 * scale.dx));
   plate.no_fail.push_back(strip(plate, Edge::bottom, 4.0 * scale.dx));
   return plate;
@@ -120,7 +120,7 @@ TEST_P(Scales, OfTheLoadUpToAThousandTimesTheStrengthShatterButKeepMomentum) {
   for (const double load : {1.0, 10.0, 100.0, 1000.0}) {
     Plate plate = plate_of({}, load, 0.0);
     plate.no_fail.clear();
-    plate.tractions.pop_back();  // else it would be 0
+    plate.loads.tractions.pop_back();  // else it would be 0
     Simulation simulation(plate, numerics_of({}, GetParam()), {1});
     simulation.run(150.0 * simulation.dt());
     test::expect_numbers(simulation, fmt::format("load {}", load));
@@ -128,7 +128,7 @@ TEST_P(Scales, OfTheLoadUpToAThousandTimesTheStrengthShatterButKeepMomentum) {
     const Lattice& lattice = simulation.lattice();
     const double dt = simulation.dt();
     Vec2 force(0, 0), momentum(0, 0);
-    for (const LoadedNode& node : lattice.loads)
+    for (const LoadedNode& node : simulation.loading().forces())
       force += node.acceleration * dt * dt / lattice.grid.dx;
     for (int j = 0; j < 40; ++j)
       for (int i = 0; i < 60; ++i) momentum += simulation.state().v(i, j);

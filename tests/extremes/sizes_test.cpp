@@ -14,11 +14,11 @@ namespace {
 TEST(OneNode, FallsFreely) {
   for (const Precision precision : {Precision::f64, Precision::f32}) {
     Plate plate = test::bare_plate(1, 1);
-    plate.tractions.push_back({Edge::top, {3e5, 1e5}});
+    plate.loads.tractions.push_back({Edge::top, {3e5, 1e5}});
     Numerics numerics = test::numerics();
     numerics.precision = precision;
     Simulation simulation(plate, numerics, {1});
-    const Vec2 a = simulation.lattice().loads.front().acceleration;
+    const Vec2 a = simulation.loading().forces().front().acceleration;
     simulation.run(1000.0 * simulation.dt());
     // Leapfrog is exact for a steady force; a thousand roundings of v and u.
     const Vec2 way = 0.5 * a * std::pow(simulation.time(), 2);
@@ -37,7 +37,8 @@ TEST(AChain, BreaksAsTheReferenceSays) {
   for (const Chain& chain : {Chain{1, 2}, Chain{2, 1}, Chain{1, 37}, Chain{300, 1}, Chain{2, 40}})
     for (const double m : {2.0, 4.0, 16.0}) {
       Plate plate = test::bare_plate(chain.nx, chain.ny);
-      plate.tractions.push_back({chain.nx > chain.ny ? Edge::right : Edge::top, {20e6, 30e6}});
+      plate.loads.tractions.push_back(
+          {chain.nx > chain.ny ? Edge::right : Edge::top, {20e6, 30e6}});
       Simulation simulation(plate, test::numerics(0.5e-3, m * 0.5e-3), {1});
       test::Reference reference(simulation);
       for (int n = 0; n < 200; ++n) {
@@ -55,7 +56,7 @@ TEST(ALargePlate, IsLikeASmallOne) {
   if (available_memory() < (std::uint64_t{4} << 30)) GTEST_SKIP() << "less than 4 GB are free";
   const auto solve = [](int nx, int ny) {
     Plate plate = test::bare_plate(nx, ny);
-    plate.tractions.push_back({Edge::top, {0.0, 40e6}});
+    plate.loads.tractions.push_back({Edge::top, {0.0, 40e6}});
     Numerics numerics = test::numerics();
     numerics.precision = Precision::f32;
     Simulation simulation(plate, numerics);

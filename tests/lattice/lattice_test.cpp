@@ -21,29 +21,6 @@ TEST(Lattice, CountsTheBondsOfARectangle) {
   EXPECT_EQ(lattice.bonds.count(), expected);
 }
 
-TEST(Lattice, TractionsHaveTheExactResultant) {
-  Plate plate = test::bare_plate(30, 20);
-  plate.tractions.push_back({Edge::top, {3e6, 12e6}});
-  plate.tractions.push_back({Edge::right, {5e6, 0.0}});
-  const Lattice lattice(plate, test::numerics());
-  Vec2 force(0.0, 0.0);  // N per metre of thickness: mass of a node is rho dx^2
-  for (const LoadedNode& load : lattice.loads)
-    force += load.acceleration * lattice.rho * lattice.grid.dx * lattice.grid.dx;
-  EXPECT_NEAR(force.x(), 3e6 * plate.width + 5e6 * plate.height, 1e-6);
-  EXPECT_NEAR(force.y(), 12e6 * plate.width, 1e-6);
-}
-
-TEST(Lattice, LoadedNodesAreOrderedAndDistinct) {
-  Plate plate = test::bare_plate(10, 8);
-  for (const Edge edge : {Edge::right, Edge::top, Edge::left, Edge::bottom})
-    plate.tractions.push_back({edge, {1e6, 1e6}});
-  const Lattice lattice(plate, test::numerics());
-  EXPECT_EQ(lattice.loads.size(), 2U * 10U + 2U * 6U);
-  for (std::size_t k = 1; k < lattice.loads.size(); ++k)
-    EXPECT_LT(lattice.grid.index(lattice.loads[k - 1].i, lattice.loads[k - 1].j),
-              lattice.grid.index(lattice.loads[k].i, lattice.loads[k].j));
-}
-
 TEST(Lattice, NoFailZonesCoverTheirNodesAndTheBondsThatReachIn) {
   Plate plate = test::bare_plate(20, 20);
   plate.no_fail.push_back(strip(plate, Edge::top, 1e-3));  // the two top rows

@@ -50,8 +50,8 @@ bool is_removed(const Grid& grid, int i, int j) {
 
 Simulation hackle_plate(const Case& given) {
   Plate plate = bare_plate(columns, rows);
-  plate.tractions.push_back({Edge::top, {0.0, given.stress}});
-  plate.tractions.push_back({Edge::bottom, {0.0, -given.stress}});
+  plate.loads.tractions.push_back({Edge::top, {0.0, given.stress}});
+  plate.loads.tractions.push_back({Edge::bottom, {0.0, -given.stress}});
   plate.material.alpha = given.alpha;
   Numerics numerics = test::numerics();
   numerics.quadrature = Quadrature::ramp;

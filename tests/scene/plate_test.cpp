@@ -58,17 +58,17 @@ TEST(Plate, AllProblemsAreReportedTogether) {
   Plate plate = test::bare_plate(200, 80);
   plate.material.E = -1.0;
   plate.cracks.push_back({{-1.0, 0.0}, {0.0, 9.0}, Born::broken});
-  plate.no_fail.push_back({{1.0, 1.0}, {2.0, 2.0}});
+  plate.no_fail.push_back(rectangle({1.0, 1.0}, {2.0, 2.0}));
   const std::string text = problems_of(plate);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
 }
 
 TEST(Plate, StripsLieAlongTheirEdges) {
   const Plate plate = test::bare_plate(200, 80);
-  EXPECT_EQ(strip(plate, Edge::top, 2e-3).least, Vec2(0.0, 0.04 - 2e-3));
-  EXPECT_EQ(strip(plate, Edge::bottom, 2e-3).most, Vec2(0.1, 2e-3));
-  EXPECT_EQ(strip(plate, Edge::left, 2e-3).most, Vec2(2e-3, 0.04));
-  EXPECT_EQ(strip(plate, Edge::right, 2e-3).least, Vec2(0.1 - 2e-3, 0.0));
+  EXPECT_EQ(bounds(strip(plate, Edge::top, 2e-3)).least, Vec2(0.0, 0.04 - 2e-3));
+  EXPECT_EQ(bounds(strip(plate, Edge::bottom, 2e-3)).most, Vec2(0.1, 2e-3));
+  EXPECT_EQ(bounds(strip(plate, Edge::left, 2e-3)).most, Vec2(2e-3, 0.04));
+  EXPECT_EQ(bounds(strip(plate, Edge::right, 2e-3)).least, Vec2(0.1 - 2e-3, 0.0));
 }
 
 TEST(Plate, EdgesAreKnownByName) {

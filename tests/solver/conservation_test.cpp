@@ -122,13 +122,13 @@ TEST(Conservation, TimeCanBeReversed) {
 
 TEST(Conservation, ExternalWorkIsForceTimesDisplacement) {
   Plate plate = test::bare_plate(30, 20);
-  plate.tractions.push_back({Edge::top, {1e6, 2e6}});
-  plate.tractions.push_back({Edge::bottom, {-1e6, -2e6}});
+  plate.loads.tractions.push_back({Edge::top, {1e6, 2e6}});
+  plate.loads.tractions.push_back({Edge::bottom, {-1e6, -2e6}});
   Simulation simulation(plate, test::numerics());
   simulation.run(5e-6);
   const Lattice& lattice = simulation.lattice();
   double work = 0.0;
-  for (const LoadedNode& load : lattice.loads) {
+  for (const LoadedNode& load : simulation.loading().forces()) {
     const Vec2 u = simulation.displacement(load.i, load.j);
     work += lattice.rho * lattice.grid.dx * lattice.grid.dx * load.acceleration.dot(u);
   }

@@ -71,7 +71,7 @@ class Denormals : public testing::TestWithParam<Precision> {
  protected:
   Simulation loaded_on_top() const {
     Plate plate = test::bare_plate(100, 400);
-    plate.tractions.push_back({Edge::top, {0.0, 1e6}});
+    plate.loads.tractions.push_back({Edge::top, {0.0, 1e6}});
     Numerics numerics = test::numerics();
     numerics.precision = GetParam();
     return Simulation(plate, numerics, {2});

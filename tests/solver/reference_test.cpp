@@ -29,7 +29,7 @@ Plate cracked_plate(const Size& size, double toughness) {
   plate.cracks.push_back({{0.1 * plate.width, 0.2 * plate.height},
                           {0.6 * plate.width, 0.7 * plate.height},
                           Born::broken});
-  plate.tractions.push_back({Edge::right, {3e6, -1e6}});
+  plate.loads.tractions.push_back({Edge::right, {3e6, -1e6}});
   return plate;
 }
 
@@ -122,8 +122,8 @@ class BreakingRule : public testing::TestWithParam<double> {
     Plate plate = test::bare_plate(44, 30);
     plate.material.alpha = GetParam();
     plate.cracks.push_back({{0.0, 7.5e-3}, {8e-3, 7.5e-3}, Born::broken});
-    plate.tractions.push_back({Edge::top, {3e6, 25e6}});
-    plate.tractions.push_back({Edge::bottom, {0.0, -25e6}});
+    plate.loads.tractions.push_back({Edge::top, {3e6, 25e6}});
+    plate.loads.tractions.push_back({Edge::bottom, {0.0, -25e6}});
     plate.no_fail.push_back(strip(plate, Edge::top, 2e-3));
     return plate;
   }

@@ -122,7 +122,7 @@ class EveryChoice : public testing::TestWithParam<Choice> {
     Plate plate = test::bare_plate(39, 50);
     plate.material.alpha = choice.alpha;
     plate.cracks.push_back({{3e-3, 4e-3}, {11e-3, 19e-3}, Born::broken});
-    plate.tractions.push_back({Edge::left, {2e6, 1e6}});
+    plate.loads.tractions.push_back({Edge::left, {2e6, 1e6}});
     if (choice.no_fail) plate.no_fail.push_back(strip(plate, Edge::top, 4e-3));
     Numerics numerics = test::numerics(0.5e-3, choice.m * 0.5e-3);
     numerics.precision = choice.precision;

@@ -44,7 +44,7 @@ TEST(Stability, DivergenceIsReportedWithItsCause) {
   numerics.force_step = true;
   Plate plate = test::bare_plate(30, 20);
   plate.no_fail.push_back(strip(plate, Edge::top, plate.height));  // breaking would calm it
-  plate.tractions.push_back({Edge::top, {0.0, 1e9}});
+  plate.loads.tractions.push_back({Edge::top, {0.0, 1e9}});
   Simulation simulation(plate, numerics);
   try {
     simulation.run(1e-3);
@@ -60,8 +60,8 @@ TEST(Stability, DivergenceIsReportedWithItsCause) {
 TEST(Stability, AbsurdLoadsBreakThePlateButLeaveItFinite) {
   for (const double stress : {1e9, 1e12, 1e15}) {
     Plate plate = test::bare_plate(30, 20);
-    plate.tractions.push_back({Edge::top, {0.0, stress}});
-    plate.tractions.push_back({Edge::left, {-stress, stress}});
+    plate.loads.tractions.push_back({Edge::top, {0.0, stress}});
+    plate.loads.tractions.push_back({Edge::left, {-stress, stress}});
     Simulation simulation(plate, test::numerics());
     EXPECT_NO_THROW(simulation.run(20e-6)) << stress;
     EXPECT_GT(count_damage(simulation).broken_bonds, 0);
@@ -73,7 +73,7 @@ TEST(Stability, TinyPlatesAndWideHorizonsWork) {
     for (const int ny : {1, 2, 7})
       for (const double m : {2.0, 4.0, 16.0}) {
         Plate plate = test::bare_plate(nx, ny);
-        plate.tractions.push_back({Edge::top, {0.0, 1e6}});
+        plate.loads.tractions.push_back({Edge::top, {0.0, 1e6}});
         Simulation simulation(plate, test::numerics(0.5e-3, m * 0.5e-3));
         EXPECT_NO_THROW(simulation.run(2e-6)) << nx << " x " << ny << ", m = " << m;
       }

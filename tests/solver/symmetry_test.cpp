@@ -47,8 +47,8 @@ TEST_P(MirrorSymmetry, AboutBothMidlinesIsNeverLost) {
 TEST_P(MirrorSymmetry, HoldsForOddLatticesWithACrackOnARowOfNodes) {
   Plate plate = test::bare_plate(61, 41);
   plate.cracks.push_back({{0.0, 0.5 * plate.height}, {0.5 * plate.width, 0.5 * plate.height}});
-  plate.tractions.push_back({Edge::top, {0.0, 30e6}});
-  plate.tractions.push_back({Edge::bottom, {0.0, -30e6}});
+  plate.loads.tractions.push_back({Edge::top, {0.0, 30e6}});
+  plate.loads.tractions.push_back({Edge::bottom, {0.0, -30e6}});
   Simulation simulation = solve(plate);
   simulation.run(30e-6);
   EXPECT_EQ(test::asymmetric_nodes(simulation, true), 0);

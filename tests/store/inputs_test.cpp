@@ -15,7 +15,7 @@ TEST(Inputs, SayEverythingThatARunWasMadeFrom) {
   const auto& plate = json["plate"];
   EXPECT_EQ(plate["width_m"], 0.1);
   EXPECT_EQ(plate["material"]["E_Pa"], 65e9);
-  EXPECT_EQ(plate["cracks"][0]["to_m"][0], 0.05);
+  EXPECT_EQ(plate["cracks"][0]["points_m"][1][0], 0.05);
   EXPECT_EQ(plate["cracks"][0]["born"], "broken");
   EXPECT_EQ(plate["tractions"][0]["edge"], "top");
   EXPECT_EQ(plate["tractions"][0]["stress_Pa"][1], 12e6);

@@ -69,7 +69,7 @@ constexpr int records = 12;
 
 std::vector<Write> writes_of_a_run(const fs::path& path) {
   Plate plate = test::bare_plate(20, 10);
-  plate.tractions.push_back({Edge::top, {0.0, 5e6}});
+  plate.loads.tractions.push_back({Edge::top, {0.0, 5e6}});
   Simulation simulation(plate, test::numerics(), {1});
   std::vector<Write> writes;
   noted = &writes;

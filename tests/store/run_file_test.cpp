@@ -31,7 +31,7 @@ using test::RunFileReader;
 Simulation moving_plate() {
   Plate plate = test::bare_plate(30, 20);
   plate.cracks.push_back({{0.0, 0.005}, {0.005, 0.005}, Born::broken});
-  plate.tractions.push_back({Edge::top, {1e6, 5e6}});
+  plate.loads.tractions.push_back({Edge::top, {1e6, 5e6}});
   return Simulation(plate, test::numerics(), {1});
 }
 

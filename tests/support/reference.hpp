@@ -34,7 +34,7 @@ class Reference {
       }
     s0_.assign(u_.size(), s00_);
     loads_.assign(u_.size(), Vector(0, 0));
-    for (const LoadedNode& load : lattice.loads)
+    for (const LoadedNode& load : simulation.loading().forces())
       loads_[grid.index(load.i, load.j)] = load.acceleration.cast<Real>() * dt * dt / dx;
   }
 

@@ -28,8 +28,8 @@ inline Plate edge_crack(double stress) {
   plate.height = 0.04;
   plate.material = duran50();
   plate.cracks.push_back({{0.0, 0.02}, {0.05, 0.02}, Born::broken});
-  plate.tractions.push_back({Edge::top, {0.0, stress}});
-  plate.tractions.push_back({Edge::bottom, {0.0, -stress}});
+  plate.loads.tractions.push_back({Edge::top, {0.0, stress}});
+  plate.loads.tractions.push_back({Edge::bottom, {0.0, -stress}});
   plate.no_fail.push_back(strip(plate, Edge::top, 2e-3));
   plate.no_fail.push_back(strip(plate, Edge::bottom, 2e-3));
   return plate;

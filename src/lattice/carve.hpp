@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Shapes on the lattice: which nodes they cover, what they take away.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lattice/bonds.hpp"
+#include "lattice/family.hpp"
+#include "lattice/grid.hpp"
+
+namespace hackle {
+
+// Distances below this count as 0, in units of dx.
+inline constexpr double tie = 1e-9;
+
+// The nodes in a box, which may reach beyond the lattice: columns first_i to last_i and so on.
+struct NodeRange {
+  int first_i, last_i, first_j, last_j;
+};
+// Of all nodes nearer to the box than `margin` spacings; the box in units of the lattice, from its
+// centre.
+NodeRange nodes_near(const Box& box, const Grid& grid, int margin);
+
+// Calls work(i, j) for every node that the shape (in m) covers, rim included.
+template <class Work>
+void for_nodes_in(const Shape& shape, const Grid& grid, const Work& work) {
+  const Shape scaled = transformed(shape, grid.centre, 1.0 / grid.dx);
+  const NodeRange range = nodes_near(bounds(scaled), grid, 1);
+  for (int j = range.first_j; j <= range.last_j; ++j)
+    for (int i = range.first_i; i <= range.last_i; ++i)
+      if (covers(scaled, grid.from_centre(i, j), tie)) work(i, j);
+}
+// For every node, when there is no region.
+template <class Work>
+void for_nodes_in(const Region& region, const Grid& grid, const Work& work) {
+  if (region) return for_nodes_in(*region, grid, work);
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) work(i, j);
+}
+
+// Per node: 0 for the plate's own material, k for the k-th inclusion, the last that covers it, or
+// Lattice::void_node inside a cut-out (a node on its rim stays). Empty when all are 0.
+std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& grid);
+
+// Clears the bonds of void nodes and those that pass through the inside of a cut-out.
+void carve(const std::vector<Cutout>& cutouts, const std::vector<std::uint8_t>& material,
+           const Grid& grid, const Family& family, BondBits& bonds);
+
+}  // namespace hackle

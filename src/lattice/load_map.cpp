@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/load_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "lattice/carve.hpp"
+
+namespace hackle {
+namespace {
+
+using NodeForces = std::map<std::size_t, LoadedNode>;
+
+// By a stress over a length, which is a force density.
+void push(NodeForces& forces, const Lattice& lattice, int i, int j, const Vec2& stress,
+          double length) {
+  const double rho = lattice.material_at(i, j).material.rho;
+  LoadedNode& node =
+      forces.try_emplace(lattice.grid.index(i, j), LoadedNode{i, j, {0, 0}, rho / lattice.rho})
+          .first->second;
+  node.acceleration += stress / (rho * length);
+}
+
+std::vector<LoadedNode> list_of(const NodeForces& forces) {
+  std::vector<LoadedNode> list;
+  list.reserve(forces.size());
+  for (const auto& entry : forces) list.push_back(entry.second);
+  return list;
+}
+
+// The value of a field at a node, checked.
+template <class T>
+T value_at(const FieldOfPlace<T>& field, const Lattice& lattice, int i, int j, const char* who) {
+  const Vec2 place = lattice.grid.position(i, j);
+  const T value = field.at(place);
+  bool finite;
+  if constexpr (std::is_same_v<T, Vec2>)
+    finite = value.allFinite();
+  else
+    finite = std::isfinite(value);
+  if (finite) return value;
+  throw Error(ErrorKind::refused,
+              fmt::format("{}: the function gives no finite number at x = {}, y = {}", who,
+                          quantity(place.x(), "m"), quantity(place.y(), "m")));
+}
+
+[[noreturn]] void refuse_empty(const char* who, const std::string& where) {
+  throw Error(ErrorKind::refused, fmt::format("{}: there is no node {}", who, where),
+              "give it a larger area, or a smaller spacing");
+}
+
+// A line of nodes that ends at the edge: k counts along the edge, depth from it.
+std::pair<int, int> node_at(const Grid& grid, Edge edge, int k, int depth) {
+  switch (edge) {
+    case Edge::left:
+      return {depth, k};
+    case Edge::right:
+      return {grid.nx - 1 - depth, k};
+    case Edge::bottom:
+      return {k, depth};
+    case Edge::top:
+      return {k, grid.ny - 1 - depth};
+  }
+  return {0, 0};
+}
+
+// Where the outermost node of a line is void, there is no edge to pull at.
+NodeForces spread(const Traction& traction, const Lattice& lattice) {
+  const Grid& grid = lattice.grid;
+  const bool along_x = traction.edge == Edge::top || traction.edge == Edge::bottom;
+  const int most = along_x ? grid.ny : grid.nx;
+  const int layers =
+      std::clamp(static_cast<int>(std::min(std::round(traction.depth / grid.dx), 1e9)), 1, most);
+  NodeForces forces;
+  for (int k = 0; k < (along_x ? grid.nx : grid.ny); ++k) {
+    int filled = 0;
+    while (filled < layers) {
+      const auto [i, j] = node_at(grid, traction.edge, k, filled);
+      if (lattice.is_void(i, j)) break;
+      ++filled;
+    }
+    if (filled == 0) continue;
+    const auto [edge_i, edge_j] = node_at(grid, traction.edge, k, 0);
+    const Vec2 stress = value_at(traction.stress, lattice, edge_i, edge_j, "traction");
+    for (int depth = 0; depth < filled; ++depth) {
+      const auto [i, j] = node_at(grid, traction.edge, k, depth);
+      push(forces, lattice, i, j, stress, filled * grid.dx);
+    }
+  }
+  if (forces.empty())
+    refuse_empty("traction", fmt::format("on the {} edge", name_of(traction.edge)));
+  return forces;
+}
+
+// On the faces of cells between material and the cut-out: its resultant on any closed rim is 0, and
+// what it projects on any direction is right to a cell.
+NodeForces spread(const Pressure& pressure, const Plate& plate, const Lattice& lattice) {
+  const Grid& grid = lattice.grid;
+  std::vector<char> open(grid.nodes());
+  for (const Cutout& cutout : plate.cutouts)
+    if (cutout.name == pressure.rim)
+      for_nodes_in(cutout.shape, grid, [&](int i, int j) {
+        open[grid.index(i, j)] = static_cast<char>(lattice.is_void(i, j));
+      });
+  NodeForces forces;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      if (lattice.is_void(i, j)) continue;
+      Vec2 normal{0, 0};  // out of the cut-out, summed over the faces
+      for (const auto& [a, b] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+        if (grid.contains(i + a, j + b) && open[grid.index(i + a, j + b)] != 0)
+          normal -= Vec2(a, b);
+      if (normal != Vec2(0, 0)) push(forces, lattice, i, j, pressure.pressure * normal, grid.dx);
+    }
+  if (forces.empty()) refuse_empty("pressure", fmt::format("around '{}'", pressure.rim));
+  return forces;
+}
+
+NodeForces spread(const BodyForce& force, const Lattice& lattice) {
+  NodeForces forces;
+  for_nodes_in(force.region, lattice.grid, [&](int i, int j) {
+    if (!lattice.is_void(i, j))
+      push(forces, lattice, i, j, value_at(force.force, lattice, i, j, "body_force"), 1.0);
+  });
+  if (forces.empty()) refuse_empty("body_force", "in its area");
+  return forces;
+}
+
+SpreadSupport spread(const Support& support, const Lattice& lattice) {
+  SpreadSupport spread{{}, support.kind, support.course};
+  for_nodes_in(support.region, lattice.grid, [&](int i, int j) {
+    if (lattice.is_void(i, j)) return;
+    spread.nodes.push_back({i, j, value_at(support.value, lattice, i, j, "support"),
+                            support.along_x, support.along_y});
+  });
+  if (spread.nodes.empty()) refuse_empty("support", "in its area");
+  return spread;
+}
+
+}  // namespace
+
+std::vector<SpreadForce> spread_forces(const Plate& plate, const Lattice& lattice) {
+  std::vector<SpreadForce> forces;
+  for (const Traction& load : plate.loads.tractions)
+    forces.push_back({list_of(spread(load, lattice)), load.course});
+  for (const Pressure& load : plate.loads.pressures)
+    forces.push_back({list_of(spread(load, plate, lattice)), load.course});
+  for (const BodyForce& load : plate.loads.body_forces)
+    forces.push_back({list_of(spread(load, lattice)), load.course});
+  return forces;
+}
+
+std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& lattice) {
+  std::vector<SpreadSupport> supports;
+  for (const Support& load : plate.loads.supports) supports.push_back(spread(load, lattice));
+  return supports;
+}
+
+std::vector<LoadedNode> forces_at(const std::vector<SpreadForce>& forces, const Grid& grid,
+                                  double t) {
+  NodeForces sum;
+  for (const SpreadForce& force : forces) {
+    const double factor = force.course.at(t);
+    for (const LoadedNode& node : force.nodes)
+      sum.try_emplace(grid.index(node.i, node.j), LoadedNode{node.i, node.j, {0, 0}, node.inertia})
+          .first->second.acceleration += factor * node.acceleration;
+  }
+  return list_of(sum);
+}
+
+}  // namespace hackle

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Where the loads of a scene act on the lattice, and how hard when their factor of time is 1.
+#pragma once
+
+#include <vector>
+
+#include "lattice/lattice.hpp"
+#include "scene/loads.hpp"
+
+namespace hackle {
+
+// A node on which a force acts.
+struct LoadedNode {
+  int i = 0;
+  int j = 0;
+  Vec2 acceleration{0, 0};  // m/s2
+  double inertia = 1.0;     // density there over Lattice::rho
+};
+
+// A node whose motion is prescribed, along x, y or both.
+struct HeldNode {
+  int i = 0;
+  int j = 0;
+  Vec2 value{0, 0};  // m or m/s
+  bool along_x = true;
+  bool along_y = true;
+};
+
+// Each node once, ordered by index; void nodes are left out.
+struct SpreadForce {
+  std::vector<LoadedNode> nodes;
+  Course course;
+};
+struct SpreadSupport {
+  std::vector<HeldNode> nodes;
+  Support::Kind kind = Support::Kind::displacement;
+  Course course;
+};
+
+// Tractions, pressures and body forces of the plate, in that order. Throws what functions of place
+// throw, and Error (refused) when they give no finite numbers or a load finds no node to act on.
+std::vector<SpreadForce> spread_forces(const Plate& plate, const Lattice& lattice);
+std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& lattice);
+
+// The sum of all forces at time t (s): each node once, ordered by index.
+std::vector<LoadedNode> forces_at(const std::vector<SpreadForce>& forces, const Grid& grid,
+                                  double t);
+
+}  // namespace hackle

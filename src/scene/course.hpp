@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// How a load changes in time.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "scene/vec2.hpp"
+
+namespace hackle {
+
+// A factor of time: 1 for ever, straight lines between given moments, or any function.
+class Course {
+ public:
+  Course() = default;
+  // (t in s, factor), t ascending; two of the same t are a jump, to the second at t itself. Before
+  // the first and after the last the factor stays.
+  explicit Course(std::vector<Vec2> points);
+  // Called with t in s. It may throw Error; `text` says what it is.
+  Course(std::function<double(double)> function, std::string text);
+
+  bool is_constant() const { return points_.empty() && !function_; }
+  bool is_function() const { return static_cast<bool>(function_); }
+  const std::vector<Vec2>& points() const { return points_; }
+
+  // Throws Error (refused), which names t, when a function gives no finite number.
+  double at(double t) const;
+
+  // "constant", "0 at 0 s, 1 at 2 us", or the text of a function.
+  std::string describe() const;
+
+ private:
+  std::vector<Vec2> points_;
+  std::function<double(double)> function_;
+  std::string text_;
+};
+
+// 0 at t = 0, 1 from `duration` (s) on.
+Course ramp(double duration);
+// 0 before `start` (s), 1 from it on.
+Course step_at(double start);
+// 1 from `start` for `duration` (s), 0 else.
+Course pulse(double duration, double start);
+
+// Adds a problem when the moments do not ascend or anything is not finite.
+void check(const Course& course, const std::string& who, Problems& problems);
+
+}  // namespace hackle

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A quantity over the plate as the user gives it: the same everywhere, or a function of place.
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "scene/vec2.hpp"
+
+namespace hackle {
+
+template <class T>
+class FieldOfPlace {
+ public:
+  FieldOfPlace() = default;
+  FieldOfPlace(T constant) : constant_(std::move(constant)) {}
+  FieldOfPlace(double x, double y) requires std::is_same_v<T, Vec2> : constant_(x, y) {}
+  // Called with a point of the plate, m. It may throw Error.
+  explicit FieldOfPlace(std::function<T(const Vec2&)> function) : function_(std::move(function)) {}
+
+  bool is_constant() const { return !function_; }
+  const T& constant() const { return constant_; }
+  T at(const Vec2& point) const { return function_ ? function_(point) : constant_; }
+
+ private:
+  T constant_{};
+  std::function<T(const Vec2&)> function_;
+};
+
+using VectorField = FieldOfPlace<Vec2>;
+using ScalarField = FieldOfPlace<double>;
+
+}  // namespace hackle

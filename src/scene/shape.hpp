@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Areas of the plane, exact and free of any mesh: what is cut out of a plate, what is of another
+// material, where a load acts.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/error.hpp"
+#include "scene/vec2.hpp"
+
+namespace hackle {
+
+struct Ellipse {
+  Vec2 centre{0, 0};
+  Vec2 radii{0, 0};    // half axes, > 0
+  double angle = 0.0;  // rad, of the first half axis from x, anticlockwise
+};
+
+// Any closed chain of straight sides, also one that is not convex; by the even-odd rule.
+struct Polygon {
+  std::vector<Vec2> points;  // at least three
+};
+
+// All that is within `radius` of a segment: a slot with round ends.
+struct Capsule {
+  Segment axis;
+  double radius = 0.0;  // > 0
+};
+
+// The dark or the light cells of a picture laid over a rectangle.
+struct Bitmap {
+  Vec2 least{0, 0};  // lower left corner
+  Vec2 most{0, 0};   // upper right corner
+  int columns = 0;
+  int rows = 0;
+  std::vector<std::uint8_t> inside;  // row by row from the bottom, 0 or 1
+};
+
+using Shape = std::variant<Ellipse, Polygon, Capsule, Bitmap>;
+
+struct Box {
+  Vec2 least{0, 0};
+  Vec2 most{0, 0};
+};
+Box bounds(const Shape& shape);
+
+// The shape moved so that `origin` becomes the origin, then made `factor` times as large.
+Shape transformed(const Shape& shape, const Vec2& origin, double factor);
+
+// Points closer than `tie` to the rim lie on it. Mirror images come to the same answers.
+// Whether a point is inside, and not on the rim.
+bool is_inside(const Shape& shape, const Vec2& point, double tie);
+// Whether a point is inside or on the rim.
+bool covers(const Shape& shape, const Vec2& point, double tie);
+// Whether any point of a segment is inside.
+bool cuts(const Shape& shape, const Segment& segment, double tie);
+
+Shape rectangle(const Vec2& least, const Vec2& most);
+
+// "ellipse", "polygon", "slot", "picture"
+std::string kind_of(const Shape& shape);
+
+// Adds a problem for every value that makes no area. `who` names the call: "hole".
+void check(const Shape& shape, const std::string& who, Problems& problems);
+
+}  // namespace hackle

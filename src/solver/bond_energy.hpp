@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The energy in bonds.
+#pragma once
+
+#include "lattice/lattice.hpp"
+#include "solver/state.hpp"
+
+namespace hackle {
+
+// J per metre of thickness.
+struct BondEnergy {
+  double held = 0.0;    // sum over the bonds that hold of 1/2 c w s^2 |xi| V^2
+  double broken = 0.0;  // the same at s = s0, over those that broke since t = 0
+};
+
+BondEnergy bond_energy(const Lattice& lattice, const State& state);
+
+}  // namespace hackle

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "solver/loading.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace hackle {
+namespace {
+
+// Places of nodes in a list ordered by index, for all nodes of several lists.
+template <class Lists>
+std::map<std::size_t, std::size_t> places(const Lists& lists, const Grid& grid) {
+  std::map<std::size_t, std::size_t> place;
+  for (const auto& list : lists)
+    for (const auto& node : list.nodes) place[grid.index(node.i, node.j)] = 0;
+  std::size_t next = 0;
+  for (auto& entry : place) entry.second = next++;
+  return place;
+}
+
+template <class Nodes>
+std::vector<std::size_t> places_of(const Nodes& nodes, const Grid& grid,
+                                   const std::map<std::size_t, std::size_t>& place) {
+  std::vector<std::size_t> at;
+  at.reserve(nodes.size());
+  for (const auto& node : nodes) at.push_back(place.at(grid.index(node.i, node.j)));
+  return at;
+}
+
+// A displacement is that of the end of a step, a velocity that of its middle.
+double shift_of(Support::Kind kind) {
+  return kind == Support::Kind::displacement ? 1.0 : 0.5;
+}
+
+}  // namespace
+
+void Amplitude::tabulate(std::int64_t begin, std::int64_t end, double dt) {
+  if (!course_.is_function() || begin >= end) return;
+  first_ = begin;
+  table_.clear();
+  table_.reserve(static_cast<std::size_t>(end - begin));
+  for (std::int64_t step = begin; step < end; ++step) table_.push_back(evaluate(step, dt));
+}
+
+double Amplitude::at(std::int64_t step, double dt) const {
+  const std::int64_t place = step - first_;
+  if (place >= 0 && place < std::ssize(table_)) return table_[static_cast<std::size_t>(place)];
+  return evaluate(step, dt);
+}
+
+Loading::Loading(const Plate& plate, const Lattice& lattice, double dt) : dt_(dt) {
+  add(spread_forces(plate, lattice), lattice.grid);
+  add(spread_supports(plate, lattice), lattice);
+  varies_ = !leads_.empty() || std::ranges::any_of(parts_, [](const Force& part) {
+    return !part.amplitude.is_constant();
+  });
+}
+
+void Loading::add(const std::vector<SpreadForce>& forces, const Grid& grid) {
+  const auto place = places(forces, grid);
+  forces_.resize(place.size());
+  for (const SpreadForce& force : forces) {
+    Force part{places_of(force.nodes, grid, place), {}, Amplitude(force.course, 0.0)};
+    for (std::size_t k = 0; k < force.nodes.size(); ++k) {
+      forces_[part.at[k]] = force.nodes[k];
+      part.acceleration.push_back(force.nodes[k].acceleration);
+    }
+    parts_.push_back(std::move(part));
+  }
+}
+
+void Loading::add(const std::vector<SpreadSupport>& supports, const Lattice& lattice) {
+  const Grid& grid = lattice.grid;
+  const auto place = places(supports, grid);
+  led_.assign(place.size(), LedNode{0, 0, {0, 0}, false, false, 1.0});
+  for (const SpreadSupport& support : supports) {
+    const bool velocity = support.kind == Support::Kind::velocity;
+    const double unit = (velocity ? dt_ : 1.0) / grid.dx;
+    Lead part{places_of(support.nodes, grid, place),
+              {},
+              false,
+              false,
+              support.kind,
+              Amplitude(support.course, shift_of(support.kind))};
+    for (std::size_t k = 0; k < support.nodes.size(); ++k) {
+      const HeldNode& node = support.nodes[k];
+      LedNode& led = led_[part.at[k]];
+      led.i = node.i;
+      led.j = node.j;
+      led.along_x |= node.along_x;
+      led.along_y |= node.along_y;
+      led.inertia = lattice.material_at(node.i, node.j).material.rho / lattice.rho;
+      part.along_x = node.along_x;
+      part.along_y = node.along_y;
+      part.value.push_back(unit * node.value);
+    }
+    leads_.push_back(std::move(part));
+  }
+}
+
+void Loading::tabulate(std::int64_t begin, std::int64_t end) {
+  for (Force& part : parts_) part.amplitude.tabulate(begin, end, dt_);
+  for (Lead& part : leads_) part.amplitude.tabulate(begin, end, dt_);
+}
+
+bool Loading::update(const Lattice&, const State& state) {
+  if (!varies_ && !std::exchange(fresh_, false)) return false;
+  fresh_ = false;
+  sum_forces(state.step);
+  lead(state);
+  return true;
+}
+
+void Loading::sum_forces(std::int64_t step) {
+  for (LoadedNode& node : forces_) node.acceleration = {0, 0};
+  for (const Force& part : parts_) {
+    const double factor = part.amplitude.at(step, dt_);
+    for (std::size_t k = 0; k < part.at.size(); ++k)
+      forces_[part.at[k]].acceleration += factor * part.acceleration[k];
+  }
+}
+
+// Where several supports hold a node along one axis, the last one does.
+void Loading::lead(const State& state) {
+  for (const Lead& part : leads_) {
+    const double factor = part.amplitude.at(state.step, dt_);
+    for (std::size_t k = 0; k < part.at.size(); ++k) {
+      LedNode& node = led_[part.at[k]];
+      Vec2 move = factor * part.value[k];
+      if (part.kind == Support::Kind::displacement) move -= state.origin + state.u(node.i, node.j);
+      if (part.along_x) node.move.x() = move.x();
+      if (part.along_y) node.move.y() = move.y();
+    }
+  }
+}
+
+}  // namespace hackle

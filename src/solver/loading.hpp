@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// The loads of a plate in time: which forces act in a step, and where nodes are being led.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lattice/load_map.hpp"
+#include "solver/state.hpp"
+
+namespace hackle {
+
+// A factor of time, asked at the steps of a run.
+class Amplitude {
+ public:
+  // At step n the factor at the time (n + `shift`) dt holds.
+  Amplitude(Course course, double shift) : course_(std::move(course)), shift_(shift) {}
+
+  bool is_constant() const { return course_.is_constant(); }
+  // Asks a function for the steps begin <= n < end, so that at() need not.
+  void tabulate(std::int64_t begin, std::int64_t end, double dt);
+  double at(std::int64_t step, double dt) const;
+
+ private:
+  double evaluate(std::int64_t step, double dt) const {
+    return course_.at((static_cast<double>(step) + shift_) * dt);
+  }
+
+  Course course_;
+  double shift_;
+  std::int64_t first_ = 0;  // step of table_[0]
+  std::vector<double> table_;
+};
+
+// Where a held node goes in this step.
+struct LedNode {
+  int i = 0;
+  int j = 0;
+  Vec2 move{0, 0};  // change of u in the step, lattice units
+  bool along_x = true;
+  bool along_y = true;
+  double inertia = 1.0;  // density there over Lattice::rho
+};
+
+class Loading {
+ public:
+  // Throws what spread_forces and spread_supports throw.
+  Loading(const Plate& plate, const Lattice& lattice, double dt);
+
+  // Functions of time are asked now for all steps begin <= n < end. Throws what they throw.
+  void tabulate(std::int64_t begin, std::int64_t end);
+
+  // Finds what acts in the step that begins with this state. True when it is not what it was.
+  bool update(const Lattice& lattice, const State& state);
+
+  // Each node once, ordered by index.
+  const std::vector<LoadedNode>& forces() const { return forces_; }
+  const std::vector<LedNode>& led() const { return led_; }
+
+ private:
+  // What one load adds to the entries of forces_ or led_.
+  struct Force {
+    std::vector<std::size_t> at;
+    std::vector<Vec2> acceleration;  // m/s2
+    Amplitude amplitude;
+  };
+  struct Lead {
+    std::vector<std::size_t> at;
+    std::vector<Vec2> value;  // in units of dx: of u, or of its change in a step
+    bool along_x, along_y;
+    Support::Kind kind;
+    Amplitude amplitude;
+  };
+
+  void add(const std::vector<SpreadForce>& forces, const Grid& grid);
+  void add(const std::vector<SpreadSupport>& supports, const Lattice& lattice);
+  void sum_forces(std::int64_t step);
+  void lead(const State& state);
+
+  double dt_;
+  std::vector<Force> parts_;
+  std::vector<Lead> leads_;
+  std::vector<LoadedNode> forces_;
+  std::vector<LedNode> led_;
+  bool varies_ = false;
+  bool fresh_ = true;  // update() has not been called
+};
+
+}  // namespace hackle
