@@ -2,6 +2,7 @@
 #include "console/plate_binding.hpp"
 
 #include <array>
+#include <vector>
 
 #include "console/arguments.hpp"
 
@@ -195,16 +196,24 @@ constexpr std::array fields{
     Property{"height", "m", "Size along y.", push_value<&Plate::height>},
 };
 
-constexpr TypeDoc type{.name = "plate",
-                       .sentence = "A plate with its cracks and loads; simulate copies it.",
-                       .methods = methods,
-                       .fields = fields,
-                       .to_text = guarded<to_text>,
-                       .destroy = destroy_object<Plate>};
+// Of all files that bind methods of a plate.
+std::vector<Function> all_methods() {
+  std::vector<Function> all;
+  for (const std::span<const Function> part : {std::span<const Function>(methods)})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
 
 }  // namespace
 
 const TypeDoc& plate_type() {
+  static const std::vector<Function> all = all_methods();
+  static const TypeDoc type{.name = "plate",
+                            .sentence = "A plate with its cracks and loads; simulate copies it.",
+                            .methods = all,
+                            .fields = fields,
+                            .to_text = guarded<to_text>,
+                            .destroy = destroy_object<Plate>};
   return type;
 }
 
