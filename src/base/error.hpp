@@ -43,6 +43,7 @@ class Problems {
  public:
   void add(std::string what, std::string remedy = {});
   bool empty() const { return list_.empty(); }
+  const std::vector<Problem>& list() const { return list_; }
   // Throws Error of this kind unless nothing was added.
   void throw_if_any(ErrorKind kind = ErrorKind::refused) const;
 

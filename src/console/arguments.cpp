@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "console/guard.hpp"
+#include "console/lua_function.hpp"
 #include "console/material_binding.hpp"
 #include "console/session.hpp"
 
@@ -55,6 +56,29 @@ std::vector<std::string_view> names_of(const FunctionDoc& doc) {
 const Option* find_positional(const FunctionDoc& doc) {
   const auto found = std::ranges::find(doc.options, true, &Option::positional);
   return found == doc.options.end() ? nullptr : &*found;
+}
+
+std::string at_place(const Vec2& place) {
+  return fmt::format("at x = {}, y = {}", quantity(place.x(), "m"), quantity(place.y(), "m"));
+}
+
+// {{a, b}, {c, d}, ...}, or nothing when it is anything else.
+std::optional<std::vector<Vec2>> points_at(lua_State* L, int index) {
+  std::vector<Vec2> points;
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
+  for (lua_Integer k = 1; k <= count; ++k) {
+    bool pair = lua_rawgeti(L, index, k) == LUA_TTABLE && lua_rawlen(L, -1) == 2;
+    Vec2 point{0, 0};
+    for (lua_Integer part = 1; pair && part <= 2; ++part) {
+      pair = lua_rawgeti(L, -1, part) == LUA_TNUMBER;
+      point[part - 1] = lua_tonumber(L, -1);
+      lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    if (!pair) return std::nullopt;
+    points.push_back(point);
+  }
+  return points;
 }
 
 }  // namespace
@@ -176,6 +200,12 @@ void Arguments::read_value(lua_State* L, int index, const Option& option) {
       return take_choice(L, index, option);
     case OptionType::material:
       return take_material(L, index, option);
+    case OptionType::vector_field:
+      return take_vector_field(L, index, option);
+    case OptionType::scalar_field:
+      return take_scalar_field(L, index, option);
+    case OptionType::course:
+      return take_course(L, index, option);
   }
 }
 
@@ -264,6 +294,62 @@ void Arguments::take_material(lua_State* L, int index, const Option& option) {
   }
 }
 
+std::string Arguments::full_name(const Option& option) const {
+  return fmt::format("{}: {}", doc_->name, option.name);
+}
+
+void Arguments::take_vector_field(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TFUNCTION) {
+    take_point(L, index, option);
+    if (has(option.name)) keep(option, VectorField(point(option.name)));
+    return;
+  }
+  keep(option,
+       VectorField([function = LuaFunction(L, index, full_name(option))](const Vec2& place) {
+         Vec2 value{0, 0};
+         function.call({place.data(), 2}, {value.data(), 2}, at_place(place));
+         return value;
+       }));
+}
+
+void Arguments::take_scalar_field(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TFUNCTION) {
+    take_number(L, index, option);
+    if (has(option.name)) keep(option, ScalarField(number(option.name)));
+    return;
+  }
+  keep(option,
+       ScalarField([function = LuaFunction(L, index, full_name(option))](const Vec2& place) {
+         double value = 0.0;
+         function.call({place.data(), 2}, {&value, 1}, at_place(place));
+         return value;
+       }));
+}
+
+void Arguments::take_course(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) == LUA_TFUNCTION) {
+    const LuaFunction function(L, index, full_name(option));
+    return keep(
+        option,
+        Course(
+            [function](double t) {
+              double factor = 0.0;
+              function.call({&t, 1}, {&factor, 1}, fmt::format("at t = {}", quantity(t, "s")));
+              return factor;
+            },
+            function.text()));
+  }
+  if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
+  const auto points = points_at(L, index);
+  if (!points || points->empty())
+    return wrong(option, fmt::format("{} is not a list of pairs, expected {}", full_name(option),
+                                     expectation(option)));
+  Problems found;
+  check(Course(*points), full_name(option), found);
+  for (const Problem& problem : found.list()) wrong(option, problem.what, problem.remedy);
+  if (found.empty()) keep(option, Course(*points));
+}
+
 void Arguments::wrong(const Option& option, std::string what, std::string remedy) {
   slots_[static_cast<std::size_t>(&option - doc_->options.data())].bad = true;
   problems.add(std::move(what), std::move(remedy));
@@ -315,6 +401,18 @@ Vec2 Arguments::point(std::string_view name) const {
 
 Material Arguments::material(std::string_view name) const {
   return value_or(name, Material{});
+}
+
+VectorField Arguments::vector_field(std::string_view name) const {
+  return value_or(name, VectorField{Vec2(0.0, 0.0)});
+}
+
+ScalarField Arguments::scalar_field(std::string_view name) const {
+  return value_or(name, ScalarField{0.0});
+}
+
+Course Arguments::course(std::string_view name) const {
+  return value_or(name, Course{});
 }
 
 }  // namespace hackle

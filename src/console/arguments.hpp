@@ -12,6 +12,8 @@
 
 #include "base/error.hpp"
 #include "console/schema.hpp"
+#include "scene/course.hpp"
+#include "scene/field_of_place.hpp"
 #include "scene/material.hpp"
 #include "scene/vec2.hpp"
 
@@ -37,6 +39,9 @@ class Arguments {
   bool flag(std::string_view name, bool fallback = false) const;
   Vec2 point(std::string_view name) const;
   Material material(std::string_view name) const;
+  VectorField vector_field(std::string_view name) const;
+  ScalarField scalar_field(std::string_view name) const;
+  Course course(std::string_view name) const;
   // The text itself of a choice.
   std::string text_of_choice(std::string_view name, std::string_view fallback) const;
   // The enumerator whose place in its type is that of the text among the choices.
@@ -51,7 +56,8 @@ class Arguments {
   struct Choice {
     std::size_t index = 0;
   };
-  using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice>;
+  using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice,
+                             VectorField, ScalarField, Course>;
   struct Slot {
     std::optional<Value> value;
     bool bad = false;
@@ -82,6 +88,11 @@ class Arguments {
   void take_point(lua_State* L, int index, const Option& option);
   void take_choice(lua_State* L, int index, const Option& option);
   void take_material(lua_State* L, int index, const Option& option);
+  void take_vector_field(lua_State* L, int index, const Option& option);
+  void take_scalar_field(lua_State* L, int index, const Option& option);
+  void take_course(lua_State* L, int index, const Option& option);
+  // "traction: stress"
+  std::string full_name(const Option& option) const;
   void keep(const Option& option, Value value);
 
   const FunctionDoc* doc_;

@@ -8,6 +8,7 @@
 #include "base/files.hpp"
 #include "console/guard.hpp"
 #include "console/interrupt_hook.hpp"
+#include "console/lua_function.hpp"
 #include "console/lua_state.hpp"
 #include "console/material_binding.hpp"
 #include "console/object_type.hpp"
@@ -98,6 +99,7 @@ struct Console::Parts {
   explicit Parts(ConsoleSettings settings) : session(std::move(settings)) {
     set_session(L, &session);
     open_errors(L);
+    open_kept_functions(L);
     open_units(L);
     open_type(L, type_name<Material>, material_type());
     open_type(L, type_name<Plate>, plate_type());

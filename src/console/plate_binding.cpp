@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "console/arguments.hpp"
+#include "console/load_binding.hpp"
+#include "console/region_options.hpp"
 
 namespace hackle {
 namespace {
 
-// In the order of the enumerators.
-constexpr std::array<std::string_view, 4> edge_names{"left", "right", "bottom", "top"};
 constexpr std::array<std::string_view, 2> born_names{"broken", "absent"};
 
 constexpr std::array plate_options{
@@ -65,50 +65,11 @@ constexpr FunctionDoc crack_doc{.name = "crack",
                                 .options = crack_options,
                                 .example = "p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }"};
 
-constexpr std::array traction_options{
-    Option{.name = "edge",
-           .type = OptionType::choice,
-           .required = true,
-           .choices = edge_names,
-           .sentence = "The edge it acts on, all along."},
-    Option{.name = "stress",
-           .type = OptionType::point,
-           .unit = "Pa",
-           .required = true,
-           .sentence = "Force on the edge per area, from time zero on; positive right and up."},
-};
-
-constexpr FunctionDoc traction_doc{
-    .name = "traction",
-    .owner = "p",
-    .sentence = "Pulls, pushes or shears an edge with a constant stress.",
-    .options = traction_options,
-    .example = "p:traction { edge = \"top\", stress = {0, 12*MPa} }"};
-
-constexpr std::array nofail_options{
-    Option{.name = "edge",
-           .type = OptionType::choice,
-           .choices = edge_names,
-           .sentence = "The edge of a strip, with depth."},
-    Option{.name = "depth",
-           .unit = "m",
-           .range = above(0.0),
-           .sentence = "How far the strip reaches into the plate; one horizon is usual."},
-    Option{.name = "from",
-           .type = OptionType::point,
-           .unit = "m",
-           .sentence = "Lower left corner of a rectangle, instead of edge and depth."},
-    Option{.name = "to",
-           .type = OptionType::point,
-           .unit = "m",
-           .sentence = "Upper right corner of the rectangle."},
-};
-
 constexpr FunctionDoc nofail_doc{
     .name = "nofail",
     .owner = "p",
-    .sentence = "A strip along an edge, or a rectangle, in which no bond breaks.",
-    .options = nofail_options,
+    .sentence = "A strip along an edge, a rectangle or a disc in which no bond breaks.",
+    .options = region_options,
     .example = "p:nofail { edge = \"top\", depth = 2*mm }"};
 
 int make_plate(lua_State* L) {
@@ -141,43 +102,21 @@ int add_crack(lua_State* L) {
   return return_self(L);
 }
 
-int add_traction(lua_State* L) {
-  Plate& plate = self<Plate>(L, traction_doc);
-  Arguments arguments = Arguments::from_table(L, 2, traction_doc);
-  arguments.problems.throw_if_any();
-  plate.loads.tractions.push_back({arguments.choice<Edge>("edge"), arguments.point("stress")});
-  return return_self(L);
-}
-
-// Either edge and depth or from and to.
-void check_one_way(Arguments& arguments) {
-  const bool strip = arguments.has("edge") || arguments.has("depth");
-  const bool rectangle = arguments.has("from") || arguments.has("to");
-  const bool whole_strip = arguments.has("edge") && arguments.has("depth");
-  const bool whole_rectangle = arguments.has("from") && arguments.has("to");
-  const bool good = arguments.good({"edge", "depth", "from", "to"});
-  if (!good || (whole_strip && !rectangle) || (whole_rectangle && !strip)) return;
-  arguments.problems.add("nofail: the zone is not clear",
-                         "give edge and depth, or from and to, and not both");
-}
-
 int add_nofail(lua_State* L) {
   Plate& plate = self<Plate>(L, nofail_doc);
   Arguments arguments = Arguments::from_table(L, 2, nofail_doc);
-  check_one_way(arguments);
+  const Region zone = region_of(arguments, plate, "nofail");
+  if (!zone && arguments.problems.empty())
+    arguments.problems.add("nofail: no area is given",
+                           "give edge and depth, or from and to, or centre and radius");
+  if (zone) check_no_fail(plate, *zone, arguments.problems);
   arguments.problems.throw_if_any();
-  const Shape zone = arguments.has("edge")
-                         ? strip(plate, arguments.choice<Edge>("edge"), arguments.number("depth"))
-                         : rectangle(arguments.point("from"), arguments.point("to"));
-  check_no_fail(plate, zone, arguments.problems);
-  arguments.problems.throw_if_any();
-  plate.no_fail.push_back(zone);
+  plate.no_fail.push_back(*zone);
   return return_self(L);
 }
 
 constexpr std::array functions{Function{&plate_doc, guarded<make_plate>}};
 constexpr std::array methods{Function{&crack_doc, guarded<add_crack>},
-                             Function{&traction_doc, guarded<add_traction>},
                              Function{&nofail_doc, guarded<add_nofail>}};
 
 int to_text(lua_State* L) {
@@ -199,7 +138,8 @@ constexpr std::array fields{
 // Of all files that bind methods of a plate.
 std::vector<Function> all_methods() {
   std::vector<Function> all;
-  for (const std::span<const Function> part : {std::span<const Function>(methods)})
+  for (const std::span<const Function> part :
+       {std::span<const Function>(methods), load_methods_of_plate()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "console/help_binding.hpp"
+#include "console/load_binding.hpp"
 #include "console/material_binding.hpp"
 #include "console/options_binding.hpp"
 #include "console/plate_binding.hpp"
@@ -33,6 +34,12 @@ std::string_view type_word(const Option& option) {
       return "choice";
     case OptionType::material:
       return "material";
+    case OptionType::vector_field:
+      return "{x, y} or function";
+    case OptionType::scalar_field:
+      return "number or function";
+    case OptionType::course:
+      return "times or function";
   }
   return "?";
 }
@@ -50,17 +57,18 @@ std::string presence(const Option& option) {
 }
 
 std::string option_table(const FunctionDoc& doc) {
-  std::size_t name = 0, values = 0, must = 0;
+  std::size_t name = 0, type = 0, values = 0, must = 0;
   for (const Option& option : doc.options) {
     name = std::max(name, option.name.size());
+    type = std::max(type, type_word(option).size());
     values = std::max(values, allowed(option).size());
     must = std::max(must, presence(option).size());
   }
   std::string text;
   for (const Option& option : doc.options)
     text +=
-        fmt::format("  {:<{}}  {:<8}  {:<{}}  {:<{}}  {}\n", option.name, name, type_word(option),
-                    allowed(option), values, presence(option), must, option.sentence);
+        fmt::format("  {:<{}}  {:<{}}  {:<{}}  {:<{}}  {}\n", option.name, name, type_word(option),
+                    type, allowed(option), values, presence(option), must, option.sentence);
   return text;
 }
 
@@ -103,8 +111,8 @@ std::vector<const TypeDoc*> all_types() {
 
 std::vector<Function> all_functions() {
   std::vector<Function> list;
-  for (const auto functions : {material_functions(), plate_functions(), simulation_functions(),
-                               options_functions(), help_functions()})
+  for (const auto functions : {material_functions(), plate_functions(), course_functions(),
+                               simulation_functions(), options_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());
   return list;
 }

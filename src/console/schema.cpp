@@ -54,6 +54,12 @@ std::string expectation(const Option& option) {
       return "one of " + comma_list(option.choices);
     case OptionType::material:
       return "the name of a material, or material { ... }";
+    case OptionType::vector_field:
+      return "{x, y}" + in_unit + ", or a function of x and y that returns two numbers";
+    case OptionType::scalar_field:
+      return "a number" + in_unit + ", or a function of x and y";
+    case OptionType::course:
+      return "{{t, factor}, ...}, as ramp, pulse and step_at make it, or a function of t";
   }
   return "?";
 }

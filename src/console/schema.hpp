@@ -13,13 +13,16 @@
 namespace hackle {
 
 enum class OptionType {
-  number,    // finite
-  integer,   // whole number
-  text,      // not empty
-  flag,      // true or false
-  point,     // {x, y}, two finite numbers; a place or a vector
-  choice,    // one of `choices`
-  material,  // the name of one, or what material{...} returns
+  number,        // finite
+  integer,       // whole number
+  text,          // not empty
+  flag,          // true or false
+  point,         // {x, y}, two finite numbers; a place or a vector
+  choice,        // one of `choices`
+  material,      // the name of one, or what material{...} returns
+  vector_field,  // {x, y}, or a function of x and y that returns two numbers
+  scalar_field,  // a number, or a function of x and y that returns one
+  course,        // {{t, factor}, ...} in time, or a function of t
 };
 
 // A range of numbers, each end included or not.

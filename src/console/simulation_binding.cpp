@@ -12,6 +12,7 @@
 #include "base/machine.hpp"
 #include "base/units.hpp"
 #include "console/arguments.hpp"
+#include "console/load_binding.hpp"
 #include "console/plate_binding.hpp"
 #include "console/simulation_docs.hpp"
 
@@ -221,10 +222,11 @@ void set_number(lua_State* L, const char* name, double value) {
 
 int push_energy(lua_State* L) {
   const Energy ledger = energy(simulation_of(L));
-  lua_createtable(L, 0, 5);
+  lua_createtable(L, 0, 6);
   set_number(L, "kinetic", ledger.kinetic);
   set_number(L, "strain", ledger.strain);
   set_number(L, "broken", ledger.broken);
+  set_number(L, "damped", ledger.damped);
   set_number(L, "external", ledger.external);
   set_number(L, "residual", ledger.residual());
   return 1;
@@ -246,22 +248,32 @@ constexpr std::array fields{
     Property{"dt_limit", "s", "The longest stable time step.", push_dt_limit},
     Property{"nodes", "", "Of the lattice.", push_nodes},
     Property{"bonds", "", "The plate was born with.", push_bonds},
-    Property{"energy", "J/m", "kinetic, strain, broken, external and residual.", push_energy},
+    Property{"energy", "J/m", "kinetic, strain, broken, damped, external and residual.",
+             push_energy},
     Property{"damage", "", "broken_bonds since the start, and the most damage of a node.",
              push_damage},
     Property{"hash", "", "Of the state; equal only when every bit is.", push_hash},
 };
 
-constexpr TypeDoc type{.name = "simulation",
-                       .sentence = "A plate being solved, and what it leaves behind.",
-                       .methods = methods,
-                       .fields = fields,
-                       .to_text = guarded<to_text>,
-                       .destroy = destroy_object<ScriptedRun>};
+// Of all files that bind methods of a simulation.
+std::vector<Function> all_methods() {
+  std::vector<Function> all;
+  for (const std::span<const Function> part :
+       {std::span<const Function>(methods), load_methods_of_simulation()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
 
 }  // namespace
 
 const TypeDoc& simulation_type() {
+  static const std::vector<Function> all = all_methods();
+  static const TypeDoc type{.name = "simulation",
+                            .sentence = "A plate being solved, and what it leaves behind.",
+                            .methods = all,
+                            .fields = fields,
+                            .to_text = guarded<to_text>,
+                            .destroy = destroy_object<ScriptedRun>};
   return type;
 }
 

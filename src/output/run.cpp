@@ -50,6 +50,18 @@ class ProgressObserver : public Observer {
   double start_, end_;
 };
 
+// True as long as it lives.
+class Mark {
+ public:
+  explicit Mark(bool& mark) : mark_(mark) { mark_ = true; }
+  ~Mark() { mark_ = false; }
+  Mark(const Mark&) = delete;
+  Mark& operator=(const Mark&) = delete;
+
+ private:
+  bool& mark_;
+};
+
 }  // namespace
 
 struct Run::Parts {
@@ -71,6 +83,13 @@ struct Run::Parts {
   std::vector<fs::path> promised;  // by movie() and record()
   std::vector<fs::path> pictures;  // written by frame()
   bool closed = false;
+  bool running = false;  // a function of a script may be called in the middle of run()
+
+  void refuse_while_running() const {
+    if (running)
+      throw Error(ErrorKind::refused, "the simulation is running",
+                  "functions of time may not run it or change it");
+  }
 
   // Refuses a path that cannot be written or that another output of this run writes.
   void promise(const char* output, const fs::path& path) {
@@ -130,13 +149,20 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
     parts_->pictures.push_back(path);
 }
 
+void Run::set_loads(Loads loads) {
+  parts_->refuse_while_running();
+  parts_->simulation.set_loads(std::move(loads));
+}
+
 void Run::run(double duration) {
+  parts_->refuse_while_running();
   if (parts_->closed && !parts_->outputs.empty())
     throw Error(ErrorKind::refused, "run: the simulation is closed and its files are complete");
   Simulation& simulation = parts_->simulation;
   ProgressObserver progress(parts_->talk, simulation.time(), simulation.end_time() + duration);
   std::vector<Observer*> observers{&progress};
   for (const auto& output : parts_->outputs) observers.push_back(output.get());
+  const Mark busy(parts_->running);
   simulation.run(duration, observers);
 }
 

@@ -48,6 +48,9 @@ class Run {
   // Writes a PNG of the state as it is now.
   void frame(const std::filesystem::path& path, const PictureOptions& options);
 
+  // Other loads from now on; see Simulation::set_loads.
+  void set_loads(Loads loads);
+
   void run(double duration);      // s; see Simulation::run; shows progress on stderr
   void step(std::int64_t count);  // exactly so many steps
   // Completes movies and run files. Also done after an interrupt or a failure, so that they stay

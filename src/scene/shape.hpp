@@ -3,6 +3,7 @@
 // material, where a load acts.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,17 +17,20 @@ struct Ellipse {
   Vec2 centre{0, 0};
   Vec2 radii{0, 0};    // half axes, > 0
   double angle = 0.0;  // rad, of the first half axis from x, anticlockwise
+  friend bool operator==(const Ellipse&, const Ellipse&) = default;
 };
 
 // Any closed chain of straight sides, also one that is not convex; by the even-odd rule.
 struct Polygon {
   std::vector<Vec2> points;  // at least three
+  friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
 // All that is within `radius` of a segment: a slot with round ends.
 struct Capsule {
   Segment axis;
   double radius = 0.0;  // > 0
+  friend bool operator==(const Capsule&, const Capsule&) = default;
 };
 
 // The dark or the light cells of a picture laid over a rectangle.
@@ -36,6 +40,7 @@ struct Bitmap {
   int columns = 0;
   int rows = 0;
   std::vector<std::uint8_t> inside;  // row by row from the bottom, 0 or 1
+  friend bool operator==(const Bitmap&, const Bitmap&) = default;
 };
 
 using Shape = std::variant<Ellipse, Polygon, Capsule, Bitmap>;

@@ -12,6 +12,7 @@ using Vec2 = Eigen::Vector2d;
 struct Segment {
   Vec2 from{0, 0};
   Vec2 to{0, 0};
+  friend bool operator==(const Segment&, const Segment&) = default;
 };
 
 }  // namespace hackle

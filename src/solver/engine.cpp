@@ -122,11 +122,13 @@ void Engine<Real>::set_loads(const Loading& loading) {
 }
 
 template <class Real>
-double Engine<Real>::work_of_leads() const {
-  double work = 0.0;
-  for (std::size_t k = 0; k < leads_.size(); ++k)
-    work += inertia_of_leads_[k] * static_cast<double>(leads_[k].work);
-  return work;
+typename Engine<Real>::LeadWork Engine<Real>::work_of_leads() const {
+  LeadWork sum;
+  for (std::size_t k = 0; k < leads_.size(); ++k) {
+    sum.done += inertia_of_leads_[k] * static_cast<double>(leads_[k].work);
+    sum.ahead += inertia_of_leads_[k] * static_cast<double>(leads_[k].ahead);
+  }
+  return sum;
 }
 
 template <class Real>

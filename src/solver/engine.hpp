@@ -29,8 +29,13 @@ class Engine {
 
   // What acts from now on.
   void set_loads(const Loading& loading);
-  // The work it took in the last step to lead nodes, in units of rho dx^4/dt^2.
-  double work_of_leads() const;
+  // The work it took in the last step to lead nodes, in units of rho dx^4/dt^2: that up to its
+  // beginning, which adds up, and that ahead of it, which does not.
+  struct LeadWork {
+    double done = 0.0;
+    double ahead = 0.0;
+  };
+  LeadWork work_of_leads() const;
 
   // `lattice` is the one it was made for. To be called before the first step, and whenever a state
   // is not the one that step() left. Gives a state without thresholds those of an untouched plate.

@@ -89,9 +89,12 @@ struct NodeLead {
   bool along_y = true;
   Real x{};
   Real y{};
-  // Written by the kernel: the work that it takes, for a node of mass 1. The change of its
-  // momentum that no bond and no load makes, times the mean of its velocities before and after.
+  // Written by the kernel: the work that leading takes up to the beginning of the step, for a node
+  // of mass 1: the change of its momentum that no bond and no load makes, times the mean of its
+  // velocities before and after.
   Real work{};
+  // The same for the half of the step that lies ahead, which the next step's `work` contains.
+  Real ahead{};
 };
 
 // A bond that was found stretched too far.

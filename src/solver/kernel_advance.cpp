@@ -232,23 +232,25 @@ void Sweep<features>::add_loads(int j) {
 // Makes advance() move the node as it is led: from rest, by a force that amounts to its move.
 template <KernelFeatures features>
 void Sweep<features>::lead(int j) {
-  const auto along = [&](Real& force, Real& v, Real move) {
-    const Real wanted = move - (v + data_.kick * force);
-    const Real work = Real{0.5} * wanted * (v + move);
-    if (data_.ax != nullptr) return force = 0;
-    v = 0;
-    force = move / data_.kick;
-    return work;
-  };
   for (std::size_t n = data_.leads_of_row[j]; n < data_.leads_of_row[j + 1]; ++n) {
     NodeLead<Real>& node = data_.leads[n];
     const int q = node.i - data_.layout.first_column() - first_;
     if (q < 0 || q >= columns_) continue;
+    node.work = node.ahead = 0;
+    const auto along = [&](Real& force, Real& v, Real move) {
+      if (data_.ax != nullptr) {
+        force = 0;
+        return;
+      }
+      const Real push = move - (v + data_.kick * force);
+      node.work += Real{0.5} * push * (v + move);
+      node.ahead -= Real{0.5} * force * move;
+      v = 0;
+      force = move / data_.kick;
+    };
     const std::ptrdiff_t at = place(j) + q;
-    Real work = 0;
-    if (node.along_x) work += along(work_.up.x[q], data_.vx[at], node.x);
-    if (node.along_y) work += along(work_.up.y[q], data_.vy[at], node.y);
-    node.work = work;
+    if (node.along_x) along(work_.up.x[q], data_.vx[at], node.x);
+    if (node.along_y) along(work_.up.y[q], data_.vy[at], node.y);
   }
 }
 

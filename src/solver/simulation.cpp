@@ -140,7 +140,9 @@ void Simulation::set_loads(Loads loads) {
   Problems problems;
   check(plate, problems);
   problems.throw_if_any();
-  loading_ = Loading(plate, lattice_, dt_);
+  Loading loading(plate, lattice_, dt_);
+  loading.tabulate(state_.step, state_.step + 1);
+  loading_ = std::move(loading);
   plate_ = std::move(plate);
   prepare();
 }
@@ -179,18 +181,26 @@ void Simulation::count_external_work() {
   const double unit = dt_ * dt_ / lattice_.grid.dx;  // m/s2 to lattice units
   for (const LoadedNode& load : loading_.forces())
     state_.external_work += load.inertia * unit * load.acceleration.dot(state_.v(load.i, load.j));
-  if (!loading_.led().empty())
-    state_.external_work +=
-        std::visit([](const auto& engine) { return engine.work_of_leads(); }, engine_);
+  state_.work_ahead = 0.0;
+  if (loading_.led().empty()) return;
+  std::visit(
+      [this](const auto& engine) {
+        const auto work = engine.work_of_leads();
+        state_.external_work += work.done;
+        state_.work_ahead = work.ahead;
+      },
+      engine_);
 }
 
 void Simulation::run(double duration, std::span<Observer* const> observers) {
   if (!(duration >= 0.0) || !std::isfinite(duration))
     throw Error(ErrorKind::refused,
                 fmt::format("run: the duration is {} s, it must be at least 0 s", duration));
-  end_time_ += duration;
+  const double end = end_time_ + duration;
   // A whole number of steps must not become one more by rounding.
-  const auto last_step = static_cast<std::int64_t>(std::ceil(end_time_ / dt_ - 1e-9));
+  const auto last_step = static_cast<std::int64_t>(std::ceil(end / dt_ - 1e-9));
+  loading_.tabulate(state_.step, last_step + 1);
+  end_time_ = end;
   advance_to(last_step, observers);
 }
 
@@ -202,7 +212,6 @@ void Simulation::advance_to(std::int64_t last_step, std::span<Observer* const> o
       observer->observe(*this);
     }
   };
-  loading_.tabulate(state_.step, last_step + 1);
   let_look();
   while (state_.step < last_step) {
     {
@@ -248,7 +257,7 @@ double Simulation::energy_unit() const {
 }
 
 double Simulation::external_work() const {
-  return state_.external_work * energy_unit();
+  return (state_.external_work + state_.work_ahead) * energy_unit();
 }
 
 double Simulation::damped_energy() const {

@@ -36,6 +36,7 @@ class Simulation {
 
   // Steps until `duration` seconds more have been simulated, to the first step at or after it;
   // the time asked for is kept exactly, so that run(a); run(b) ends at the same step as run(a + b).
+  // Functions of time in the loads are asked before the first of these steps, and may throw.
   // Between steps, and at the start, every observer that is due sees the state. Stops after the
   // current step with Error (interrupted) on Ctrl-C, and with Error (run_failed) when the solution
   // has diverged.

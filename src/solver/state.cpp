@@ -64,7 +64,8 @@ std::string State::hash() const {
   hash.add(std::span(bonds.words()));
   hash.add(std::span(&step, 1));
   hash.add(std::span(&external_work, 1));
-  if (damped != 0.0) hash.add(std::span(&damped, 1));
+  for (const double* energy : {&work_ahead, &damped})
+    if (*energy != 0.0) hash.add(std::span(energy, 1));
   hash.add(std::span(origin.data(), 2));
   return hash.hex();
 }

@@ -36,5 +36,84 @@ TEST(LoadedNodes, AreOrderedAndDistinct) {
               lattice.grid.index(loads[k].i, loads[k].j));
 }
 
+// N per metre of thickness: mass of a node is rho dx^2.
+Vec2 resultant(const std::vector<LoadedNode>& forces, const Lattice& lattice) {
+  Vec2 force(0.0, 0.0);
+  for (const LoadedNode& load : forces)
+    force += load.inertia * lattice.rho * load.acceleration * lattice.grid.dx * lattice.grid.dx;
+  return force;
+}
+
+TEST(Tractions, InALayerHaveTheSameResultant) {
+  for (const double depth : {0.0, 0.2e-3, 0.5e-3, 1.7e-3, 4e-3, 1.0}) {
+    Plate plate = test::bare_plate(30, 20);
+    plate.loads.tractions.push_back({Edge::left, {7e6, 2e6}, depth, {}});
+    const Lattice lattice(plate, test::numerics());
+    const Vec2 force = resultant(forces_of(plate, lattice), lattice);
+    EXPECT_NEAR(force.x(), 7e6 * plate.height, 1e-6) << depth;
+    EXPECT_NEAR(force.y(), 2e6 * plate.height, 1e-6) << depth;
+  }
+}
+
+TEST(Tractions, MayDependOnPlace) {
+  Plate plate = test::bare_plate(30, 20);
+  const auto linear = [](const Vec2& place) { return Vec2(0.0, 1e9 * place.x()); };
+  plate.loads.tractions.push_back({Edge::top, VectorField(linear), 0.0, {}});
+  const Lattice lattice(plate, test::numerics());
+  // The midpoint rule is exact for a straight line.
+  EXPECT_NEAR(resultant(forces_of(plate, lattice), lattice).y(), 0.5e9 * plate.width * plate.width,
+              1e-6);
+}
+
+TEST(Tractions, PullOnlyWhereThereIsAnEdge) {
+  Plate plate = test::bare_plate(30, 20);
+  plate.cutouts.push_back({rectangle({2e-3, 8e-3}, {7e-3, 12e-3}), ""});  // 10 columns of 30
+  plate.loads.tractions.push_back({Edge::top, {0.0, 12e6}});
+  const Lattice lattice(plate, test::numerics());
+  EXPECT_NEAR(resultant(forces_of(plate, lattice), lattice).y(), 12e6 * 20 * 0.5e-3, 1e-6);
+}
+
+TEST(Pressures, HaveNoResultantOnAClosedRimAndTheRightOneOnHalfOfIt) {
+  Plate plate = test::bare_plate(40, 40);
+  plate.cutouts.push_back({Ellipse{{10e-3, 10e-3}, {4e-3, 4e-3}, 0.0}, "bore"});
+  plate.loads.pressures.push_back({"bore", 3e6, {}});
+  const Lattice lattice(plate, test::numerics());
+  const auto forces = forces_of(plate, lattice);
+  EXPECT_NEAR(resultant(forces, lattice).norm(), 0.0, 1e-6);
+  std::vector<LoadedNode> upper;
+  for (const LoadedNode& node : forces)
+    if (node.j >= 20) upper.push_back(node);
+  // The projected width of the hole, to a cell on either side.
+  EXPECT_NEAR(resultant(upper, lattice).y(), 3e6 * 8e-3, 3e6 * 2 * 0.5e-3);
+  EXPECT_GT(resultant(upper, lattice).y(), 0.0);
+}
+
+TEST(BodyForces, WeighTheMaterialOfTheirArea) {
+  Plate plate = test::bare_plate(40, 20);
+  plate.loads.body_forces.push_back({rectangle({0, 0}, {10e-3, 10e-3}), {0.0, -5e4}, {}});
+  const Lattice lattice(plate, test::numerics());
+  EXPECT_NEAR(resultant(forces_of(plate, lattice), lattice).y(), -5e4 * 10e-3 * 10e-3, 1e-9);
+}
+
+TEST(BodyForces, OfAFunctionThatGivesNoNumberAreRefusedAndThePlaceIsNamed) {
+  Plate plate = test::bare_plate(40, 20);
+  const auto hole = [](const Vec2& place) { return Vec2(0.0, 1.0 / (place.x() - 5.25e-3)); };
+  plate.loads.body_forces.push_back({{}, VectorField(hole), {}});
+  const Lattice lattice(plate, test::numerics());
+  try {
+    spread_forces(plate, lattice);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("x = 5.25 mm"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Loads, ThatFindNoNodeAreRefused) {
+  Plate plate = test::bare_plate(40, 20);
+  plate.loads.supports.push_back({rectangle({1e-4, 1e-4}, {1.5e-4, 1.5e-4})});
+  const Lattice lattice(plate, test::numerics());
+  EXPECT_THROW(spread_supports(plate, lattice), Error);
+}
+
 }  // namespace
 }  // namespace hackle

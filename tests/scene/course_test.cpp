@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "scene/course.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace hackle {
+namespace {
+
+TEST(Course, IsOneForEverUnlessToldOtherwise) {
+  EXPECT_TRUE(Course().is_constant());
+  for (const double t : {-1.0, 0.0, 1e-6, 1e9}) EXPECT_EQ(Course().at(t), 1.0);
+}
+
+TEST(Course, FollowsStraightLinesAndStaysAtItsEnds) {
+  const Course course({{1.0, 2.0}, {3.0, 6.0}, {4.0, -2.0}});
+  EXPECT_EQ(course.at(0.0), 2.0);
+  EXPECT_EQ(course.at(2.0), 4.0);
+  EXPECT_EQ(course.at(3.0), 6.0);
+  EXPECT_EQ(course.at(3.5), 2.0);
+  EXPECT_EQ(course.at(99.0), -2.0);
+}
+
+TEST(Course, JumpsToTheSecondValueAtTheMomentItself) {
+  EXPECT_EQ(step_at(2.0).at(std::nextafter(2.0, 0.0)), 0.0);
+  EXPECT_EQ(step_at(2.0).at(2.0), 1.0);
+  const Course course = pulse(1.0, 2.0);
+  EXPECT_EQ(course.at(2.0), 1.0);
+  EXPECT_EQ(course.at(std::nextafter(3.0, 0.0)), 1.0);
+  EXPECT_EQ(course.at(3.0), 0.0);
+  EXPECT_EQ(ramp(4.0).at(1.0), 0.25);
+  EXPECT_EQ(ramp(4.0).at(5.0), 1.0);
+}
+
+TEST(Course, AFunctionMustGiveFiniteNumbers) {
+  const Course course([](double t) { return 1.0 / (t - 1.0); }, "hyperbola");
+  EXPECT_EQ(course.at(2.0), 1.0);
+  EXPECT_EQ(course.describe(), "hyperbola");
+  try {
+    course.at(1.0);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_NE(std::string(error.what()).find("t = 1 s"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Course, MomentsMustAscendAndBeFinite) {
+  const auto problems = [](std::vector<Vec2> points) {
+    Problems found;
+    check(Course(std::move(points)), "traction", found);
+    return found.list().size();
+  };
+  EXPECT_EQ(problems({{0.0, 1.0}, {0.0, 2.0}, {1.0, 3.0}}), 0U);
+  EXPECT_EQ(problems({{1.0, 1.0}, {0.0, 2.0}}), 1U);
+  EXPECT_EQ(problems({{0.0, std::nan("")}}), 1U);
+  EXPECT_EQ(problems({{std::numeric_limits<double>::infinity(), 1.0}}), 1U);
+}
+
+}  // namespace
+}  // namespace hackle
