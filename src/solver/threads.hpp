@@ -36,10 +36,6 @@ struct Handover {
 #endif
 };
 
-// One for all starts: what the work refers to lies on the stack of the thread that starts it, and
-// must not be read before acquire().
-inline Handover work_start;
-
 class Threads {
  public:
   // count >= 1; more than there are cores is allowed, and slower.
@@ -55,14 +51,14 @@ class Threads {
       for (int task = 0; task < tasks; ++task) work(task, 0);
       return;
     }
-    Handover end;
+    Handover start, end;
     const auto part = [&](const tbb::blocked_range<int>& range) {
-      work_start.acquire();
+      start.acquire();
       for (int task = range.begin(); task < range.end(); ++task)
         work(task, tbb::this_task_arena::current_thread_index());
       end.release();
     };
-    work_start.release();
+    start.release();
     pool_->arena.execute([&] {
       tbb::parallel_for(tbb::blocked_range<int>(0, tasks), part, tbb::simple_partitioner{});
     });
