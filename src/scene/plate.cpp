@@ -46,6 +46,15 @@ void check_rims(const Plate& plate, Problems& problems) {
   }
 }
 
+void check_expansion(const Plate& plate, Problems& problems) {
+  const auto expands = [](const Material& material) { return material.alphaT != 0.0; };
+  if (plate.loads.heatings.empty() || expands(plate.material)) return;
+  for (const Inclusion& inclusion : plate.inclusions)
+    if (expands(inclusion.material)) return;
+  problems.add(fmt::format("temperature: {} does not expand, its alphaT is 0", plate.material.name),
+               "take a material with alphaT above 0; glass has 3e-6 to 9e-6 per kelvin");
+}
+
 std::string counted(std::size_t count, const char* noun) {
   return count == 0 ? std::string() : fmt::format(", {} {}{}", count, noun, count == 1 ? "" : "s");
 }
@@ -84,6 +93,7 @@ void check(const Plate& plate, Problems& problems) {
   for (const Shape& zone : plate.no_fail) check_no_fail(plate, zone, problems);
   check(plate.loads, problems);
   check_rims(plate, problems);
+  check_expansion(plate, problems);
 }
 
 void check(const Plate& plate, const Crack& crack, Problems& problems) {

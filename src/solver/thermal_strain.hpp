@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The thermal strain of every node in time: the sum of all temperature changes of a plate.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lattice/load_map.hpp"
+#include "solver/loading.hpp"
+
+namespace hackle {
+
+// A bond between i and j is at rest when its e is th_i + th_j, th = alphaT dT of its ends: its
+// stretch is then their mean, to the first order. More than this is beyond that order.
+inline constexpr double most_thermal_strain = 0.1;
+
+class ThermalStrain {
+ public:
+  // Throws what spread_heat throws.
+  ThermalStrain(const Plate& plate, const Lattice& lattice, double dt);
+
+  // Nothing is heated.
+  bool empty() const { return parts_.empty(); }
+
+  // Functions of time are asked now for all steps begin <= n < end. Throws what they throw.
+  void tabulate(std::int64_t begin, std::int64_t end);
+
+  // Finds the strain at this step. When it is not what it was, returns that. Throws Error
+  // (refused), and leaves it as it was, where it would exceed most_thermal_strain.
+  std::optional<std::vector<double>> update(const Lattice& lattice, std::int64_t step);
+
+  // By Grid::index; empty when nothing is heated.
+  const std::vector<double>& values() const { return values_; }
+  std::size_t bytes() const;
+
+ private:
+  struct Part {
+    std::vector<HeatedNode> nodes;
+    Amplitude amplitude;
+  };
+  std::vector<double> sum(const Lattice& lattice, const std::vector<double>& factors) const;
+
+  double dt_;
+  std::vector<Part> parts_;
+  std::vector<double> factors_;  // of values_, by part; empty before the first update
+  std::vector<double> values_;
+};
+
+}  // namespace hackle
