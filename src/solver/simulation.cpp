@@ -151,8 +151,9 @@ void Simulation::set_loads(Loads loads) {
   heat.update(lattice_, state_.step);
   const bool rebuild = heat.empty() != heat_.empty();
   if (!heat.empty() || !heat_.empty())
-    state_.external_work +=
-        heat_work(lattice_, state_, heat_.values(), heat.values(), threads_) / energy_unit();
+    state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_.step),
+                                      heat.before(lattice_, state_.step), threads_) /
+                            energy_unit();
   loading_ = std::move(loading);
   heat_ = std::move(heat);
   plate_ = std::move(plate);
@@ -162,6 +163,7 @@ void Simulation::set_loads(Loads loads) {
 
 void Simulation::step() {
   take_loads();
+  if (!heat_.empty()) count_heat_work();
   std::visit([this](auto& engine) { engine.step(lattice_, state_); }, engine_);
   ++state_.step;
   count_external_work();
@@ -177,13 +179,17 @@ void Simulation::take_loads() {
     state_.damped += damp(lattice_, std::exp(-plate_.loads.damping * dt_), threads_, state_);
 }
 
-// After the step, so that a state's work includes the temperature of its own time.
+// From half a step before now to half a step after.
+void Simulation::count_heat_work() {
+  if (!heat_.changes_around(state_.step)) return;
+  state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_.step),
+                                    heat_.before(lattice_, state_.step + 1), threads_) /
+                          energy_unit();
+}
+
 void Simulation::take_heat() {
-  const auto before = heat_.update(lattice_, state_.step);
-  if (!before) return;
-  state_.external_work +=
-      heat_work(lattice_, state_, *before, heat_.values(), threads_) / energy_unit();
-  std::visit([this](auto& engine) { engine.set_heat(lattice_, heat_.values()); }, engine_);
+  if (heat_.update(lattice_, state_.step))
+    std::visit([this](auto& engine) { engine.set_heat(lattice_, heat_.values()); }, engine_);
 }
 
 // At fixed steps, so that the bits do not depend on how a run is cut into pieces.
@@ -274,7 +280,11 @@ double Simulation::energy_unit() const {
 }
 
 double Simulation::external_work() const {
-  return state_.external_work * energy_unit();
+  double work = state_.external_work * energy_unit();
+  if (!heat_.empty() && heat_.changes_until(state_.step))
+    work +=
+        heat_work(lattice_, state_, heat_.before(lattice_, state_.step), heat_.values(), threads_);
+  return work;
 }
 
 double Simulation::damped_energy() const {

@@ -89,6 +89,7 @@ class Simulation {
   void prepare();
   void take_loads();
   void take_heat();
+  void count_heat_work();
   void count_external_work();
   double energy_unit() const;  // J/m
   void keep_f32_exact();

@@ -30,9 +30,10 @@ struct State {
   std::variant<Motion<double>, Motion<float>> motion;
   BondBits bonds;
   std::int64_t step = 0;
-  double external_work = 0.0;  // done by loads and supports so far, in units of rho dx^4/dt^2 (J/m)
-  double damped = 0.0;         // kinetic energy taken by damping so far, in the same units
-  Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u
+  double external_work = 0.0;  // done by loads and supports so far, and by changes of temperature
+                               // up to half a step ago, in units of rho dx^4/dt^2 (J/m)
+  double damped = 0.0;  // kinetic energy taken by damping so far, in the same units
+  Vec2 origin{0, 0};    // a translation of the whole plate that was taken out of u
 
   Precision precision() const { return motion.index() == 0 ? Precision::f64 : Precision::f32; }
   // In lattice units; u without the origin.

@@ -19,16 +19,40 @@ void ThermalStrain::tabulate(std::int64_t begin, std::int64_t end) {
   for (Part& part : parts_) part.amplitude.tabulate(begin, end, dt_);
 }
 
-std::optional<std::vector<double>> ThermalStrain::update(const Lattice& lattice,
-                                                         std::int64_t step) {
-  if (parts_.empty()) return std::nullopt;
-  std::vector<double> factors;
+ThermalStrain::Factors ThermalStrain::factors_at(std::int64_t step) const {
+  Factors factors;
   factors.reserve(parts_.size());
   for (const Part& part : parts_) factors.push_back(part.amplitude.at(step, dt_));
-  if (factors == factors_) return std::nullopt;
-  std::vector<double> now = sum(lattice, factors);
+  return factors;
+}
+
+ThermalStrain::Factors ThermalStrain::factors_before(std::int64_t step) const {
+  Factors factors = factors_at(step);
+  if (step == 0) return factors;
+  const Factors earlier = factors_at(step - 1);
+  for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = 0.5 * (earlier[k] + factors[k]);
+  return factors;
+}
+
+bool ThermalStrain::update(const Lattice& lattice, std::int64_t step) {
+  if (parts_.empty()) return false;
+  Factors factors = factors_at(step);
+  if (factors == factors_) return false;
+  values_ = sum(lattice, factors);
   factors_ = std::move(factors);
-  return std::exchange(values_, std::move(now));
+  return true;
+}
+
+std::vector<double> ThermalStrain::before(const Lattice& lattice, std::int64_t step) const {
+  return parts_.empty() ? std::vector<double>() : sum(lattice, factors_before(step));
+}
+
+bool ThermalStrain::changes_around(std::int64_t step) const {
+  return factors_before(step) != factors_before(step + 1);
+}
+
+bool ThermalStrain::changes_until(std::int64_t step) const {
+  return factors_before(step) != factors_at(step);
 }
 
 std::size_t ThermalStrain::bytes() const {

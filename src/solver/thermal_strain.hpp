@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "lattice/load_map.hpp"
@@ -26,12 +25,20 @@ class ThermalStrain {
   // Functions of time are asked now for all steps begin <= n < end. Throws what they throw.
   void tabulate(std::int64_t begin, std::int64_t end);
 
-  // Finds the strain at this step. When it is not what it was, returns that. Throws Error
-  // (refused), and leaves it as it was, where it would exceed most_thermal_strain.
-  std::optional<std::vector<double>> update(const Lattice& lattice, std::int64_t step);
+  // Finds the strain at this step. True when it is not what it was. Throws Error (refused), and
+  // leaves it as it was, where it would exceed most_thermal_strain.
+  bool update(const Lattice& lattice, std::int64_t step);
 
   // By Grid::index; empty when nothing is heated.
   const std::vector<double>& values() const { return values_; }
+
+  // Half a step earlier: the mean of a step and the one before, or the start's. Work is counted
+  // from middle to middle, as then it is right to the second order of the step.
+  std::vector<double> before(const Lattice& lattice, std::int64_t step) const;
+  // Whether it changes from half a step before to half a step after.
+  bool changes_around(std::int64_t step) const;
+  // Or until the step itself.
+  bool changes_until(std::int64_t step) const;
   std::size_t bytes() const;
 
  private:
@@ -39,11 +46,14 @@ class ThermalStrain {
     std::vector<HeatedNode> nodes;
     Amplitude amplitude;
   };
-  std::vector<double> sum(const Lattice& lattice, const std::vector<double>& factors) const;
+  using Factors = std::vector<double>;  // by part
+  Factors factors_at(std::int64_t step) const;
+  Factors factors_before(std::int64_t step) const;
+  std::vector<double> sum(const Lattice& lattice, const Factors& factors) const;
 
   double dt_;
   std::vector<Part> parts_;
-  std::vector<double> factors_;  // of values_, by part; empty before the first update
+  Factors factors_;  // of values_; empty before the first update
   std::vector<double> values_;
 };
 
