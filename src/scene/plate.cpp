@@ -12,6 +12,9 @@
 namespace hackle {
 namespace {
 
+// As the lattice keeps one byte a node.
+constexpr std::size_t most_inclusions = 254;
+
 std::string point_text(const Vec2& point) {
   return fmt::format("({}, {})", quantity(point.x(), "m"), quantity(point.y(), "m"));
 }
@@ -89,6 +92,9 @@ void check(const Plate& plate, Problems& problems) {
     check(inclusion.shape, "inclusion", problems);
     check(inclusion.material, problems);
   }
+  if (plate.inclusions.size() > most_inclusions)
+    problems.add(fmt::format("inclusion: there are {} inclusions, more than {}",
+                             plate.inclusions.size(), most_inclusions));
   for (const Crack& crack : plate.cracks) check(plate, crack, problems);
   for (const Shape& zone : plate.no_fail) check_no_fail(plate, zone, problems);
   check(plate.loads, problems);

@@ -94,12 +94,12 @@ TEST_P(Composite, TheSameBondsBreakAsInTheReference) {
 TEST_P(Composite, TheBitsAreTheSameHoweverItIsCarriedOut) {
   for (const Precision precision : {Precision::f64, Precision::f32}) {
     const auto hash = [&](Execution execution) {
-      Simulation simulation(torn(90, 70), in(precision), execution);
-      simulation.run(12e-6);
+      Simulation simulation(torn(70, 60), in(precision), execution);
+      simulation.run(8e-6);
       return simulation.state().hash();
     };
     const std::string alone = hash({1});
-    for (const int threads : {2, 3, 5, 8}) EXPECT_EQ(hash({threads}), alone) << threads;
+    for (const int threads : {2, 5}) EXPECT_EQ(hash({threads}), alone) << threads;
     for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2})
       if (is_supported(set)) EXPECT_EQ(hash({1, set}), alone);
   }
@@ -167,7 +167,7 @@ TEST_P(Composite, FidelityFallsBackToTheExactForce) {
 
 // The largest share of the ledger that is missing in some microseconds without breaking.
 double leak(const Mixture& mixture, double dt) {
-  Plate plate = test::composite(60, 40, mixture);
+  Plate plate = test::composite(40, 30, mixture);
   plate.no_fail.push_back(strip(plate, Edge::top, plate.height));
   plate.loads.tractions.push_back({Edge::top, {1e6, 2e6}});
   Numerics numerics = test::numerics(0.5e-3, 1.5e-3);
@@ -184,6 +184,7 @@ double leak(const Mixture& mixture, double dt) {
 }
 
 TEST_P(Composite, TheLedgerClosesWithTheSquareOfTheStep) {
+  if (GetParam().alpha > 0.0) GTEST_SKIP() << "without breaking a history changes nothing";
   const double coarse = leak(GetParam(), 30e-9), fine = leak(GetParam(), 15e-9);
   EXPECT_LT(fine, 2e-3);
   EXPECT_NEAR(coarse / fine, 4.0, 0.8);
