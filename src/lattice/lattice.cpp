@@ -84,6 +84,34 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
   cut_all(plate.cracks, Born::broken, grid, family, bonds);
 }
 
+double Lattice::micromodulus_at(int i, int j) const {
+  return is_void(i, j) ? calibration.c : material_at(i, j).calibration.c;
+}
+
+double Lattice::critical_stretch_at(int i, int j) const {
+  const double s0 = is_void(i, j) ? calibration.s0 : material_at(i, j).calibration.s0;
+  return strength.empty() ? s0 : s0 * static_cast<double>(strength[grid.index(i, j)]);
+}
+
+bool Lattice::is_mixed() const {
+  return std::ranges::any_of(materials, [this](const MaterialOnLattice& other) {
+    const MaterialOnLattice& own = materials.front();
+    return other.calibration.c != own.calibration.c || other.calibration.s0 != own.calibration.s0 ||
+           other.material.rho != own.material.rho || other.material.alpha != own.material.alpha;
+  });
+}
+
+bool Lattice::has_history() const {
+  return std::ranges::any_of(
+      materials, [](const MaterialOnLattice& entry) { return entry.material.alpha > 0.0; });
+}
+
+double Lattice::least_stretch() const {
+  double least = calibration.s0;
+  for (const MaterialOnLattice& entry : materials) least = std::min(least, entry.calibration.s0);
+  return least;
+}
+
 std::int64_t Lattice::bonds_born() const {
   return std::accumulate(born.begin(), born.end(), std::int64_t{0}) / 2;
 }

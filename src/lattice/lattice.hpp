@@ -45,6 +45,14 @@ struct Lattice {
   const MaterialOnLattice& material_at(int i, int j) const {
     return material.empty() ? materials.front() : materials[material[grid.index(i, j)]];
   }
+  // What the bonds of node (i, j) would have alone: the plate's own where it is void. The mean of
+  // the micromoduli of two nodes is that of their bond, the lesser critical stretch breaks it.
+  double micromodulus_at(int i, int j) const;
+  double critical_stretch_at(int i, int j) const;  // strength included
+  // Whether nodes differ in micromodulus, density, critical stretch or alpha.
+  bool is_mixed() const;
+  bool has_history() const;      // the alpha of some material is not 0
+  double least_stretch() const;  // the least critical stretch of all materials
   std::int64_t bonds_born() const;
 };
 

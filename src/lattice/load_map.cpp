@@ -142,6 +142,21 @@ SpreadSupport spread(const Support& support, const Lattice& lattice) {
   return spread;
 }
 
+SpreadHeat spread(const Heating& heating, const Lattice& lattice) {
+  SpreadHeat spread{{}, heating.course};
+  for_nodes_in(heating.region, lattice.grid, [&](int i, int j) {
+    if (lattice.is_void(i, j)) return;
+    const double alphaT = lattice.material_at(i, j).material.alphaT;
+    if (alphaT == 0.0) return;
+    spread.nodes.push_back({i, j, alphaT * value_at(heating.change, lattice, i, j, "temperature")});
+  });
+  if (spread.nodes.empty())
+    throw Error(ErrorKind::refused,
+                "temperature: in its area there is no node whose material expands",
+                "give it a larger area, or a material with alphaT above 0");
+  return spread;
+}
+
 }  // namespace
 
 std::vector<SpreadForce> spread_forces(const Plate& plate, const Lattice& lattice) {
@@ -159,6 +174,12 @@ std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& la
   std::vector<SpreadSupport> supports;
   for (const Support& load : plate.loads.supports) supports.push_back(spread(load, lattice));
   return supports;
+}
+
+std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice) {
+  std::vector<SpreadHeat> heat;
+  for (const Heating& load : plate.loads.heatings) heat.push_back(spread(load, lattice));
+  return heat;
 }
 
 std::vector<LoadedNode> forces_at(const std::vector<SpreadForce>& forces, const Grid& grid,

@@ -37,10 +37,23 @@ struct SpreadSupport {
   Course course;
 };
 
+// A node that expands: alphaT of its material times the change of temperature.
+struct HeatedNode {
+  int i = 0;
+  int j = 0;
+  double strain = 0.0;
+};
+struct SpreadHeat {
+  std::vector<HeatedNode> nodes;
+  Course course;
+};
+
 // Tractions, pressures and body forces of the plate, in that order. Throws what functions of place
 // throw, and Error (refused) when they give no finite numbers or a load finds no node to act on.
 std::vector<SpreadForce> spread_forces(const Plate& plate, const Lattice& lattice);
 std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& lattice);
+// Temperature changes, likewise; nodes whose material does not expand are left out.
+std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice);
 
 // The sum of all forces at time t (s): each node once, ordered by index.
 std::vector<LoadedNode> forces_at(const std::vector<SpreadForce>& forces, const Grid& grid,

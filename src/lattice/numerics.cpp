@@ -57,17 +57,25 @@ bool constants_apply(const Plate& plate, const Numerics& numerics) {
   return plain || numerics.constants != Constants::paper;
 }
 
+double most_alpha(const Plate& plate) {
+  double most = plate.material.alpha;
+  for (const Inclusion& inclusion : plate.inclusions)
+    most = std::max(most, inclusion.material.alpha);
+  return most;
+}
+
 // Choices that are out of range or do not go together.
 void check_choices(const Plate& plate, const Numerics& numerics, Problems& problems) {
   if (!(numerics.fidelity >= 0.0 && numerics.fidelity <= 1.0))
     problems.add(
         fmt::format("simulate: fidelity is {}, it must lie between 0 and 1", numerics.fidelity));
-  if (numerics.fidelity > 0.0 && plate.material.alpha > 0.0)
+  const double alpha = most_alpha(plate);
+  if (numerics.fidelity > 0.0 && alpha > 0.0)
     problems.add(
         fmt::format(
             "simulate: fidelity is {} and the material's alpha {}: the history of the least "
             "stretch needs every bond",
-            shortest(numerics.fidelity), shortest(plate.material.alpha)),
+            shortest(numerics.fidelity), shortest(alpha)),
         "leave out fidelity, or take a material without alpha");
   if (!constants_apply(plate, numerics))
     problems.add("simulate: constants = \"paper\" are for plane stress and a constant micromodulus",
@@ -107,29 +115,37 @@ bool check_horizon(const Numerics& numerics, Problems& problems) {
 }
 
 // Needs a family. Nothing when the material or the constants give it no stiffness, which is said
-// elsewhere.
-std::optional<Calibration> calibration_of(const Plate& plate, const Numerics& numerics,
-                                          const Family& family) {
+// elsewhere, or when it is too much for numbers, which is said here.
+std::optional<double> micromodulus_of(const Material& material, const Plate& plate,
+                                      const Numerics& numerics, const Family& family,
+                                      Problems& problems) {
   Problems of_material;
-  check(plate.material, of_material);
+  check(material, of_material);
   if (!of_material.empty() || !constants_apply(plate, numerics)) return std::nullopt;
-  return calibrate(family, plate.material, numerics.spacing, numerics.constants, plate.plane);
+  const double dx = numerics.spacing;
+  const double c = calibrate(family, material, dx, numerics.constants, plate.plane).c;
+  if (std::isnormal(c * dx / material.rho)) return c;
+  problems.add(fmt::format("simulate: E {}, rho {} kg/m3 and spacing {} are beyond what numbers "
+                           "can express together",
+                           quantity(material.E, "Pa"), material.rho, quantity(dx, "m")),
+               "take values nearer to a real plate's");
+  return std::nullopt;
 }
 
+// The limit is that of the stiffest and the lightest material.
 void check_against_limit(const Plate& plate, const Numerics& numerics, Problems& problems) {
   const Family family = family_of(numerics);
-  const auto calibration = calibration_of(plate, numerics, family);
-  if (!calibration) return;
-  const double rho = plate.material.rho, dx = numerics.spacing;
-  if (!std::isnormal(calibration->c * dx / rho)) {
-    problems.add(fmt::format("simulate: E {}, rho {} kg/m3 and spacing {} are beyond what numbers "
-                             "can express together",
-                             quantity(plate.material.E, "Pa"), rho, quantity(dx, "m")),
-                 "take values nearer to a real plate's");
-    return;
+  const auto own = micromodulus_of(plate.material, plate, numerics, family, problems);
+  double c = own.value_or(0.0), rho = plate.material.rho;
+  bool known = own.has_value();
+  for (const Inclusion& inclusion : plate.inclusions) {
+    const auto other = micromodulus_of(inclusion.material, plate, numerics, family, problems);
+    known = known && other;
+    c = std::max(c, other.value_or(0.0));
+    rho = std::min(rho, inclusion.material.rho);
   }
-  if (!numerics.step || numerics.force_step) return;
-  const double limit = step_limit(family, calibration->c, rho, dx);
+  if (!known || !numerics.step || numerics.force_step) return;
+  const double limit = step_limit(family, c, rho, numerics.spacing);
   if (*numerics.step <= limit) return;
   problems.add(fmt::format("simulate: step is {}, above the stability limit of {}",
                            quantity(*numerics.step, "s"), quantity(limit, "s")),
@@ -143,14 +159,37 @@ void check_step(const Plate& plate, const Numerics& numerics, bool has_family, P
     check_against_limit(plate, numerics, problems);
 }
 
+// Values that the engine keeps for every place: see memory_needed().
+double values_of_place(const Plate& plate) {
+  const bool mixed = !plate.inclusions.empty(), heated = !plate.loads.heatings.empty();
+  double values = 6.0;
+  if (most_alpha(plate) > 0.0)
+    values += mixed ? 5.0 : 4.0;
+  else if (mixed || heated)
+    values += 2.0;
+  if (mixed) values += 2.0;
+  if (heated) values += 1.0;
+  return values;
+}
+
+// And what there is of every node: bonds it was born with, its material, its thermal strain now and
+// by every change of temperature.
+double bytes_of_node(const Plate& plate) {
+  double bytes = sizeof(std::uint16_t);
+  if (!plate.inclusions.empty() || !plate.cutouts.empty()) bytes += 1.0;
+  const auto changes = static_cast<double>(plate.loads.heatings.size());
+  if (changes > 0.0) bytes += 8.0 + 16.0 * changes;
+  return bytes;
+}
+
 }  // namespace
 
 double memory_needed(const Plate& plate, const Numerics& numerics) {
   const Extent size = extent(plate, numerics);
   const double real = numerics.precision == Precision::f32 ? 4.0 : 8.0;
-  const double values = plate.material.alpha > 0.0 ? 10.0 : 6.0;
   const double bits = 4.0 * family_of(numerics).words() * (plate.no_fail.empty() ? 2.0 : 3.0);
-  return places(size) * (real * values + bits) + size.nodes() * sizeof(std::uint16_t);
+  return places(size) * (real * values_of_place(plate) + bits) +
+         size.nodes() * bytes_of_node(plate);
 }
 
 void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems) {

@@ -24,7 +24,8 @@ double kinetic_energy(const Simulation& simulation) {
 }  // namespace
 
 Energy energy(const Simulation& simulation) {
-  const BondEnergy bonds = bond_energy(simulation.lattice(), simulation.state());
+  const BondEnergy bonds =
+      bond_energy(simulation.lattice(), simulation.state(), simulation.thermal_strain());
   Energy energy;
   energy.kinetic = kinetic_energy(simulation);
   energy.strain = bonds.held;

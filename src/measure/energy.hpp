@@ -9,11 +9,13 @@ namespace hackle {
 // All in J per metre of thickness.
 struct Energy {
   double kinetic = 0.0;  // sum of 1/2 rho V v^2
-  double strain = 0.0;   // sum over the bonds that hold of 1/2 c w s^2 |xi| V^2
+  double strain = 0.0;   // sum over the bonds that hold of 1/2 c w s^2 |xi| V^2, s without the
+                         // thermal part
   double broken = 0.0;   // the same at s = s0, over the bonds that broke since t = 0: what the
                         // fracture energy G0 charges for them. Cuts made by the scene cost nothing.
   double damped = 0.0;    // kinetic energy taken by damping
-  double external = 0.0;  // work done by loads and supports, and what the start gave
+  double external = 0.0;  // work done by loads and supports, what the start gave, and by how much
+                          // changes of temperature raised the strain energy
   double residual() const { return external - kinetic - strain - broken - damped; }
 };
 

@@ -24,6 +24,10 @@ void check(const Material& material, Problems& problems) {
   if (!(material.alpha >= 0.0 && material.alpha < 1.0))
     problems.add(
         fmt::format("material: alpha is {}, it must be at least 0 and below 1", material.alpha));
+  if (!(material.alphaT >= 0.0 && std::isfinite(material.alphaT)))
+    problems.add(
+        fmt::format("material: alphaT is {} 1/K, it must be at least 0 1/K", material.alphaT),
+        "glass has 3e-6 to 9e-6, steel 12e-6");
   if (!(material.nu > -1.0 && material.nu < 0.5))
     problems.add(fmt::format("material: nu is {}, it must lie between -1 and 0.5", material.nu));
 }

@@ -12,6 +12,9 @@
 namespace hackle {
 namespace {
 
+// As the lattice keeps one byte a node.
+constexpr std::size_t most_inclusions = 254;
+
 std::string point_text(const Vec2& point) {
   return fmt::format("({}, {})", quantity(point.x(), "m"), quantity(point.y(), "m"));
 }
@@ -44,6 +47,15 @@ void check_rims(const Plate& plate, Problems& problems) {
                  rims.empty() ? "give it a name: p:hole { name = \"bore\", ... }"
                               : "named are " + comma_list(rims));
   }
+}
+
+void check_expansion(const Plate& plate, Problems& problems) {
+  const auto expands = [](const Material& material) { return material.alphaT != 0.0; };
+  if (plate.loads.heatings.empty() || expands(plate.material)) return;
+  for (const Inclusion& inclusion : plate.inclusions)
+    if (expands(inclusion.material)) return;
+  problems.add(fmt::format("temperature: {} does not expand, its alphaT is 0", plate.material.name),
+               "take a material with alphaT above 0; glass has 3e-6 to 9e-6 per kelvin");
 }
 
 std::string counted(std::size_t count, const char* noun) {
@@ -80,10 +92,14 @@ void check(const Plate& plate, Problems& problems) {
     check(inclusion.shape, "inclusion", problems);
     check(inclusion.material, problems);
   }
+  if (plate.inclusions.size() > most_inclusions)
+    problems.add(fmt::format("inclusion: there are {} inclusions, more than {}",
+                             plate.inclusions.size(), most_inclusions));
   for (const Crack& crack : plate.cracks) check(plate, crack, problems);
   for (const Shape& zone : plate.no_fail) check_no_fail(plate, zone, problems);
   check(plate.loads, problems);
   check_rims(plate, problems);
+  check_expansion(plate, problems);
 }
 
 void check(const Plate& plate, const Crack& crack, Problems& problems) {

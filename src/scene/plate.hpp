@@ -82,7 +82,7 @@ struct Plate {
   Material material;
   Plane plane = Plane::stress;
   std::vector<Cutout> cutouts;
-  std::vector<Inclusion> inclusions;
+  std::vector<Inclusion> inclusions;  // 254 at most
   std::vector<Crack> cracks;
   // Areas, rims included, in which bonds never break; a bond with one end in one is safe too.
   std::vector<Shape> no_fail;

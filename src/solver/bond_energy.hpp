@@ -2,6 +2,8 @@
 // The energy in bonds.
 #pragma once
 
+#include <vector>
+
 #include "lattice/lattice.hpp"
 #include "solver/state.hpp"
 
@@ -10,9 +12,12 @@ namespace hackle {
 // J per metre of thickness.
 struct BondEnergy {
   double held = 0.0;    // sum over the bonds that hold of 1/2 c w s^2 |xi| V^2
-  double broken = 0.0;  // the same at s = s0, over those that broke since t = 0
+  double broken = 0.0;  // the same at their critical stretch, over those that broke since t = 0
 };
 
-BondEnergy bond_energy(const Lattice& lattice, const State& state);
+// `heat` is the thermal strain by Grid::index, which does not count: (1 + s)^2 - 1 = e - th_i -
+// th_j; empty means 0.
+BondEnergy bond_energy(const Lattice& lattice, const State& state,
+                       const std::vector<double>& heat = {});
 
 }  // namespace hackle

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -10,6 +11,22 @@
 
 namespace hackle {
 namespace {
+
+// See KernelFeatures.
+KernelFeatures features_for(const Lattice& lattice, bool heated) {
+  const bool mixed = lattice.is_mixed(), history = lattice.has_history();
+  return {.guarded = mixed || heated || !lattice.unbreakable.empty(),
+          .varied = mixed || heated || history || !lattice.strength.empty(),
+          .history = history,
+          .mixed = mixed,
+          .heated = heated};
+}
+
+// The stencil of linearised forces is that of one cold material.
+double linear_range(const Lattice& lattice, const EngineOptions& options) {
+  if (lattice.is_mixed() || options.heated) return 0.0;
+  return threshold_of(options.fidelity * lattice.calibration.s0);
+}
 
 std::vector<int> rows_to_tiles(const std::vector<int>& first_rows) {
   std::vector<int> tile_row;
@@ -37,9 +54,7 @@ std::vector<Rows> share_out(const std::vector<int>& first_rows, int threads) {
 
 template <class Real>
 Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threads threads)
-    : features_{.guarded = !lattice.unbreakable.empty(),
-                .varied = options.alpha > 0.0 || !lattice.strength.empty(),
-                .history = options.alpha > 0.0},
+    : features_(features_for(lattice, options.heated)),
       layout_(lattice.grid.layout()),
       reach_(lattice.family.reach()),
       classes_(bond_classes<Real>(lattice, options.dt, features_.varied)),
@@ -48,7 +63,7 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
       loads_of_row_(static_cast<std::size_t>(layout_.ny) + 1),
       late_(options.breaking == Breaking::next_step),
       bound_(bound_factors<Real>(lattice.family)),
-      linear_range_(static_cast<Real>(threshold_of(options.fidelity * lattice.calibration.s0))),
+      linear_range_(static_cast<Real>(linear_range(lattice, options))),
       stencil_(linear_stencil(classes_)),
       tile_rows_(tile_rows(layout_.ny, reach_)),
       tile_row_of_(rows_to_tiles(tile_rows_)),
@@ -57,9 +72,8 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
       kernel_(find_kernel<Real>(options.set, options.arithmetic, features_)),
       threads_(std::move(threads)),
       tasks_(share_out(tile_rows_, threads_.count())),
-      scratch_(
-          static_cast<std::size_t>(threads_.count()),
-          Scratch<Real>(layout_.groups() * NodeLayout::group, reach_, options.fidelity > 0.0)) {
+      scratch_(static_cast<std::size_t>(threads_.count()),
+               Scratch<Real>(layout_.groups() * NodeLayout::group, reach_, linear_range_ > 0)) {
   const auto on_row = [](const BondClass<Real>& k) { return k.rows == 0; };
   first_on_row_ = static_cast<int>(std::ranges::find_if(classes_, on_row) - classes_.begin());
   const auto tiles = (tile_rows_.size() - 1) * static_cast<std::size_t>(layout_.groups());
@@ -73,25 +87,59 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
     all_bonds_[static_cast<std::size_t>(bit / 32)] |= std::uint32_t{1} << (bit % 32);
     bond_offsets_[static_cast<std::size_t>(bit)] = b * layout_.stride() + a;
   });
-  set_thresholds(lattice, options.alpha);
+  set_thresholds(lattice);
+  if (features_.mixed) set_materials(lattice);
+  if (features_.heated) set_heat(lattice, {});
 }
 
 template <class Real>
-void Engine<Real>::set_thresholds(const Lattice& lattice, double alpha) {
+void Engine<Real>::set_thresholds(const Lattice& lattice) {
   const double s0 = lattice.calibration.s0;
-  alpha_ = static_cast<Real>(alpha);
+  alpha_ = static_cast<Real>(lattice.materials.front().material.alpha);
   least_threshold_ = static_cast<Real>(threshold_of(s0));
   if (!features_.varied) return;
   s00_.assign(layout_.size(), static_cast<Real>(s0));
   threshold_.assign(layout_.size(), least_threshold_);
   if (features_.history) next_threshold_ = threshold_;
-  if (lattice.strength.empty()) return;
+  if (lattice.strength.empty() && !features_.mixed) return;
   for (int j = 0; j < layout_.ny; ++j)
     for (int i = 0; i < layout_.nx; ++i) {
       const auto at = static_cast<std::size_t>(layout_.at(i, j));
-      const double own = s0 * static_cast<double>(lattice.strength[lattice.grid.index(i, j)]);
+      const double own = lattice.critical_stretch_at(i, j);
       s00_[at] = static_cast<Real>(own);
       threshold_[at] = static_cast<Real>(threshold_of(own));
+    }
+}
+
+// Places without a node have no bonds: any number will do.
+template <class Real>
+void Engine<Real>::set_materials(const Lattice& lattice) {
+  half_stiffness_.assign(layout_.size(), Real{0.5});
+  inverse_inertia_.assign(layout_.size(), Real{1});
+  if (features_.history) alphas_.assign(layout_.size(), Real{0});
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i) {
+      if (lattice.is_void(i, j)) continue;
+      const MaterialOnLattice& own = lattice.material_at(i, j);
+      const auto at = static_cast<std::size_t>(layout_.at(i, j));
+      half_stiffness_[at] = static_cast<Real>(0.5 * own.calibration.c / lattice.calibration.c);
+      inverse_inertia_[at] = static_cast<Real>(lattice.rho / own.material.rho);
+      if (features_.history) alphas_[at] = static_cast<Real>(own.material.alpha);
+    }
+}
+
+template <class Real>
+void Engine<Real>::set_heat(const Lattice& lattice, const std::vector<double>& strain) {
+  heat_.assign(layout_.size(), Real{0});
+  tile_heat_.assign(range_.size(), Real{0});
+  if (strain.empty()) return;
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i) {
+      const std::ptrdiff_t at = layout_.at(i, j);
+      const auto own = static_cast<Real>(strain[lattice.grid.index(i, j)]);
+      heat_[static_cast<std::size_t>(at)] = own;
+      Real& most = tile_heat_[static_cast<std::size_t>(tile_of(at))];
+      most = std::max(most, std::abs(own));
     }
 }
 
@@ -201,12 +249,17 @@ KernelData<Real> Engine<Real>::tables(const Lattice& lattice, const Motion<Real>
   data.uy = motion.uy.data();
   data.kick = state.step == 0 ? Real{0.5} : Real{1};
   data.bonds = state.bonds.words().data();
-  data.unbreakable = lattice.unbreakable.words().data();
+  data.unbreakable = lattice.unbreakable.empty() ? nullptr : lattice.unbreakable.words().data();
   data.plane = state.bonds.plane();
   data.late = late_;
   data.threshold = features_.history ? motion.threshold.data() : threshold_.data();
   data.s00 = s00_.data();
   data.alpha = alpha_;
+  data.half_stiffness = half_stiffness_.data();
+  data.inverse_inertia = inverse_inertia_.data();
+  data.alphas = alphas_.data();
+  data.heat = heat_.data();
+  data.tile_heat = tile_heat_.data();
   data.loads = loads_.data();
   data.loads_of_row = loads_of_row_.data();
   data.tiles = {tile_rows_.data(), static_cast<int>(tile_rows_.size()) - 1, layout_.groups()};
@@ -288,7 +341,8 @@ void Engine<Real>::accelerations(const Lattice& lattice, const State& state, Val
 template <class Real>
 std::size_t Engine<Real>::bytes() const {
   std::size_t sum = 0;
-  for (const auto* values : {&s00_, &threshold_, &next_ux_, &next_uy_, &next_threshold_})
+  for (const auto* values : {&s00_, &threshold_, &next_ux_, &next_uy_, &next_threshold_,
+                             &half_stiffness_, &inverse_inertia_, &alphas_, &heat_})
     sum += values->size() * sizeof(Real);
   return sum + 2 * range_.size() * sizeof(TileRange<Real>) + 3 * intact_.size();
 }

@@ -14,8 +14,8 @@
 namespace hackle {
 
 struct EngineOptions {
-  double alpha = 0.0;     // of the history of the least stretch; 0 for none
   double dt = 0.0;        // s
+  bool heated = false;    // set_heat() will be called
   double fidelity = 0.0;  // share of the critical stretch below which forces are linearised
   Breaking breaking = Breaking::at_once;
   InstructionSet set = InstructionSet::baseline;
@@ -29,6 +29,8 @@ class Engine {
 
   // What acts from now on.
   void set_loads(const Loading& loading);
+  // The thermal strain of every node from now on, by Grid::index. For an engine that is heated.
+  void set_heat(const Lattice& lattice, const std::vector<double>& strain);
   // The work it took in the last step to lead nodes, in units of rho dx^4/dt^2: that up to its
   // beginning, which adds up, and that ahead of it, which does not.
   struct LeadWork {
@@ -57,7 +59,8 @@ class Engine {
   void let_write(KernelData<Real>& data, Motion<Real>& motion);
   void let_lead(KernelData<Real>& data);
   void advance(const KernelData<Real>& data);
-  void set_thresholds(const Lattice& lattice, double alpha);
+  void set_thresholds(const Lattice& lattice);
+  void set_materials(const Lattice& lattice);
   void survey(const Lattice& lattice, Motion<Real>& motion, const State& state);
   void find_intact(const Lattice& lattice, const BondBits& bonds);
   void break_bonds(BondBits& bonds);
@@ -85,6 +88,10 @@ class Engine {
   Real least_threshold_{};
   Values<Real> s00_;        // per place; empty unless varied
   Values<Real> threshold_;  // of an untouched plate; empty unless varied
+
+  Values<Real> half_stiffness_, inverse_inertia_;  // per place; empty unless mixed
+  Values<Real> alphas_;                            // empty unless mixed with a history
+  Values<Real> heat_, tile_heat_;                  // empty unless heated
 
   std::vector<int> tile_rows_;
   std::vector<int> tile_row_of_;  // per row of nodes

@@ -122,15 +122,28 @@ struct KernelData {
   Real kick = 1;  // steps from the time of v to the middle of this step: 1, or 1/2 at the start
 
   const std::uint32_t* bonds = nullptr;
-  const std::uint32_t* unbreakable = nullptr;  // read by guarded kernels only
-  std::size_t plane = 0;                       // words between two planes of bits
-  bool late = false;                           // see Breaking
+  // Read by guarded kernels only; mixed and heated ones take nothing for no zones.
+  const std::uint32_t* unbreakable = nullptr;
+  std::size_t plane = 0;  // words between two planes of bits
+  bool late = false;      // see Breaking
 
   // Read by varied kernels: e above which the bonds of a node break. A history moves it.
   const Real* threshold = nullptr;
   Real* next_threshold = nullptr;
   const Real* s00 = nullptr;  // critical stretch of a node without history
   Real alpha{};
+
+  // Read by mixed kernels. K belongs to the plate's own material: a bond has K (half_i + half_j),
+  // half = c/2 over the c of that; a node has its density, own_rho/rho. A history follows the alpha
+  // of the node.
+  const Real* half_stiffness = nullptr;
+  const Real* inverse_inertia = nullptr;
+  const Real* alphas = nullptr;
+
+  // Read by heated kernels: the thermal strain th of a node, and the largest |th| of every tile. A
+  // bond has the e of the strain that pulls, e - (th_i + th_j), first order in th.
+  const Real* heat = nullptr;
+  const Real* tile_heat = nullptr;
 
   const NodeLoad<Real>* loads = nullptr;
   const std::size_t* loads_of_row = nullptr;  // row j has loads[loads_of_row[j]] and following
@@ -187,11 +200,16 @@ enum class Arithmetic { plain, fused };
 // Whether the instruction set has fused arithmetic.
 bool can_fuse(InstructionSet set);
 
-// What a scene needs of a kernel; the rest is compiled out.
+// What a scene needs of a kernel; the rest is compiled out. Mixed and heated kernels are guarded
+// and varied ones: what that costs is asked for only where a bond may break, and each of the two
+// asks for something in every bond. They are two flags, as most heated plates are of one material,
+// and most mixed ones are not heated; six kernels more instead of eighteen.
 struct KernelFeatures {
   bool guarded = false;  // no-fail zones
   bool varied = false;   // the critical stretch differs from node to node
   bool history = false;  // and follows the least stretch; implies varied
+  bool mixed = false;    // stiffness or density differ from node to node; implies the first two
+  bool heated = false;   // thermal strain; implies the first two
 
   friend bool operator==(const KernelFeatures&, const KernelFeatures&) = default;
 };

@@ -59,6 +59,7 @@ class Sweep {
       add_bonds_above(j);
       if (j < rows_.begin) continue;
       add_bonds_on_row(j);
+      if constexpr (features.mixed) divide_by_inertia(j);
       add_loads(j);
       if (data_.leads_of_row != nullptr) lead(j);
       if (data_.ax == nullptr)
@@ -104,6 +105,7 @@ class Sweep {
            0;
   }
   void linearise();
+  void divide_by_inertia(int j);
   void add_loads(int j);
   void lead(int j);
   void show(int j);
@@ -118,7 +120,7 @@ class Sweep {
   int columns_;    // of the block
   int begin_ = 0;  // of the block and what reaches into it, counted from its first column
   int end_ = 0;
-  PathChooser<Real, features.varied> paths_;
+  PathChooser<Real, features> paths_;
   RowWork<Real> work_{};
   Sums<Real> waiting_[NodeLayout::group + 1];
 };
@@ -150,6 +152,8 @@ void Sweep<features>::begin_row(int j) {
   work_.row.ux = data_.ux + at;
   work_.row.uy = data_.uy + at;
   if constexpr (features.varied) work_.row.threshold = data_.threshold + at;
+  if constexpr (features.mixed) work_.row.half_stiffness = data_.half_stiffness + at;
+  if constexpr (features.heated) work_.row.heat = data_.heat + at;
   work_.row.place = at;
   // Of the bonds in the margins the neighbouring block or rows take note.
   work_.row.losses = j >= rows_.begin && data_.ax == nullptr ? &scratch_.losses : nullptr;
@@ -163,7 +167,9 @@ template <KernelFeatures features>
 void Sweep<features>::point_to_bits(const BondClass<Real>& k) {
   const auto at = k.word * static_cast<std::ptrdiff_t>(data_.plane) + work_.row.place;
   work_.row.bonds = data_.bonds + at;
-  if constexpr (features.guarded) work_.row.unbreakable = data_.unbreakable + at;
+  if constexpr (features.guarded)
+    if (!(features.mixed || features.heated) || data_.unbreakable != nullptr)
+      work_.row.unbreakable = data_.unbreakable + at;
 }
 
 // The bonds that row j keeps to rows above it: into its own sum and into those that wait there.
@@ -214,6 +220,16 @@ void Sweep<features>::linearise() {
     if (!run.linear) continue;
     const Columns own{run.begin > 0 ? run.begin : 0, run.end < columns_ ? run.end : columns_};
     if (own.begin < own.end) linear_row(*data_.stencil, work_, scratch_.folded, own);
+  }
+}
+
+// Loads are accelerations already.
+template <KernelFeatures features>
+void Sweep<features>::divide_by_inertia(int j) {
+  const Real* inverse = data_.inverse_inertia + place(j);
+  for (std::ptrdiff_t q = 0; q < columns_; q += lanes<Real>) {
+    store(work_.up.x + q, load(work_.up.x + q) * load(inverse + q));
+    store(work_.up.y + q, load(work_.up.y + q) * load(inverse + q));
   }
 }
 
@@ -296,7 +312,9 @@ void Sweep<features>::move_threshold(std::ptrdiff_t place, std::ptrdiff_t q, Vec
   const Vector<Real> squared = most<Real>(Real{1} + e, every(no_length<Real>));
   const Vector<Real> s = e / (Real{1} + square_root<Real>(squared));
   const Vector<Real> s00 = load(data_.s00 + place);
-  const Vector<Real> s0 = most<Real>(s00 - data_.alpha * s, every(Real{-1}));
+  Vector<Real> alpha = every(data_.alpha);
+  if constexpr (features.mixed) alpha = load(data_.alphas + place);
+  const Vector<Real> s0 = most<Real>(s00 - alpha * s, every(Real{-1}));
   const Vector<Real> moved = select(above(every(unstretched<Real>), e), s0, s00);
   const Vector<Real> threshold = moved * (Real{2} + moved);
   store(data_.next_threshold + place, threshold);
@@ -338,10 +356,20 @@ Kernel<Real> with() {
   return {advance_rows<features>, survey_rows<Real>, join_rows<Real>};
 }
 
+template <bool mixed, bool heated>
+Kernel<Real> with_materials(bool history) {
+  return history ? with<KernelFeatures{true, true, true, mixed, heated}>()
+                 : with<KernelFeatures{true, true, false, mixed, heated}>();
+}
+
 }  // namespace
 
 template <>
 Kernel<Real> kernel(KernelFeatures features) {
+  if (features.mixed)
+    return features.heated ? with_materials<true, true>(features.history)
+                           : with_materials<true, false>(features.history);
+  if (features.heated) return with_materials<false, true>(features.history);
   if (features.history)
     return features.guarded ? with<KernelFeatures{true, true, true}>()
                             : with<KernelFeatures{false, true, true}>();

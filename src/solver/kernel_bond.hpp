@@ -16,6 +16,8 @@ struct KeptRow {
   const std::uint32_t* bonds;
   const std::uint32_t* unbreakable;
   const Real* threshold;
+  const Real* half_stiffness;
+  const Real* heat;
   std::ptrdiff_t place;  // of column 0 of the block
   void* losses;          // nothing: breaking is not noted
   bool late;             // bonds that are found stretched too far still exert their force
@@ -77,7 +79,9 @@ __attribute__((noinline)) void settle(const BondClass<Real>& k, const KeptRow<Re
     over =
         above(E * k.inverse_L2, least<Real>(load(row.threshold + q), load(row.threshold + q + to)));
   over = over & held;
-  if constexpr (features.guarded) over = over.but_not(load_bit<Real>(row.unbreakable + q, bit));
+  if constexpr (features.guarded)
+    if (!(features.mixed || features.heated) || row.unbreakable != nullptr)
+      over = over.but_not(load_bit<Real>(row.unbreakable + q, bit));
   if (!row.late) held = held.but_not(over);
   if (row.losses == nullptr) return;
   for (int lane = 0; lane < lanes<Real>; ++lane)
@@ -98,7 +102,9 @@ HACKLE_INLINE BondForce<Real> bond_force(const BondClass<Real>& k, const KeptRow
   Vector<Real> px = hx, py = hy, tx = hx, ty = hy;  // xi + h and 2 xi + h
   if constexpr (span != Span::column) px = hx + a, tx = hx + (a + a);
   if constexpr (span != Span::row) py = hy + k.b, ty = hy + (k.b + k.b);
-  const Vector<Real> E = multiply_add<Real>(hx, tx, hy * ty);
+  Vector<Real> E = multiply_add<Real>(hx, tx, hy * ty);
+  if constexpr (features.heated)
+    E = multiply_add<Real>(load(row.heat + q) + load(row.heat + q + to), every(-k.L2), E);
   Vector<Real> pull = series(k, E);
   BondForce<Real> force;
   if constexpr (features.history) force.e = E * k.inverse_L2;
@@ -110,6 +116,8 @@ HACKLE_INLINE BondForce<Real> bond_force(const BondClass<Real>& k, const KeptRow
     pull = select(held, pull, Vector<Real>{});
     if constexpr (features.history) force.e = select(held, force.e, every(unstretched<Real>));
   }
+  if constexpr (features.mixed)
+    pull *= load(row.half_stiffness + q) + load(row.half_stiffness + q + to);
   force.x = pull * px;
   force.y = pull * py;
   return force;

@@ -8,7 +8,7 @@
 namespace hackle::HACKLE_INSTRUCTION_SET {
 namespace {
 
-template <class Real, bool varied>
+template <class Real, KernelFeatures features>
 class PathChooser {
  public:
   // For a block of columns that begins at column `first` of the layout, counted from its first.
@@ -69,13 +69,14 @@ class PathChooser {
   bool fresh_ = true;  // no row chosen yet
 };
 
-template <class Real, bool varied>
-Outlook<Real> PathChooser<Real, varied>::look(int tile_row, int column) const {
+template <class Real, KernelFeatures features>
+Outlook<Real> PathChooser<Real, features>::look(int tile_row, int column) const {
   const TileGrid& tiles = data_.tiles;
   if (tile_row < 0 || tile_row >= tiles.rows || column < 0 || column >= tiles.columns) return {};
   const auto raise = [](Real& most, Real to) { most = to > most ? to : most; };
   Real direct = 0, xy = 0, yx = 0;
-  Real threshold = varied ? unstretched<Real> : data_.least_threshold;
+  Real heat = 0;
+  Real threshold = features.varied ? unstretched<Real> : data_.least_threshold;
   std::uint32_t moving = data_.loaded[tiles.index(tile_row, column)];
   for (int r = tile_row > 0 ? tile_row - 1 : 0; r <= tile_row + 1 && r < tiles.rows; ++r)
     for (int c = column > 0 ? column - 1 : 0; c <= column + 1 && c < tiles.columns; ++c) {
@@ -84,21 +85,26 @@ Outlook<Real> PathChooser<Real, varied>::look(int tile_row, int column) const {
       raise(xy, range.xy);
       raise(yx, range.yx);
       moving |= range.moving;
-      if (varied && range.least_threshold < threshold) threshold = range.least_threshold;
+      if constexpr (features.heated) raise(heat, data_.tile_heat[tiles.index(r, c)]);
+      if (features.varied && range.least_threshold < threshold) threshold = range.least_threshold;
     }
   // The slack covers the rounding of the differences.
   constexpr auto slack = static_cast<Real>(1.00001);
   const Real strain = data_.bound.direct * direct + data_.bound.shear * (xy + yx);
   const Real squares = data_.bound.squares * (2 * direct * direct + xy * xy + yx * yx);
-  const Real bound = slack * (2 * strain + squares);
+  Real bound = slack * (2 * strain + squares);
+  if constexpr (features.heated) {
+    bound += slack * 2 * heat;
+    moving |= heat != 0;
+  }
   const bool complete = data_.complete[tiles.index(tile_row, column)] != 0;
   return {bound, threshold, moving == 0, complete && moving != 0 && bound < data_.linear_range};
 }
 
 // The cheapest path that gives the same bits as the careful one. Bonds need not be computed at all
 // where they serve none but linearised forces: nobody else may read their sums.
-template <class Real, bool varied>
-Path PathChooser<Real, varied>::cheapest(int tile_row, int group) {
+template <class Real, KernelFeatures features>
+Path PathChooser<Real, features>::cheapest(int tile_row, int group) {
   const Outlook<Real>& own = outlook(tile_row, group);
   if (own.still) return Path::still;
   if (own.linear) {

@@ -16,6 +16,7 @@
 #include "lattice/carve.hpp"
 #include "solver/bond_energy.hpp"
 #include "solver/damping.hpp"
+#include "solver/heat_work.hpp"
 #include "solver/rigid_motion.hpp"
 
 namespace hackle {
@@ -82,16 +83,17 @@ Simulation::Simulation(Plate plate, Numerics numerics, Execution execution,
       state_(lattice_, numerics_.precision),
       dt_(numerics_.step.value_or(default_step(lattice_.step_limit))),
       loading_(plate_, lattice_, dt_),
+      heat_(plate_, lattice_, dt_),
       instruction_set_(execution.instruction_set),
       threads_(execution.threads > 0 ? execution.threads : available_cores()),
       engine_(engine_for(numerics_.precision, lattice_, options(), threads_)) {
-  if (!plate_.starts.empty()) start();
+  if (!plate_.starts.empty() || !heat_.empty()) start();
   prepare();
 }
 
 EngineOptions Simulation::options() const {
-  return {.alpha = plate_.material.alpha,
-          .dt = dt_,
+  return {.dt = dt_,
+          .heated = !heat_.empty(),
           .fidelity = numerics_.fidelity,
           .breaking = numerics_.breaking,
           .set = instruction_set_,
@@ -114,6 +116,7 @@ void Simulation::restore(State state) {
 
 // The energy that the start gives is accounted for as work.
 void Simulation::start() {
+  heat_.update(lattice_, 0);
   set_in_motion(plate_.starts, lattice_, dt_, state_);
   double doubled = 0.0;
   for (int j = 0; j < lattice_.grid.ny; ++j)
@@ -121,14 +124,17 @@ void Simulation::start() {
       if (!lattice_.is_void(i, j))
         doubled +=
             lattice_.material_at(i, j).material.rho / lattice_.rho * state_.v(i, j).squaredNorm();
-  state_.external_work = 0.5 * doubled + bond_energy(lattice_, state_).held / energy_unit();
+  const BondEnergy bonds = bond_energy(lattice_, state_, heat_.values());
+  state_.external_work = 0.5 * doubled + bonds.held / energy_unit();
 }
 
 void Simulation::prepare() {
   loading_.update(lattice_, state_);
+  heat_.update(lattice_, state_.step);
   std::visit(
       [this](auto& engine) {
         engine.set_loads(loading_);
+        if (!heat_.empty()) engine.set_heat(lattice_, heat_.values());
         engine.prepare(lattice_, state_);
       },
       engine_);
@@ -142,16 +148,27 @@ void Simulation::set_loads(Loads loads) {
   problems.throw_if_any();
   Loading loading(plate, lattice_, dt_);
   loading.tabulate(state_.step, state_.step + 1);
+  ThermalStrain heat(plate, lattice_, dt_);
+  heat.update(lattice_, state_.step);
+  const bool rebuild = heat.empty() != heat_.empty();
+  if (!heat.empty() || !heat_.empty())
+    state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_.step),
+                                      heat.before(lattice_, state_.step), threads_) /
+                            energy_unit();
   loading_ = std::move(loading);
+  heat_ = std::move(heat);
   plate_ = std::move(plate);
+  if (rebuild) engine_ = engine_for(state_.precision(), lattice_, options(), threads_);
   prepare();
 }
 
 void Simulation::step() {
   take_loads();
+  if (!heat_.empty()) count_heat_work();
   std::visit([this](auto& engine) { engine.step(lattice_, state_); }, engine_);
   ++state_.step;
   count_external_work();
+  if (!heat_.empty()) take_heat();
   if (state_.precision() == Precision::f32 && state_.step % steps_between_checks == 0)
     keep_f32_exact();
 }
@@ -163,10 +180,23 @@ void Simulation::take_loads() {
     state_.damped += damp(lattice_, std::exp(-plate_.loads.damping * dt_), threads_, state_);
 }
 
+// From half a step before now to half a step after.
+void Simulation::count_heat_work() {
+  if (!heat_.changes_around(state_.step)) return;
+  state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_.step),
+                                    heat_.before(lattice_, state_.step + 1), threads_) /
+                          energy_unit();
+}
+
+void Simulation::take_heat() {
+  if (heat_.update(lattice_, state_.step))
+    std::visit([this](auto& engine) { engine.set_heat(lattice_, heat_.values()); }, engine_);
+}
+
 // At fixed steps, so that the bits do not depend on how a run is cut into pieces.
 void Simulation::keep_f32_exact() {
   const bool moved = take_out_drift(state_);
-  if (is_too_wide_for_f32(state_, lattice_.calibration.s0)) {
+  if (is_too_wide_for_f32(state_, lattice_.least_stretch())) {
     state_ = in_f64(state_);
     widened_at_ = time();
     engine_ = engine_for(Precision::f64, lattice_, options(), threads_);
@@ -200,6 +230,7 @@ void Simulation::run(double duration, std::span<Observer* const> observers) {
   // A whole number of steps must not become one more by rounding.
   const auto last_step = static_cast<std::int64_t>(std::ceil(end / dt_ - 1e-9));
   loading_.tabulate(state_.step, last_step + 1);
+  heat_.tabulate(state_.step, last_step + 1);
   end_time_ = end;
   advance_to(last_step, observers);
 }
@@ -257,7 +288,11 @@ double Simulation::energy_unit() const {
 }
 
 double Simulation::external_work() const {
-  return (state_.external_work + state_.work_ahead) * energy_unit();
+  double work = (state_.external_work + state_.work_ahead) * energy_unit();
+  if (!heat_.empty() && heat_.changes_until(state_.step))
+    work +=
+        heat_work(lattice_, state_, heat_.before(lattice_, state_.step), heat_.values(), threads_);
+  return work;
 }
 
 double Simulation::damped_energy() const {
@@ -314,7 +349,7 @@ std::size_t Simulation::bytes() const {
   const std::size_t engine = std::visit([](const auto& e) { return e.bytes(); }, engine_);
   return motion + engine + bytes_of(state_.bonds.words()) + bytes_of(lattice_.bonds.words()) +
          bytes_of(lattice_.unbreakable.words()) + bytes_of(lattice_.born) +
-         bytes_of(lattice_.strength);
+         bytes_of(lattice_.strength) + bytes_of(lattice_.material) + heat_.bytes();
 }
 
 }  // namespace hackle

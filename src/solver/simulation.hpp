@@ -13,6 +13,7 @@
 #include "solver/loading.hpp"
 #include "solver/observer.hpp"
 #include "solver/state.hpp"
+#include "solver/thermal_strain.hpp"
 #include "solver/threads.hpp"
 
 namespace hackle {
@@ -54,13 +55,15 @@ class Simulation {
   const Lattice& lattice() const { return lattice_; }
   const State& state() const { return state_; }
   const Loading& loading() const { return loading_; }
+  // Of every node, now, by Grid::index; empty when nothing is heated.
+  const std::vector<double>& thermal_strain() const { return heat_.values(); }
   int threads() const { return threads_.count(); }
   InstructionSet instruction_set() const { return instruction_set_; }
 
   double dt() const { return dt_; }                                       // s
   double time() const { return static_cast<double>(state_.step) * dt_; }  // s
   double end_time() const { return end_time_; }                           // s, asked for
-  double external_work() const;           // done by loads and supports so far, J/m
+  double external_work() const;           // done by loads, supports and heat so far, J/m
   double damped_energy() const;           // taken by damping so far, J/m
   Vec2 displacement(int i, int j) const;  // m
   std::vector<Vec2> velocities() const;   // m/s, now, by Grid::index
@@ -86,6 +89,8 @@ class Simulation {
   void start();
   void prepare();
   void take_loads();
+  void take_heat();
+  void count_heat_work();
   void count_external_work();
   double energy_unit() const;  // J/m
   void keep_f32_exact();
@@ -97,6 +102,7 @@ class Simulation {
   State state_;
   double dt_;
   Loading loading_;
+  ThermalStrain heat_;
   double end_time_ = 0.0;
   double solve_seconds_ = 0.0;
   std::optional<double> widened_at_;

@@ -30,7 +30,8 @@ struct State {
   std::variant<Motion<double>, Motion<float>> motion;
   BondBits bonds;
   std::int64_t step = 0;
-  double external_work = 0.0;  // done by loads and supports so far, in units of rho dx^4/dt^2 (J/m)
+  double external_work = 0.0;  // done by loads and supports so far, and by changes of temperature
+                               // up to half a step ago, in units of rho dx^4/dt^2 (J/m)
   double work_ahead = 0.0;     // what supports did in the last half step, which is not in it yet
   double damped = 0.0;         // kinetic energy taken by damping so far, in the same units
   Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u

@@ -2,7 +2,7 @@
 // Solves some steps of a plate in one thread, with AVX2 where there is: for counting instructions
 // from outside.
 //
-//   count_steps STEPS NODES [f32|f64] [zones] [alpha] [fidelity] [fused]
+//   count_steps STEPS NODES [f32|f64] [zones] [alpha] [fidelity] [fused] [mixed] [heated] [warming]
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -24,6 +24,17 @@ int main(int argc, char** argv) {
   if (!with("zones")) deck.plate.no_fail.clear();
   for (Traction& traction : deck.plate.loads.tractions)
     traction.stress = Vec2(1e-3 * traction.stress.constant());
+  Plate& plate = deck.plate;
+  if (with("mixed")) {
+    Material other = plate.material;
+    other.rho *= 1.5;
+    plate.inclusions.push_back(
+        {rectangle({0.0, 0.0}, {0.5 * plate.width, 0.5 * plate.height}), other});
+  }
+  if (with("heated") || with("warming")) {
+    plate.material.alphaT = 1e-6;
+    plate.loads.heatings.push_back({std::nullopt, 1.0, with("warming") ? ramp(1e-3) : Course()});
+  }
   const InstructionSet set =
       is_supported(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
   Simulation simulation(deck.plate, deck.numerics, {1, set});

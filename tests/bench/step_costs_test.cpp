@@ -2,6 +2,7 @@
 // What a step costs in instructions, which no other process disturbs: options that a scene does not
 // use cost nothing, those that it uses cost what they must. Counted by valgrind; skipped without
 // it.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <regex>
@@ -57,6 +58,22 @@ TEST_F(StepCosts, AHistoryOfStretchIsPaidForByTheScenesThatHaveOne) {
     const double plain = per_node_step(precision), history = per_node_step(precision + " alpha");
     EXPECT_GT(history, 1.15 * plain) << precision;
     EXPECT_LT(history, 1.8 * plain) << precision;
+  }
+}
+
+// To every bond: two loads of which one is shared, an addition and a multiplication. A scene of one
+// cold material must do without, and the two do not pay for each other.
+TEST_F(StepCosts, MaterialsAndTemperatureArePaidForByTheScenesThatHaveThem) {
+  for (const std::string precision : {"f32", "f64"}) {
+    const double plain = per_node_step(precision), mixed = per_node_step(precision + " mixed"),
+                 heated = per_node_step(precision + " heated"),
+                 both = per_node_step(precision + " mixed heated");
+    EXPECT_GT(mixed, 1.02 * plain) << precision;
+    EXPECT_LT(mixed, 1.35 * plain) << precision;
+    EXPECT_GT(heated, 1.02 * plain) << precision;
+    EXPECT_LT(heated, 1.35 * plain) << precision;
+    EXPECT_GT(both, std::max(mixed, heated)) << precision;
+    EXPECT_LT(both, 1.6 * plain) << precision;
   }
 }
 

@@ -115,5 +115,30 @@ TEST(Loads, ThatFindNoNodeAreRefused) {
   EXPECT_THROW(spread_supports(plate, lattice), Error);
 }
 
+TEST(Heat, IsTheExpansionOfTheMaterialOfEveryNode) {
+  Plate plate = test::bare_plate(10, 8);  // 5 x 4 mm
+  plate.material.alphaT = 4e-6;
+  Material stiff = plate.material, inert = plate.material;
+  stiff.alphaT = 12e-6;
+  inert.alphaT = 0.0;
+  plate.inclusions.push_back({rectangle({0.0, 0.0}, {1e-3, 4e-3}), stiff});
+  plate.inclusions.push_back({rectangle({4e-3, 0.0}, {5e-3, 4e-3}), inert});
+  plate.cutouts.push_back({rectangle({2e-3, 1e-3}, {3e-3, 2e-3}), ""});
+  plate.loads.heatings.push_back({rectangle({0.0, 0.0}, {5e-3, 2e-3}),
+                                  ScalarField([](const Vec2& x) { return 1e6 * x.x(); }),
+                                  ramp(1e-6)});
+  const Lattice lattice(plate, test::numerics());
+  const std::vector<SpreadHeat> heat = spread_heat(plate, lattice);
+  ASSERT_EQ(heat.size(), 1U);
+  EXPECT_EQ(heat.front().nodes.size(), 8U * 4U - 2U * 2U);
+  for (const HeatedNode& node : heat.front().nodes) {
+    EXPECT_LT(node.j, 4);
+    EXPECT_LT(node.i, 8);
+    const double alphaT = node.i < 2 ? 12e-6 : 4e-6;
+    EXPECT_NEAR(node.strain, alphaT * 1e6 * lattice.grid.position(node.i, node.j).x(), 1e-15);
+  }
+  EXPECT_EQ(heat.front().course.at(0.5e-6), 0.5);
+}
+
 }  // namespace
 }  // namespace hackle

@@ -160,5 +160,37 @@ TEST(Numerics, MemoryCountsTheWordsOfTheFamily) {
   EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (48.0 + 3.0 * 8.0) + born);
 }
 
+TEST(Numerics, MemoryOfInclusionsAndTemperatureIsThatOfTheirArrays) {
+  const Numerics numerics = test::numerics();
+  Plate plate = test::edge_crack(0.0);
+  plate.no_fail.clear();
+  const double plain = memory_needed(plate, numerics);
+  plate.loads.heatings.push_back({});
+  // Thresholds, two values, and thermal strain; of nodes that strain and that of the one change.
+  const double heated = plain + places * 3.0 * 8.0 + 16000.0 * (8.0 + 16.0);
+  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), heated);
+  plate.inclusions.push_back({rectangle({0.0, 0.0}, {0.01, 0.01}), test::duran50()});
+  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), heated + places * 2.0 * 8.0 + 16000.0);
+  plate.inclusions.front().material.alpha = 0.25;
+  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), heated + places * 5.0 * 8.0 + 16000.0);
+}
+
+TEST(Numerics, TheStepLimitIsThatOfTheStiffestAndTheLightestMaterial) {
+  Plate plate = test::edge_crack(12e6);
+  Numerics numerics = test::numerics();
+  numerics.step = 130e-9;  // the limit of glass is 233 ns
+  EXPECT_EQ(problems_of(plate, numerics), "");
+  Material other = plate.material;
+  other.E *= 2.0;
+  plate.inclusions.push_back({rectangle({0.0, 0.0}, {0.01, 0.01}), other});
+  EXPECT_EQ(problems_of(plate, numerics), "");
+  other.E = 0.1 * plate.material.E;
+  other.rho *= 0.5;
+  plate.inclusions.push_back({rectangle({0.02, 0.0}, {0.03, 0.01}), other});
+  EXPECT_THAT(problems_of(plate, numerics), HasSubstr("above the stability limit of 116"));
+  EXPECT_DOUBLE_EQ(Lattice(plate, test::numerics()).step_limit,
+                   0.5 * Lattice(test::edge_crack(12e6), test::numerics()).step_limit);
+}
+
 }  // namespace
 }  // namespace hackle

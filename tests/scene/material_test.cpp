@@ -51,5 +51,16 @@ TEST(Material, DescriptionCarriesUnits) {
   EXPECT_EQ(describe(tough), "Duran 50 glass (E 65 GPa, rho 2235 kg/m3, G0 204 J/m2, alpha 0.25)");
 }
 
+TEST(Material, ThermalExpansionIsNotNegative) {
+  Material material = test::duran50();
+  material.alphaT = 3.3e-6;
+  EXPECT_EQ(problems_of(material), "");
+  for (const double bad :
+       {-1e-6, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    material.alphaT = bad;
+    EXPECT_THAT(problems_of(material), testing::HasSubstr("alphaT is"));
+  }
+}
+
 }  // namespace
 }  // namespace hackle

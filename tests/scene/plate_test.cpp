@@ -91,5 +91,23 @@ TEST(Plate, DescriptionSaysPlaneStrain) {
             "J/m2)");
 }
 
+TEST(Plate, ATemperatureNeedsAMaterialThatExpands) {
+  Plate plate = test::edge_crack(12e6);
+  plate.loads.heatings.push_back({std::nullopt, 100.0, Course()});
+  EXPECT_THAT(problems_of(plate), testing::HasSubstr("does not expand, its alphaT is 0"));
+  Material other = plate.material;
+  other.alphaT = 9e-6;
+  plate.inclusions.push_back({rectangle({0.0, 0.0}, {0.01, 0.01}), other});
+  EXPECT_EQ(problems_of(plate), "");
+}
+
+TEST(Plate, HasSoManyInclusionsAtMost) {
+  Plate plate = test::edge_crack(12e6);
+  plate.inclusions.assign(254, {rectangle({0.0, 0.0}, {0.01, 0.01}), plate.material});
+  EXPECT_EQ(problems_of(plate), "");
+  plate.inclusions.push_back(plate.inclusions.front());
+  EXPECT_THAT(problems_of(plate), testing::HasSubstr("255 inclusions"));
+}
+
 }  // namespace
 }  // namespace hackle

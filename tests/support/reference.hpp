@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -19,10 +20,7 @@ class Reference {
 
   // Goes on from the state of `simulation`, in its lattice units, without a history so far.
   explicit Reference(const Simulation& simulation)
-      : s00_(simulation.lattice().calibration.s0),
-        alpha_(simulation.plate().material.alpha),
-        step_(simulation.state().step),
-        nx_(simulation.lattice().grid.nx) {
+      : step_(simulation.state().step), nx_(simulation.lattice().grid.nx) {
     const Lattice& lattice = simulation.lattice();
     const Grid& grid = lattice.grid;
     const Real dt = simulation.dt(), dx = grid.dx;
@@ -30,12 +28,20 @@ class Reference {
       for (int i = 0; i < grid.nx; ++i) {
         u_.push_back(simulation.state().u(i, j).cast<Real>());
         v_.push_back(simulation.state().v(i, j).cast<Real>());
-        add_bonds(simulation, lattice.calibration.c * dx * dt * dt / lattice.rho, i, j);
+        add_node(simulation, i, j);
+        add_bonds(simulation, dx * dt * dt, i, j);
       }
-    s0_.assign(u_.size(), s00_);
+    for (const Node& node : nodes_) s0_.push_back(node.s00);
+    take_heat(simulation);
     loads_.assign(u_.size(), Vector(0, 0));
     for (const LoadedNode& load : simulation.loading().forces())
       loads_[grid.index(load.i, load.j)] = load.acceleration.cast<Real>() * dt * dt / dx;
+  }
+
+  // The thermal strain of the next step is what `simulation` has now.
+  void take_heat(const Simulation& simulation) {
+    for (std::size_t node = 0; node < simulation.thermal_strain().size(); ++node)
+      nodes_[node].heat = simulation.thermal_strain()[node];
   }
 
   // A step of leapfrog.
@@ -51,22 +57,27 @@ class Reference {
   // Breaks what is stretched too far, and notes the least stretch of every node for the next step.
   std::vector<Vector> accelerations() {
     constexpr Real none = std::numeric_limits<Real>::max();
-    std::vector<Vector> a = loads_;
+    std::vector<Vector> a(u_.size(), Vector(0, 0));
     std::vector<Real> least(u_.size(), none);
     for (Bond& bond : bonds_) {
       if (!bond.holds) continue;
       const Vector now = bond.xi + u_[bond.to] - u_[bond.from];
-      const Real s = (now.norm() - bond.xi.norm()) / bond.xi.norm();
+      const Node &one = nodes_[bond.from], &other = nodes_[bond.to];
+      const Real length = bond.xi.norm(), ratio = now.norm() / length;
+      const Real s = std::sqrt(ratio * ratio - one.heat - other.heat) - 1;
       bond.holds = bond.safe || s <= std::min(s0_[bond.from], s0_[bond.to]);
       if (!bond.holds) continue;
-      const Vector force = bond.stiffness * s / now.norm() * now;
+      const Vector force = (one.c + other.c) / 2 * bond.unit * s / ((1 + s) * length) * now;
       a[bond.from] += force;
       a[bond.to] -= force;
       least[bond.from] = std::min(least[bond.from], s);
       least[bond.to] = std::min(least[bond.to], s);
     }
-    for (std::size_t node = 0; node < s0_.size(); ++node)
-      s0_[node] = s00_ - (least[node] == none ? Real(0) : alpha_ * least[node]);
+    for (std::size_t node = 0; node < s0_.size(); ++node) {
+      const Node& own = nodes_[node];
+      s0_[node] = own.s00 - (least[node] == none ? Real(0) : own.alpha * least[node]);
+      a[node] = a[node] / own.rho + loads_[node];
+    }
     return a;
   }
 
@@ -79,10 +90,14 @@ class Reference {
   }
 
  private:
+  struct Node {
+    Real c, rho, s00, alpha;
+    Real heat = 0;  // thermal strain
+  };
   struct Bond {
     std::size_t from = 0, to = 0;  // nodes
     Vector xi{0, 0};
-    Real stiffness = 0;
+    Real unit = 0;  // of a micromodulus
     bool safe = false;
     bool holds = true;
     std::ptrdiff_t place = 0;  // in the engine's bond bits
@@ -90,6 +105,15 @@ class Reference {
   };
 
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j * nx_ + i); }
+
+  void add_node(const Simulation& simulation, int i, int j) {
+    const Lattice& lattice = simulation.lattice();
+    const std::size_t node = lattice.grid.index(i, j);
+    const bool nothing = !lattice.material.empty() && lattice.material[node] == Lattice::void_node;
+    const MaterialOnLattice& own =
+        lattice.materials[lattice.material.empty() || nothing ? 0 : lattice.material[node]];
+    nodes_.push_back({own.calibration.c, own.material.rho, own.calibration.s0, own.material.alpha});
+  }
 
   void add_bonds(const Simulation& simulation, Real unit, int i, int j) {
     const Lattice& lattice = simulation.lattice();
@@ -102,9 +126,9 @@ class Reference {
     });
   }
 
-  Real s00_, alpha_;
   std::int64_t step_;
   int nx_;
+  std::vector<Node> nodes_;
   std::vector<Bond> bonds_;
   std::vector<Vector> u_, v_, loads_;
   std::vector<Real> s0_;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The work of a change of temperature.
+#pragma once
+
+#include <vector>
+
+#include "lattice/lattice.hpp"
+#include "solver/state.hpp"
+#include "solver/threads.hpp"
+
+namespace hackle {
+
+// How much the energy in bonds grows when the thermal strain of the nodes changes while they stay
+// where they are, J per metre of thickness. `before` and `after` are by Grid::index; empty means 0.
+// The same bits for any number of threads.
+double heat_work(const Lattice& lattice, const State& state, const std::vector<double>& before,
+                 const std::vector<double>& after, const Threads& threads);
+
+}  // namespace hackle

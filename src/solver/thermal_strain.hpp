@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The thermal strain of every node in time: the sum of all temperature changes of a plate.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lattice/load_map.hpp"
+#include "solver/loading.hpp"
+
+namespace hackle {
+
+// A bond between i and j is at rest when its e is th_i + th_j, th = alphaT dT of its ends: its
+// stretch is then their mean, to the first order. More than this is beyond that order.
+inline constexpr double most_thermal_strain = 0.1;
+
+class ThermalStrain {
+ public:
+  // Throws what spread_heat throws.
+  ThermalStrain(const Plate& plate, const Lattice& lattice, double dt);
+
+  // Nothing is heated.
+  bool empty() const { return parts_.empty(); }
+
+  // Functions of time are asked now for all steps begin <= n < end. Throws what they throw.
+  void tabulate(std::int64_t begin, std::int64_t end);
+
+  // Finds the strain at this step. True when it is not what it was. Throws Error (refused), and
+  // leaves it as it was, where it would exceed most_thermal_strain.
+  bool update(const Lattice& lattice, std::int64_t step);
+
+  // By Grid::index; empty when nothing is heated.
+  const std::vector<double>& values() const { return values_; }
+
+  // Half a step earlier: the mean of a step and the one before, or the start's. Work is counted
+  // from middle to middle, as then it is right to the second order of the step.
+  std::vector<double> before(const Lattice& lattice, std::int64_t step) const;
+  // Whether it changes from half a step before to half a step after.
+  bool changes_around(std::int64_t step) const;
+  // Or until the step itself.
+  bool changes_until(std::int64_t step) const;
+  std::size_t bytes() const;
+
+ private:
+  struct Part {
+    std::vector<HeatedNode> nodes;
+    Amplitude amplitude;
+  };
+  using Factors = std::vector<double>;  // by part
+  Factors factors_at(std::int64_t step) const;
+  Factors factors_before(std::int64_t step) const;
+  std::vector<double> sum(const Lattice& lattice, const Factors& factors) const;
+
+  double dt_;
+  std::vector<Part> parts_;
+  Factors factors_;  // of values_; empty before the first update
+  std::vector<double> values_;
+};
+
+}  // namespace hackle
