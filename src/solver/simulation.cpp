@@ -269,7 +269,7 @@ std::vector<Vec2> Simulation::velocities() const {
       for (int i = 0; i < grid.nx; ++i)
         result[grid.index(i, j)] = unit * (state_.v(i, j) + kick(state_.layout.at(i, j)));
   };
-  if (state_.step == 0) {
+  if (state_.is_start()) {
     fill([](std::ptrdiff_t) { return Vec2(0, 0); });
     return result;
   }

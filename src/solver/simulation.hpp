@@ -12,6 +12,7 @@
 #include "solver/engine.hpp"
 #include "solver/loading.hpp"
 #include "solver/observer.hpp"
+#include "solver/relaxation.hpp"
 #include "solver/state.hpp"
 #include "solver/threads.hpp"
 
@@ -40,6 +41,14 @@ class Simulation {
   // current step with Error (interrupted) on Ctrl-C, and with Error (run_failed) when the solution
   // has diverged.
   void run(double duration, std::span<Observer* const> observers = {});
+
+  // Brings the plate to rest where everything that acts at the present time is in balance, without
+  // breaking a bond: what runs on from there starts from a plate under load. The work of loads and
+  // supports becomes that of loading it slowly, so that the ledger of energy is closed. Throws
+  // Error (refused) for pieces that loads push and nothing holds, and for heat, which is not known
+  // here; Error (run_failed) when no equilibrium is found, Error (interrupted) on Ctrl-C: then
+  // nothing has changed.
+  RelaxResult relax(const RelaxOptions& options = {});
 
   // Other loads from now on. Throws Error (refused) with every problem found.
   void set_loads(Loads loads);
@@ -88,6 +97,9 @@ class Simulation {
   void count_external_work();
   double energy_unit() const;  // J/m
   void keep_f32_exact();
+  void check_statics() const;
+  Equilibrium find_rest(const RelaxOptions& options);
+  void rest_at(const NodeVectors& u);
   void advance_to(std::int64_t last_step, std::span<Observer* const> observers);
 
   Plate plate_;
