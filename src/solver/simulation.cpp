@@ -194,23 +194,24 @@ void Simulation::run(double duration, std::span<Observer* const> observers) {
   advance_to(last_step, observers);
 }
 
+void Simulation::let_look(std::span<Observer* const> observers) const {
+  for (Observer* observer : observers) {
+    if (!observer->due(*this)) continue;
+    check_finite();
+    observer->observe(*this);
+  }
+}
+
 void Simulation::advance_to(std::int64_t last_step, std::span<Observer* const> observers) {
-  const auto let_look = [&] {
-    for (Observer* observer : observers) {
-      if (!observer->due(*this)) continue;
-      check_finite();
-      observer->observe(*this);
-    }
-  };
   loading_.tabulate(state_.step, last_step + 1);
-  let_look();
+  let_look(observers);
   while (state_.step < last_step) {
     {
       const Stopwatch watch(solve_seconds_);
       step();
     }
     if (state_.step % steps_between_checks == 0) check_finite();
-    let_look();
+    let_look(observers);
     if (interrupted()) {
       end_time_ = time();
       throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}, at {}",
