@@ -66,12 +66,14 @@ double BondNet::stretch_of(const NodeVectors& u, int i, int j, const Kept& bond)
       .stretch();
 }
 
-Stiffness BondNet::stiffness_of(const NodeVectors& u, int i, int j, const Kept& bond) const {
+Stiffness BondNet::stiffness_of(const NodeVectors& u, int i, int j, const Kept& bond,
+                                Tangent tangent) const {
   const auto from = static_cast<std::size_t>(layout().at(i, j));
   const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
   const Deformed deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]});
   const double pull = strength_of(i, j, bond) * bond.inverse_length;
-  const double across = pull * std::max(deformed.g(), 0.0);
+  const double across =
+      pull * (tangent == Tangent::positive ? std::max(deformed.g(), 0.0) : deformed.g());
   const double along =
       pull * (bond.inverse_length * bond.inverse_length) / (deformed.squared * deformed.ratio);
   const Vec2& y = deformed.y;
@@ -119,23 +121,23 @@ const float* BondNet::slice(int j, std::size_t bond, int component) const {
                                static_cast<std::size_t>(layout().stride());
 }
 
-void BondNet::linearise(const NodeVectors& u) {
+void BondNet::linearise(const NodeVectors& u, Tangent tangent) {
   const auto stride = static_cast<std::size_t>(layout().stride());
   const Grid& grid = lattice_->grid;
   zeros_.assign(stride + NodeLayout::group, 0.0F);
   tangent_.assign(3 * stride * kept_.size() * static_cast<std::size_t>(grid.ny) + NodeLayout::group,
                   0.0F);
   own_.resize(grid.nodes());
-  for_rows(threads_, grid.ny, [&](int j) { linearise_row(u, j); });
+  for_rows(threads_, grid.ny, [&](int j) { linearise_row(u, tangent, j); });
   for_rows(threads_, grid.ny, [&](int j) { sum_own_row(j); });
 }
 
-void BondNet::linearise_row(const NodeVectors& u, int j) {
+void BondNet::linearise_row(const NodeVectors& u, Tangent tangent, int j) {
   for (std::size_t k = 0; k < kept_.size(); ++k) {
     float *xx = slice(j, k, 0), *xy = slice(j, k, 1), *yy = slice(j, k, 2);
     for (int i = 0; i < lattice_->grid.nx; ++i) {
       if (!holds(i, j, kept_[k])) continue;
-      const Stiffness stiffness = stiffness_of(u, i, j, kept_[k]);
+      const Stiffness stiffness = stiffness_of(u, i, j, kept_[k], tangent);
       const std::ptrdiff_t column = layout().at(i, 0);
       xx[column] = static_cast<float>(stiffness.xx);
       xy[column] = static_cast<float>(stiffness.xy);

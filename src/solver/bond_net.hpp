@@ -27,6 +27,11 @@ struct Overstretched {
   double ratio = 0.0;  // of its stretch to the critical one, above 1
 };
 
+// Compression (g < 0) takes from the stiffness across a bond, so that the exact tangent may have
+// motions of negative stiffness. Without that it is positive, and wrong by no more than the
+// stretch.
+enum class Tangent { exact, positive };
+
 struct Stretches {
   double most = 0.0;                  // the largest ratio of all bonds
   std::vector<Overstretched> beyond;  // ordered by place and bit
@@ -43,10 +48,9 @@ class BondNet {
   // The force of all bonds on every node.
   void forces(const NodeVectors& u, NodeVectors& force) const;
 
-  // Takes the tangent at u: K/L (g 1 + (1+e)^(-3/2) y y^T/L^2) of each bond, with y = xi + h. What
-  // compression takes from the stiffness across a bond (g < 0) is left out, which keeps the
-  // operator positive and changes it by no more than the stretch. Held in single precision.
-  void linearise(const NodeVectors& u);
+  // Takes the tangent at u: K/L (g 1 + (1+e)^(-3/2) y y^T/L^2) of each bond, with y = xi + h. Held
+  // in single precision.
+  void linearise(const NodeVectors& u, Tangent tangent);
   // The change of the forces when u changes by p, to first order. linearise() was called.
   void apply_row(const NodeVectors& p, NodeVectors& result, int j) const;
   // Sum of the stiffnesses of a node's bonds.
@@ -74,8 +78,9 @@ class BondNet {
   Vec2 force_of(const NodeVectors& u, int i, int j, const Kept& bond) const;
   void add_stretches_of_row(const NodeVectors& u, int j, Stretches& sum) const;
   double stretch_of(const NodeVectors& u, int i, int j, const Kept& bond) const;
-  Stiffness stiffness_of(const NodeVectors& u, int i, int j, const Kept& bond) const;
-  void linearise_row(const NodeVectors& u, int j);
+  Stiffness stiffness_of(const NodeVectors& u, int i, int j, const Kept& bond,
+                         Tangent tangent) const;
+  void linearise_row(const NodeVectors& u, Tangent tangent, int j);
   void sum_own_row(int j);
   // Columns of one component of one bond in a row; zeros beyond the plate.
   float* slice(int j, std::size_t bond, int component);

@@ -201,11 +201,9 @@ bool Relaxation::improve(const NodeVectors& step, const Balance& before) {
   return false;
 }
 
-// What conjugate gradients leave is told after every iteration.
+// Compression can make the exact tangent lose its sign, on the way to an equilibrium or in it: from
+// then on the other one is used, which leads there more slowly.
 NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, RelaxResult& result) {
-  net_.linearise(u_);
-  StaticSolve conjugate_gradients(net_, pieces_, mobile_);
-  NodeVectors step = move_;
   int iterations = result.iterations;
   const auto look = [&](double left) {
     ++iterations;
@@ -218,10 +216,17 @@ NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, Re
     options.progress(way > 0.0 ? 1.0 - rest / way : 1.0, iterations);
   };
   const int most = 2000 + 40 * (net_.layout().nx + net_.layout().ny);
-  result.iterations +=
-      conjugate_gradients.solve(residual_, step, share_of_step, 0.3 * goal, most, look);
   ++result.newton_steps;
-  return step;
+  for (;;) {
+    net_.linearise(u_, tangent_);
+    StaticSolve conjugate_gradients(net_, pieces_, mobile_);
+    NodeVectors step = move_;
+    const StaticSolve::Outcome outcome =
+        conjugate_gradients.solve(residual_, step, share_of_step, 0.3 * goal, most, look);
+    result.iterations += outcome.iterations;
+    if (outcome.is_positive || tangent_ == Tangent::positive) return step;
+    tangent_ = Tangent::positive;
+  }
 }
 
 Equilibrium Relaxation::solve(const RelaxOptions& options) {

@@ -70,6 +70,7 @@ class Relaxation {
   BondNet net_;
   NodeVectors u_, load_, mobile_, move_, residual_;
   Pieces pieces_;
+  Tangent tangent_ = Tangent::exact;
   bool is_led_ = false;  // move_ is not 0
   double largest_load_ = 0.0;
   double most_left_ = 0.0;  // that conjugate gradients have seen

@@ -118,24 +118,26 @@ void StaticSolve::turn_to(double share) {
   });
 }
 
-int StaticSolve::solve(const NodeVectors& force, NodeVectors& d, double share, double goal,
-                       int most, const std::function<void(double left)>& look) {
+StaticSolve::Outcome StaticSolve::solve(const NodeVectors& force, NodeVectors& d, double share,
+                                        double goal, int most,
+                                        const std::function<void(double left)>& look) {
   start(force, d);
   Sums sums = precondition();
   turn_to(0.0);
   const double enough = std::max(share * sums.largest, goal);
-  int iterations = 0;
-  while (iterations < most && sums.largest > enough) {
+  Outcome outcome;
+  while (outcome.iterations < most && sums.largest > enough) {
     const double bend = curvature();
-    if (!(bend > 0.0)) break;  // only motions without strain are left, or it is not a number
+    outcome.is_positive = bend > 0.0;
+    if (!outcome.is_positive) break;
     go(sums.product / bend, d);
-    ++iterations;
+    ++outcome.iterations;
     const double before = sums.product;
     sums = precondition();
     turn_to(sums.product / before);
     look(sums.largest);
   }
-  return iterations;
+  return outcome;
 }
 
 }  // namespace hackle

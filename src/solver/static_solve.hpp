@@ -12,6 +12,11 @@ namespace hackle {
 
 class StaticSolve {
  public:
+  struct Outcome {
+    int iterations = 0;
+    bool is_positive = true;
+  };
+
   // Along x and y `mobile` is 1 for what is sought and 0 for what is given. All must outlive it.
   StaticSolve(const BondNet& net, const Pieces& pieces, const NodeVectors& mobile);
 
@@ -23,8 +28,8 @@ class StaticSolve {
   //
   // Preconditioned by the 2 x 2 stiffness of each node against its neighbours. The bits are the
   // same for any number of threads, and those of a mirror image are the mirror image's.
-  int solve(const NodeVectors& force, NodeVectors& d, double share, double goal, int most,
-            const std::function<void(double left)>& look);
+  Outcome solve(const NodeVectors& force, NodeVectors& d, double share, double goal, int most,
+                const std::function<void(double left)>& look);
 
  private:
   struct Sums {
