@@ -247,7 +247,7 @@ KernelData<Real> Engine<Real>::tables(const Lattice& lattice, const Motion<Real>
   data.first_on_row = first_on_row_;
   data.ux = motion.ux.data();
   data.uy = motion.uy.data();
-  data.kick = state.step == 0 ? Real{0.5} : Real{1};
+  data.kick = state.is_start() ? Real{0.5} : Real{1};
   data.bonds = state.bonds.words().data();
   data.unbreakable = lattice.unbreakable.empty() ? nullptr : lattice.unbreakable.words().data();
   data.plane = state.bonds.plane();

@@ -108,8 +108,15 @@ bool Loading::update(const Lattice&, const State& state) {
   if (!varies_ && !std::exchange(fresh_, false)) return false;
   fresh_ = false;
   sum_forces(state.step);
-  lead(state);
+  lead(state, state.step, true);
   return true;
+}
+
+// The displacement at the end of the step before is that of now.
+void Loading::halt(const State& state) {
+  fresh_ = true;
+  sum_forces(state.step);
+  lead(state, state.step - 1, false);
 }
 
 void Loading::sum_forces(std::int64_t step) {
@@ -122,9 +129,10 @@ void Loading::sum_forces(std::int64_t step) {
 }
 
 // Where several supports hold a node along one axis, the last one does.
-void Loading::lead(const State& state) {
+void Loading::lead(const State& state, std::int64_t step, bool moving) {
   for (const Lead& part : leads_) {
-    const double factor = part.amplitude.at(state.step, dt_);
+    const bool rests = !moving && part.kind == Support::Kind::velocity;
+    const double factor = rests ? 0.0 : part.amplitude.at(step, dt_);
     for (std::size_t k = 0; k < part.at.size(); ++k) {
       LedNode& node = led_[part.at[k]];
       Vec2 move = factor * part.value[k];

@@ -52,6 +52,10 @@ class Loading {
 
   // Finds what acts in the step that begins with this state. True when it is not what it was.
   bool update(const Lattice& lattice, const State& state);
+  // Finds what acts on a plate that stands still at the time of u: displacements are those of this
+  // moment, and nodes that are led at a velocity stay where they are. update() must follow before
+  // the next step, and says true then.
+  void halt(const State& state);
 
   // Each node once, ordered by index.
   const std::vector<LoadedNode>& forces() const { return forces_; }
@@ -75,7 +79,8 @@ class Loading {
   void add(const std::vector<SpreadForce>& forces, const Grid& grid);
   void add(const std::vector<SpreadSupport>& supports, const Lattice& lattice);
   void sum_forces(std::int64_t step);
-  void lead(const State& state);
+  // To where displacements are in the step, and at the velocities, or at none.
+  void lead(const State& state, std::int64_t step, bool moving);
 
   double dt_;
   std::vector<Force> parts_;
@@ -83,7 +88,7 @@ class Loading {
   std::vector<LoadedNode> forces_;
   std::vector<LedNode> led_;
   bool varies_ = false;
-  bool fresh_ = true;  // update() has not been called
+  bool fresh_ = true;  // what acts is not what update() found last
 };
 
 }  // namespace hackle

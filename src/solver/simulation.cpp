@@ -235,22 +235,23 @@ void Simulation::run(double duration, std::span<Observer* const> observers) {
   advance_to(last_step, observers);
 }
 
+void Simulation::let_look(std::span<Observer* const> observers) const {
+  for (Observer* observer : observers) {
+    if (!observer->due(*this)) continue;
+    check_finite();
+    observer->observe(*this);
+  }
+}
+
 void Simulation::advance_to(std::int64_t last_step, std::span<Observer* const> observers) {
-  const auto let_look = [&] {
-    for (Observer* observer : observers) {
-      if (!observer->due(*this)) continue;
-      check_finite();
-      observer->observe(*this);
-    }
-  };
-  let_look();
+  let_look(observers);
   while (state_.step < last_step) {
     {
       const Stopwatch watch(solve_seconds_);
       step();
     }
     if (state_.step % steps_between_checks == 0) check_finite();
-    let_look();
+    let_look(observers);
     if (interrupted()) {
       end_time_ = time();
       throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}, at {}",
@@ -313,7 +314,7 @@ std::vector<Vec2> Simulation::velocities() const {
       for (int i = 0; i < grid.nx; ++i)
         result[grid.index(i, j)] = unit * (state_.v(i, j) + kick(state_.layout.at(i, j)));
   };
-  if (state_.step == 0) {
+  if (state_.is_start()) {
     fill([](std::ptrdiff_t) { return Vec2(0, 0); });
     return result;
   }

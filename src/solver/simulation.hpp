@@ -12,6 +12,7 @@
 #include "solver/engine.hpp"
 #include "solver/loading.hpp"
 #include "solver/observer.hpp"
+#include "solver/quasistatic.hpp"
 #include "solver/state.hpp"
 #include "solver/thermal_strain.hpp"
 #include "solver/threads.hpp"
@@ -42,6 +43,23 @@ class Simulation {
   // current step with Error (interrupted) on Ctrl-C, and with Error (run_failed) when the solution
   // has diverged.
   void run(double duration, std::span<Observer* const> observers = {});
+
+  // Brings the plate to rest where everything that acts at the present time is in balance, without
+  // breaking a bond: what runs on from there starts from a plate under load. The work of loads and
+  // supports becomes that of loading it slowly, so that the ledger of energy is closed. Throws
+  // Error (refused) for pieces that loads push and nothing holds, and for heat, which is not known
+  // here; Error (run_failed) when no equilibrium is found, Error (interrupted) on Ctrl-C: then
+  // nothing has changed.
+  RelaxResult relax(const RelaxOptions& options = {});
+
+  // Goes through `duration` seconds of the courses of all loads slowly. At the end of each of equal
+  // increments of time the plate is brought to rest (see relax); while bonds are then stretched too
+  // far, the worst of them break and it is brought to rest again. Observers see the beginning and
+  // the state after each increment, when they are due. Ends early when the plate comes apart, which
+  // is a result. Throws what relax throws, with the state after the last increment that was
+  // completed.
+  QuasistaticResult load_slowly(const QuasistaticOptions& options,
+                                std::span<Observer* const> observers = {});
 
   // Other loads from now on. Throws Error (refused) with every problem found.
   void set_loads(Loads loads);
@@ -94,6 +112,12 @@ class Simulation {
   void count_external_work();
   double energy_unit() const;  // J/m
   void keep_f32_exact();
+  void check_statics() const;
+  Equilibrium find_rest(const RelaxOptions& options);
+  void load_to(std::int64_t step, const QuasistaticOptions& options, QuasistaticResult& result);
+  void let_look(std::span<Observer* const> observers) const;
+  void put(const NodeVectors& u);
+  void come_to_rest();
   void advance_to(std::int64_t last_step, std::span<Observer* const> observers);
 
   Plate plate_;

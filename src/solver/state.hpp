@@ -20,7 +20,8 @@ struct Motion {
   Values<Real> threshold;  // e above which the bonds of a node break; only where a history moves it
 };
 
-// Leapfrog: u belongs to the time step * dt, v to half a step earlier; at step 0 both to the start.
+// Leapfrog: u belongs to the time step * dt, v to half a step earlier; at step `start` both to the
+// same time.
 // The bonds are those that hold when the next step begins.
 struct State {
   State() = default;
@@ -30,6 +31,7 @@ struct State {
   std::variant<Motion<double>, Motion<float>> motion;
   BondBits bonds;
   std::int64_t step = 0;
+  std::int64_t start = 0;  // step at which the plate was last set in motion, or brought to rest
   double external_work = 0.0;  // done by loads and supports so far, and by changes of temperature
                                // up to half a step ago, in units of rho dx^4/dt^2 (J/m)
   double work_ahead = 0.0;     // what supports did in the last half step, which is not in it yet
@@ -37,6 +39,7 @@ struct State {
   Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u
 
   Precision precision() const { return motion.index() == 0 ? Precision::f64 : Precision::f32; }
+  bool is_start() const { return step == start; }
   // In lattice units; u without the origin.
   Vec2 u(int i, int j) const;
   Vec2 v(int i, int j) const;

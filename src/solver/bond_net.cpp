@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include "solver/bond_net.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+namespace hackle {
+namespace {
+
+// Two nodes that meet must not divide by zero; as in the kernels.
+constexpr double no_length = 1e-12;
+
+// Quantities of a deformed bond: y = xi + h, e = (|y|/L)^2 - 1 without cancellation.
+struct Deformed {
+  Deformed(const Vec2& xi, double inverse_length, const Vec2& h)
+      : y(xi + h),
+        e((h.x() * (h.x() + 2.0 * xi.x()) + h.y() * (h.y() + 2.0 * xi.y())) *
+          (inverse_length * inverse_length)),
+        squared(std::max(1.0 + e, no_length)),
+        ratio(std::sqrt(squared)) {}
+
+  double g() const { return e / (squared + ratio); }  // s/(1+s)
+  double stretch() const { return e / (1.0 + ratio); }
+
+  Vec2 y;
+  double e, squared, ratio;
+};
+
+}  // namespace
+
+BondNet::BondNet(const Lattice& lattice, const State& state, Threads threads)
+    : lattice_(&lattice),
+      state_(&state),
+      threads_(std::move(threads)),
+      unit_(lattice.calibration.c * lattice.grid.dx * lattice.grid.dx) {
+  lattice.family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int bit) {
+    if (a >= 0) images_.push_back(kept_.size());
+    kept_.push_back({a, b, xi, weight, 1.0 / xi.norm(), bit});
+  });
+}
+
+bool BondNet::holds(int i, int j, const Kept& bond) const {
+  return state_->bonds.holds(layout().at(i, j), bond.bit);
+}
+
+double BondNet::strength_of(int i, int j, const Kept& bond) const {
+  if (lattice_->material.empty()) return bond.weight;
+  const double sum = lattice_->material_at(i, j).calibration.c +
+                     lattice_->material_at(i + bond.a, j + bond.b).calibration.c;
+  return bond.weight * (0.5 * sum / lattice_->calibration.c);
+}
+
+Vec2 BondNet::force_of(const NodeVectors& u, int i, int j, const Kept& bond) const {
+  const auto from = static_cast<std::size_t>(layout().at(i, j));
+  const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
+  const Deformed deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]});
+  return (strength_of(i, j, bond) * bond.inverse_length * deformed.g()) * deformed.y;
+}
+
+double BondNet::stretch_of(const NodeVectors& u, int i, int j, const Kept& bond) const {
+  const auto from = static_cast<std::size_t>(layout().at(i, j));
+  const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
+  return Deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]})
+      .stretch();
+}
+
+Stiffness BondNet::stiffness_of(const NodeVectors& u, int i, int j, const Kept& bond,
+                                Tangent tangent) const {
+  const auto from = static_cast<std::size_t>(layout().at(i, j));
+  const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
+  const Deformed deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]});
+  const double pull = strength_of(i, j, bond) * bond.inverse_length;
+  const double across =
+      pull * (tangent == Tangent::positive ? std::max(deformed.g(), 0.0) : deformed.g());
+  const double along =
+      pull * (bond.inverse_length * bond.inverse_length) / (deformed.squared * deformed.ratio);
+  const Vec2& y = deformed.y;
+  return {across + along * (y.x() * y.x()), along * (y.x() * y.y()),
+          across + along * (y.y() * y.y())};
+}
+
+// Images of an offset in the order of the engine: a scene that is its own mirror image has forces
+// that are, to the last bit.
+void BondNet::forces(const NodeVectors& u, NodeVectors& force) const {
+  const Grid& grid = lattice_->grid;
+  const auto pull = [&](int i, int j, const Kept& bond, bool keeps) -> Vec2 {
+    const int from_i = keeps ? i : i - bond.a, from_j = keeps ? j : j - bond.b;
+    if (!grid.contains(from_i, from_j) || !holds(from_i, from_j, bond)) return {0, 0};
+    return keeps ? force_of(u, from_i, from_j, bond) : -force_of(u, from_i, from_j, bond);
+  };
+  for_rows(threads_, grid.ny, [&](int j) {
+    for (int i = 0; i < grid.nx; ++i) {
+      Vec2 sum(0, 0);
+      for (const std::size_t first : images_) {
+        const Kept& one = kept_[first];
+        if (one.a == 0 || one.b == 0) {
+          sum += pull(i, j, one, true) + pull(i, j, one, false);
+          continue;
+        }
+        const Kept& other = kept_[first + 1];
+        sum += (pull(i, j, one, true) + pull(i, j, other, true)) +
+               (pull(i, j, one, false) + pull(i, j, other, false));
+      }
+      const auto at = static_cast<std::size_t>(layout().at(i, j));
+      force.x[at] = sum.x();
+      force.y[at] = sum.y();
+    }
+  });
+}
+
+float* BondNet::slice(int j, std::size_t bond, int component) {
+  return const_cast<float*>(std::as_const(*this).slice(j, bond, component));
+}
+
+const float* BondNet::slice(int j, std::size_t bond, int component) const {
+  if (j < 0) return zeros_.data();
+  const auto row = static_cast<std::size_t>(j) * kept_.size();
+  return tangent_.data() + (3 * (row + bond) + static_cast<std::size_t>(component)) *
+                               static_cast<std::size_t>(layout().stride());
+}
+
+void BondNet::linearise(const NodeVectors& u, Tangent tangent) {
+  const auto stride = static_cast<std::size_t>(layout().stride());
+  const Grid& grid = lattice_->grid;
+  zeros_.assign(stride + NodeLayout::group, 0.0F);
+  tangent_.assign(3 * stride * kept_.size() * static_cast<std::size_t>(grid.ny) + NodeLayout::group,
+                  0.0F);
+  own_.resize(grid.nodes());
+  for_rows(threads_, grid.ny, [&](int j) { linearise_row(u, tangent, j); });
+  for_rows(threads_, grid.ny, [&](int j) { sum_own_row(j); });
+}
+
+void BondNet::linearise_row(const NodeVectors& u, Tangent tangent, int j) {
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    float *xx = slice(j, k, 0), *xy = slice(j, k, 1), *yy = slice(j, k, 2);
+    for (int i = 0; i < lattice_->grid.nx; ++i) {
+      if (!holds(i, j, kept_[k])) continue;
+      const Stiffness stiffness = stiffness_of(u, i, j, kept_[k], tangent);
+      const std::ptrdiff_t column = layout().at(i, 0);
+      xx[column] = static_cast<float>(stiffness.xx);
+      xy[column] = static_cast<float>(stiffness.xy);
+      yy[column] = static_cast<float>(stiffness.yy);
+    }
+  }
+}
+
+void BondNet::sum_own_row(int j) {
+  const auto at = [&](std::size_t k, int i, bool keeps) -> Stiffness {
+    const Kept& bond = kept_[k];
+    const int row = keeps ? j : j - bond.b;
+    const std::ptrdiff_t column = layout().at(keeps ? i : i - bond.a, 0);
+    return {slice(row, k, 0)[column], slice(row, k, 1)[column], slice(row, k, 2)[column]};
+  };
+  const auto plus = [](const Stiffness& p, const Stiffness& q) -> Stiffness {
+    return {p.xx + q.xx, p.xy + q.xy, p.yy + q.yy};
+  };
+  for (int i = 0; i < lattice_->grid.nx; ++i) {
+    Stiffness sum;
+    for (const std::size_t k : images_)
+      if (kept_[k].a == 0 || kept_[k].b == 0)
+        sum = plus(sum, plus(at(k, i, true), at(k, i, false)));
+      else
+        sum = plus(sum, plus(plus(at(k, i, true), at(k + 1, i, true)),
+                             plus(at(k, i, false), at(k + 1, i, false))));
+    own_[lattice_->grid.index(i, j)] = sum;
+  }
+}
+
+Stiffness BondNet::own_stiffness(int i, int j) const {
+  return own_[lattice_->grid.index(i, j)];
+}
+
+namespace {
+
+// One image of an offset as the nodes of a row see it: stiffness and the vectors at the far ends.
+struct Arm {
+  const float *xx, *xy, *yy;
+  const double *x, *y;
+};
+
+Vec2 pull(const Arm& arm, std::ptrdiff_t i, double x, double y) {
+  const double hx = arm.x[i] - x, hy = arm.y[i] - y;
+  const double xx = arm.xx[i], xy = arm.xy[i], yy = arm.yy[i];
+  return {xx * hx + xy * hy, xy * hx + yy * hy};
+}
+
+}  // namespace
+
+// A deliberately plain loop over columns, without branches: ghosts and broken bonds have stiffness
+// 0. Rows beyond the plate are replaced by the row itself, with a stiffness of 0.
+void BondNet::apply_row(const NodeVectors& p, NodeVectors& result, int j) const {
+  const std::ptrdiff_t first = layout().at(0, j), column = layout().at(0, 0);
+  const int nx = lattice_->grid.nx, ny = lattice_->grid.ny;
+  double *out_x = &result.x[static_cast<std::size_t>(first)],
+         *out_y = &result.y[static_cast<std::size_t>(first)];
+  const double *x = p.x.data() + first, *y = p.y.data() + first;
+  const auto arm = [&](std::size_t k, bool keeps) -> Arm {
+    const Kept& bond = kept_[k];
+    const int side = keeps ? 1 : -1, row = j + side * bond.b;
+    const bool inside = row >= 0 && row < ny;
+    const std::ptrdiff_t shift = keeps ? column : column - bond.a;
+    const std::ptrdiff_t to = side * bond.a + (inside ? side * bond.b * layout().stride() : 0);
+    const int keeper = keeps ? (inside ? j : -1) : (inside ? row : -1);
+    const auto of = [&](int component) {
+      return keeper < 0 ? zeros_.data() + shift : slice(keeper, k, component) + shift;
+    };
+    return {of(0), of(1), of(2), x + to, y + to};
+  };
+  std::fill_n(out_x, nx, 0.0);
+  std::fill_n(out_y, nx, 0.0);
+  for (const std::size_t k : images_) {
+    const Arm up = arm(k, true), down = arm(k, false);
+    if (kept_[k].a == 0 || kept_[k].b == 0) {
+      for (int i = 0; i < nx; ++i) {
+        const Vec2 f1 = pull(up, i, x[i], y[i]), f2 = pull(down, i, x[i], y[i]);
+        out_x[i] += f1.x() + f2.x();
+        out_y[i] += f1.y() + f2.y();
+      }
+      continue;
+    }
+    const Arm up_left = arm(k + 1, true), down_right = arm(k + 1, false);
+    for (int i = 0; i < nx; ++i) {
+      const Vec2 f1 = pull(up, i, x[i], y[i]), f2 = pull(up_left, i, x[i], y[i]);
+      const Vec2 f3 = pull(down, i, x[i], y[i]), f4 = pull(down_right, i, x[i], y[i]);
+      out_x[i] += (f1.x() + f2.x()) + (f3.x() + f4.x());
+      out_y[i] += (f1.y() + f2.y()) + (f3.y() + f4.y());
+    }
+  }
+}
+
+// A history has moved the thresholds of the state; otherwise they are those of the scene.
+double BondNet::critical_stretch(int i, int j) const {
+  const auto at = static_cast<std::size_t>(layout().at(i, j));
+  const double moved = std::visit(
+      [at](const auto& m) {
+        return m.threshold.empty() ? -1.0 : static_cast<double>(m.threshold[at]);
+      },
+      state_->motion);
+  if (moved >= 0.0) return std::sqrt(1.0 + moved) - 1.0;
+  const double s0 = lattice_->material_at(i, j).calibration.s0;
+  if (lattice_->strength.empty()) return s0;
+  return s0 * static_cast<double>(lattice_->strength[lattice_->grid.index(i, j)]);
+}
+
+void BondNet::add_stretches_of_row(const NodeVectors& u, int j, Stretches& sum) const {
+  for (int i = 0; i < lattice_->grid.nx; ++i)
+    for (const Kept& bond : kept_) {
+      const std::ptrdiff_t at = layout().at(i, j);
+      if (!holds(i, j, bond)) continue;
+      if (!lattice_->unbreakable.empty() && lattice_->unbreakable.holds(at, bond.bit)) continue;
+      const double critical =
+          std::min(critical_stretch(i, j), critical_stretch(i + bond.a, j + bond.b));
+      const double ratio = stretch_of(u, i, j, bond) / critical;
+      sum.most = std::max(sum.most, ratio);
+      if (ratio > 1.0) sum.beyond.push_back({at, bond.bit, ratio});
+    }
+}
+
+Stretches BondNet::stretches(const NodeVectors& u) const {
+  std::vector<Stretches> of_row(static_cast<std::size_t>(lattice_->grid.ny));
+  for_rows(threads_, lattice_->grid.ny,
+           [&](int j) { add_stretches_of_row(u, j, of_row[static_cast<std::size_t>(j)]); });
+  Stretches all;
+  for (const Stretches& row : of_row) {
+    all.most = std::max(all.most, row.most);
+    all.beyond.insert(all.beyond.end(), row.beyond.begin(), row.beyond.end());
+  }
+  return all;
+}
+
+}  // namespace hackle

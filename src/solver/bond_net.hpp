@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// The bonds of a plate as springs at rest: exact forces, stretches, and the tangent, in double
+// precision and without breaking anything. In lattice units: lengths in dx, force densities in
+// c dx^2 with the micromodulus c of the plate's own material.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lattice/lattice.hpp"
+#include "solver/node_vectors.hpp"
+#include "solver/state.hpp"
+
+namespace hackle {
+
+// The derivative of the force of a bond by the relative displacement of its ends.
+struct Stiffness {
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+};
+
+// A bond that is stretched beyond its critical stretch.
+struct Overstretched {
+  std::ptrdiff_t at = 0;  // place of the node that keeps it
+  int bit = 0;
+  double ratio = 0.0;  // of its stretch to the critical one, above 1
+};
+
+// Compression (g < 0) takes from the stiffness across a bond, so that the exact tangent may have
+// motions of negative stiffness. Without that it is positive, and wrong by no more than the
+// stretch.
+enum class Tangent { exact, positive };
+
+struct Stretches {
+  double most = 0.0;                  // the largest ratio of all bonds
+  std::vector<Overstretched> beyond;  // ordered by place and bit
+};
+
+class BondNet {
+ public:
+  // Of the bonds that hold in `state`. Both must outlive it.
+  BondNet(const Lattice& lattice, const State& state, Threads threads);
+
+  const NodeLayout& layout() const { return state_->layout; }
+  const Threads& threads() const { return threads_; }
+
+  // The force of all bonds on every node.
+  void forces(const NodeVectors& u, NodeVectors& force) const;
+
+  // Takes the tangent at u: K/L (g 1 + (1+e)^(-3/2) y y^T/L^2) of each bond, with y = xi + h. Held
+  // in single precision.
+  void linearise(const NodeVectors& u, Tangent tangent);
+  // The change of the forces when u changes by p, to first order. linearise() was called.
+  void apply_row(const NodeVectors& p, NodeVectors& result, int j) const;
+  // Sum of the stiffnesses of a node's bonds.
+  Stiffness own_stiffness(int i, int j) const;
+
+  // How far bonds are stretched, those of no-fail zones apart.
+  Stretches stretches(const NodeVectors& u) const;
+
+  // dx, c dx^2 in N/m3.
+  double unit_of_force() const { return unit_; }
+
+ private:
+  // A bond kept by a node, or the image of one that another node keeps.
+  struct Kept {
+    int a, b;
+    Vec2 xi;
+    double weight, inverse_length;
+    int bit;
+  };
+
+  bool holds(int i, int j, const Kept& bond) const;
+  // Micromodulus times weight, over that of the plate's own material: of the mean of both ends.
+  double strength_of(int i, int j, const Kept& bond) const;
+  double critical_stretch(int i, int j) const;
+  Vec2 force_of(const NodeVectors& u, int i, int j, const Kept& bond) const;
+  void add_stretches_of_row(const NodeVectors& u, int j, Stretches& sum) const;
+  double stretch_of(const NodeVectors& u, int i, int j, const Kept& bond) const;
+  Stiffness stiffness_of(const NodeVectors& u, int i, int j, const Kept& bond,
+                         Tangent tangent) const;
+  void linearise_row(const NodeVectors& u, Tangent tangent, int j);
+  void sum_own_row(int j);
+  // Columns of one component of one bond in a row; zeros beyond the plate.
+  float* slice(int j, std::size_t bond, int component);
+  const float* slice(int j, std::size_t bond, int component) const;
+
+  const Lattice* lattice_;
+  const State* state_;
+  Threads threads_;
+  double unit_;
+  std::vector<Kept> kept_;
+  std::vector<std::size_t> images_;  // first of kept_ of each class of mirror images
+  std::vector<float> tangent_;
+  std::vector<float> zeros_;
+  std::vector<Stiffness> own_;  // per node
+};
+
+}  // namespace hackle

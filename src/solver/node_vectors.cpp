@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "solver/node_vectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hackle {
+
+double dot_of_row(const NodeLayout& layout, const NodeVectors& a, const NodeVectors& b, int j) {
+  const auto first = static_cast<std::size_t>(layout.at(0, j));
+  const double *ax = &a.x[first], *ay = &a.y[first], *bx = &b.x[first], *by = &b.y[first];
+  return paired_sum(layout.nx, [=](int i) { return ax[i] * bx[i] + ay[i] * by[i]; });
+}
+
+double largest_of_row(const NodeLayout& layout, const NodeVectors& a, int j) {
+  const auto first = static_cast<std::size_t>(layout.at(0, j));
+  const double *x = &a.x[first], *y = &a.y[first];
+  double most = 0.0;
+  for (int i = 0; i < layout.nx; ++i) {
+    const double squared = x[i] * x[i] + y[i] * y[i];
+    if (!(squared <= most)) most = squared;  // a NaN stays
+  }
+  return std::sqrt(most);
+}
+
+double sum_of_rows(std::span<const double> of_row) {
+  return paired_sum(static_cast<int>(of_row.size()),
+                    [&](int j) { return of_row[static_cast<std::size_t>(j)]; });
+}
+
+double most_of_rows(std::span<const double> of_row) {
+  double most = 0.0;
+  for (const double value : of_row)
+    if (!(value <= most)) most = value;
+  return most;
+}
+
+}  // namespace hackle

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// A vector for every node, in double precision: displacements, forces, and what a solver of linear
+// equations makes of them. Sums are the same for any number of threads, and of mirror images.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "lattice/node_layout.hpp"
+#include "solver/scratch.hpp"
+#include "solver/threads.hpp"
+
+namespace hackle {
+
+// Places are those of a NodeLayout; ghosts are 0.
+struct NodeVectors {
+  NodeVectors() = default;
+  explicit NodeVectors(const NodeLayout& layout) : x(layout.size()), y(layout.size()) {}
+
+  Values<double> x, y;
+};
+
+// The sum of count values term(0), term(1), ... in an order that reversing them does not change.
+template <class Term>
+double paired_sum(int count, const Term& term) {
+  double sum = 0.0;
+  for (int k = 0; k < count / 2; ++k) sum += term(k) + term(count - 1 - k);
+  return count % 2 == 1 ? sum + term(count / 2) : sum;
+}
+
+// Calls work(j) for every row, several rows a task.
+template <class Work>
+void for_rows(const Threads& threads, int rows, const Work& work) {
+  constexpr int per_task = 8;
+  threads.for_tasks((rows + per_task - 1) / per_task, [&](int task, int) {
+    for (int j = task * per_task; j < rows && j < (task + 1) * per_task; ++j) work(j);
+  });
+}
+
+// a . b of row j.
+double dot_of_row(const NodeLayout& layout, const NodeVectors& a, const NodeVectors& b, int j);
+// The largest length of a vector of row j.
+double largest_of_row(const NodeLayout& layout, const NodeVectors& a, int j);
+
+// What rows came to, as one number.
+double sum_of_rows(std::span<const double> of_row);
+double most_of_rows(std::span<const double> of_row);
+
+}  // namespace hackle

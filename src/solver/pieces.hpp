@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What hangs together: the pieces of a plate, and how they can move without stretching a bond.
+#pragma once
+
+#include <vector>
+
+#include "lattice/lattice.hpp"
+#include "solver/node_vectors.hpp"
+#include "solver/state.hpp"
+
+namespace hackle {
+
+// A motion without strain: a translation, and a turn about the centre of the piece. For small
+// angles.
+struct RigidMotion {
+  Vec2 shift{0, 0};
+  double turn = 0.0;
+};
+
+// Nodes that are joined by bonds which hold, in the box of columns first_i..last_i and rows
+// first_j..last_j. Lengths in dx.
+struct Piece {
+  int first_i = 0, last_i = 0, first_j = 0, last_j = 0;
+  int nodes = 0;
+  Vec2 centre{0, 0};                 // of its nodes, from the centre of the lattice
+  double inertia = 0.0;              // sum of the squared distances from there
+  bool is_held = false;              // a support holds some of its nodes, along one axis at least
+  std::vector<RigidMotion> motions;  // which no support hinders; three when it is not held
+};
+
+// Of forces on the nodes of a piece.
+struct Resultant {
+  Vec2 force{0, 0};
+  double moment = 0.0;  // about the centre of the piece
+  double virial = 0.0;  // sum of x . force, x from there
+};
+
+class Pieces {
+ public:
+  // `mobile` is 1 where a support lets a node move along x (y), 0 where not.
+  Pieces(const Lattice& lattice, const State& state, const NodeVectors& mobile, Threads threads);
+
+  // A node without bonds belongs to none.
+  const std::vector<Piece>& list() const { return list_; }
+
+  // Of the forces where u has moved the nodes.
+  Resultant resultant(std::size_t piece, const NodeVectors& force, const NodeVectors& u) const;
+  // Takes out of a vector what moves or turns those that no support holds as a whole.
+  void take_out_rigid(NodeVectors& vector) const;
+  // Turns a piece about the centre of its nodes by any angle (rad); bonds do not notice.
+  void turn(std::size_t piece, double angle, NodeVectors& u) const;
+
+ private:
+  static constexpr int none = -1;
+
+  std::vector<int> roots(const Lattice& lattice, const State& state) const;
+  void list_pieces(const std::vector<int>& root, const NodeVectors& mobile);
+  // Calls work(x, place) for the nodes of row j, x from the centre of the piece.
+  template <class Work>
+  void for_row(std::size_t piece, int j, const Work& work) const;
+  // Sum of term(x, place) over the nodes of a piece; opposite or the same for its mirror image.
+  template <class Term>
+  double sum(std::size_t piece, const Term& term) const;
+  void measure(std::size_t piece);
+  void find_motions(std::size_t piece, const NodeVectors& mobile);
+
+  Grid grid_;
+  NodeLayout layout_;
+  Threads threads_;
+  std::vector<int> of_node_;  // place in list_, or none
+  std::vector<Piece> list_;
+};
+
+}  // namespace hackle

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Loading so slow that the plate is at rest at every moment.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solver/relaxation.hpp"
+
+namespace hackle {
+
+struct QuasistaticOptions {
+  double duration = 0.0;    // s, of the courses of the loads; above 0
+  int increments = 10;      // in which it is gone through, >= 1
+  double tolerance = 1e-6;  // of RelaxOptions
+  // Told from time to time how far it has come, 0..1, and what it is at; may throw.
+  std::function<void(double fraction, int increment, int pass, std::int64_t broken)> progress;
+};
+
+struct QuasistaticResult {
+  // How often the plate was brought to rest in each increment: 1 where nothing broke.
+  std::vector<int> passes;
+  std::int64_t iterations = 0;  // of conjugate gradients
+  std::int64_t broken = 0;      // bonds
+  // Whether the plate bears the loads to the end. If not, it came apart in the last increment of
+  // `passes`: bonds are broken as far as equilibria were found, and a run goes on from there.
+  bool bears = true;
+  std::string why;  // what was then found
+};
+
+// Of the bonds that are stretched too far, those break at once which are nearly as far beyond their
+// critical stretch as the worst of them: the others may be relieved by that.
+inline constexpr double breaking_share = 0.9;
+
+// Breaks these bonds. Returns how many.
+std::int64_t break_worst(const std::vector<Overstretched>& beyond, BondBits& bonds);
+
+}  // namespace hackle

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "solver/relaxation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "base/units.hpp"
+#include "solver/static_solve.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr int most_newton_steps = 40;
+constexpr int most_halvings = 10;
+constexpr double share_of_step = 1e-4;  // what a step may leave: the next one starts from there
+
+NodeVectors displacements(const State& state) {
+  NodeVectors u(state.layout);
+  for (int j = 0; j < state.layout.ny; ++j)
+    for (int i = 0; i < state.layout.nx; ++i) {
+      const auto at = static_cast<std::size_t>(state.layout.at(i, j));
+      const Vec2 value = state.u(i, j);
+      u.x[at] = value.x();
+      u.y[at] = value.y();
+    }
+  return u;
+}
+
+// 0 where a node is led.
+NodeVectors mobile_of(const NodeLayout& layout, const Loading& loading) {
+  NodeVectors mobile(layout);
+  for (int j = 0; j < layout.ny; ++j)
+    for (int i = 0; i < layout.nx; ++i) {
+      const auto at = static_cast<std::size_t>(layout.at(i, j));
+      mobile.x[at] = mobile.y[at] = 1.0;
+    }
+  for (const LedNode& led : loading.led()) {
+    const auto at = static_cast<std::size_t>(layout.at(led.i, led.j));
+    if (led.along_x) mobile.x[at] = 0.0;
+    if (led.along_y) mobile.y[at] = 0.0;
+  }
+  return mobile;
+}
+
+[[noreturn]] void fail(const RelaxResult& result) {
+  throw Error(ErrorKind::run_failed,
+              fmt::format("relax: no equilibrium is found; after {} Newton steps {:.2g} of the "
+                          "largest force is not in balance",
+                          result.newton_steps, result.residual),
+              "the plate may not bear these loads: try smaller ones, or hold it by a support");
+}
+
+}  // namespace
+
+Relaxation::Relaxation(const Lattice& lattice, const State& state, const Loading& loading,
+                       Threads threads)
+    : lattice_(&lattice),
+      net_(lattice, state, threads),
+      u_(displacements(state)),
+      load_(state.layout),
+      mobile_(mobile_of(state.layout, loading)),
+      move_(state.layout),
+      residual_(state.layout),
+      pieces_(lattice, state, mobile_, threads) {
+  take_loads(loading);
+  const auto degree = degrees(lattice.grid, lattice.family, state.bonds);
+  for (int j = 0; j < lattice.grid.ny; ++j)
+    for (int i = 0; i < lattice.grid.nx; ++i) {
+      if (degree[lattice.grid.index(i, j)] != 0) continue;
+      const auto at = static_cast<std::size_t>(state.layout.at(i, j));
+      mobile_.x[at] = mobile_.y[at] = load_.x[at] = load_.y[at] = 0.0;
+    }
+  for (int j = 0; j < lattice.grid.ny; ++j)
+    largest_load_ = std::max(largest_load_, largest_of_row(state.layout, load_, j));
+}
+
+void Relaxation::take_loads(const Loading& loading) {
+  const NodeLayout& layout = net_.layout();
+  for (const LoadedNode& node : loading.forces()) {
+    const auto at = static_cast<std::size_t>(layout.at(node.i, node.j));
+    const Vec2 force = (node.inertia * lattice_->rho / net_.unit_of_force()) * node.acceleration;
+    load_.x[at] = force.x();
+    load_.y[at] = force.y();
+  }
+  for (const LedNode& led : loading.led()) {
+    const auto at = static_cast<std::size_t>(layout.at(led.i, led.j));
+    if (led.along_x) move_.x[at] = led.move.x();
+    if (led.along_y) move_.y[at] = led.move.y();
+    is_led_ |= move_.x[at] != 0.0 || move_.y[at] != 0.0;
+  }
+}
+
+void Relaxation::refuse(const Piece& piece, const Resultant& resultant) const {
+  const Grid& grid = lattice_->grid;
+  const double unit = net_.unit_of_force() * grid.dx * grid.dx;  // N/m
+  const Vec2 force = unit * resultant.force, centre = grid.centre + grid.dx * piece.centre;
+  throw Error(
+      ErrorKind::refused,
+      fmt::format("relax: the loads push the piece of {} nodes around ({}, {}) with ({}, {}) and "
+                  "turn it with {}, and {}",
+                  piece.nodes, quantity(centre.x(), "m"), quantity(centre.y(), "m"),
+                  quantity(force.x(), "N/m"), quantity(force.y(), "N/m"),
+                  quantity(unit * grid.dx * resultant.moment, "N"),
+                  piece.is_held ? "its supports give way" : "nothing holds it"),
+      "balance the loads, or hold it by a support");
+}
+
+// A force that every node shared would not be noticed when it is within the tolerance.
+void Relaxation::check_held(double tolerance) const {
+  for (std::size_t k = 0; k < pieces_.list().size(); ++k) {
+    const Piece& piece = pieces_.list()[k];
+    if (piece.motions.empty()) continue;
+    const Resultant resultant = pieces_.resultant(k, load_, u_);
+    const double most = tolerance * largest_load_ * piece.nodes;
+    for (const RigidMotion& motion : piece.motions) {
+      // Of a free piece moments are balanced by turning it, where that can be.
+      const double moment = piece.is_held ? resultant.moment : 0.0;
+      if (std::abs(motion.shift.dot(resultant.force) + motion.turn * moment) > most)
+        refuse(piece, resultant);
+    }
+  }
+}
+
+// Loads keep their direction: on a deformed piece they have a moment, to which it gives way until
+// there is none, tan(angle) = moment/virial.
+void Relaxation::turn_free_pieces(double tolerance) {
+  constexpr double steepest = 0.2;
+  for (std::size_t k = 0; k < pieces_.list().size(); ++k) {
+    const Piece& piece = pieces_.list()[k];
+    if (piece.is_held) continue;
+    const Resultant resultant = pieces_.resultant(k, load_, u_);
+    const double radius = std::sqrt(piece.inertia / piece.nodes);
+    if (std::abs(resultant.moment) <= 0.1 * tolerance * largest_load_ * piece.nodes * radius)
+      continue;
+    if (std::abs(resultant.moment) > steepest * std::abs(resultant.virial))
+      refuse(piece, resultant);
+    pieces_.turn(k, std::atan(resultant.moment / resultant.virial), u_);
+  }
+}
+
+double Relaxation::stiffest() const {
+  double most = 0.0;
+  for (const MaterialOnLattice& entry : lattice_->materials)
+    most = std::max(most, entry.calibration.c / lattice_->calibration.c);
+  double sum = 0.0;
+  lattice_->family.for_each_bond(
+      [&](int, int, const Vec2& xi, double weight, int) { sum += 2.0 * weight / xi.norm(); });
+  return most * sum;
+}
+
+Relaxation::Balance Relaxation::find_left() {
+  const NodeLayout& layout = net_.layout();
+  net_.forces(u_, residual_);
+  Balance balance{0.0, 0.0, largest_load_, 0.0};
+  std::vector<double> squares(static_cast<std::size_t>(layout.ny));
+  double farthest = 0.0;
+  for (int j = 0; j < layout.ny; ++j) {
+    for (int i = 0; i < layout.nx; ++i) {
+      const auto at = static_cast<std::size_t>(layout.at(i, j));
+      const Vec2 sum(residual_.x[at] + load_.x[at], residual_.y[at] + load_.y[at]);
+      residual_.x[at] = mobile_.x[at] * sum.x();
+      residual_.y[at] = mobile_.y[at] * sum.y();
+      const Vec2 reaction(sum.x() - residual_.x[at], sum.y() - residual_.y[at]);
+      balance.reference = std::max(balance.reference, reaction.norm());
+    }
+    farthest = std::max(farthest, largest_of_row(layout, u_, j));
+  }
+  if (pieces_.list().size() > 0) pieces_.take_out_rigid(residual_);
+  std::vector<double> most(squares.size());
+  for (int j = 0; j < layout.ny; ++j) {
+    squares[static_cast<std::size_t>(j)] = dot_of_row(layout, residual_, residual_, j);
+    most[static_cast<std::size_t>(j)] = largest_of_row(layout, residual_, j);
+  }
+  balance.largest = most_of_rows(most);
+  balance.total = std::sqrt(sum_of_rows(squares));
+  // Of differences of u, in the sum over the bonds of a node.
+  balance.rounding = 8.0 * std::numeric_limits<double>::epsilon() * stiffest() * farthest;
+  return balance;
+}
+
+// Goes along a Newton step, or less of it. False when it leads nowhere.
+bool Relaxation::improve(const NodeVectors& step, const Balance& before) {
+  const NodeVectors from = u_;
+  double share = 1.0;
+  for (int halving = 0; halving <= most_halvings; ++halving, share *= 0.5) {
+    for (std::size_t at = 0; at < u_.x.size(); ++at) {
+      u_.x[at] = from.x[at] + share * step.x[at];
+      u_.y[at] = from.y[at] + share * step.y[at];
+    }
+    // What is prescribed must be reached; the steps after it repair what it leaves.
+    const double total = find_left().total;
+    if (total < before.total || (is_led_ && std::isfinite(total))) return true;
+    if (is_led_) return false;
+  }
+  u_ = from;
+  return false;
+}
+
+// Compression can make the exact tangent lose its sign, on the way to an equilibrium or in it: from
+// then on the other one is used, which leads there more slowly.
+NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, RelaxResult& result) {
+  int iterations = result.iterations;
+  const auto look = [&](double left) {
+    ++iterations;
+    if (interrupted())
+      throw Error(ErrorKind::interrupted, "relax: interrupted, the plate is as it was");
+    most_left_ = std::max(most_left_, left);
+    if (!options.progress || !(goal > 0.0)) return;
+    const double way = std::log(most_left_ / goal);
+    const double rest = std::log(std::max(left / goal, 1.0));
+    options.progress(way > 0.0 ? 1.0 - rest / way : 1.0, iterations);
+  };
+  const int most = 2000 + 40 * (net_.layout().nx + net_.layout().ny);
+  ++result.newton_steps;
+  for (;;) {
+    net_.linearise(u_, tangent_);
+    StaticSolve conjugate_gradients(net_, pieces_, mobile_);
+    NodeVectors step = move_;
+    const StaticSolve::Outcome outcome =
+        conjugate_gradients.solve(residual_, step, share_of_step, 0.3 * goal, most, look);
+    result.iterations += outcome.iterations;
+    if (outcome.is_positive || tangent_ == Tangent::positive) return step;
+    tangent_ = Tangent::positive;
+  }
+}
+
+Equilibrium Relaxation::solve(const RelaxOptions& options) {
+  check_held(options.tolerance);
+  turn_free_pieces(options.tolerance);
+  Balance balance = find_left();
+  const double first = largest_load_ > 0.0 || is_led_ ? 0.0 : balance.largest;
+  Equilibrium rest;
+  for (;;) {
+    const double reference = std::max(balance.reference, first);
+    const double goal = std::max(options.tolerance * reference, balance.rounding);
+    rest.result.residual = reference > 0.0 ? balance.largest / reference : 0.0;
+    if (balance.largest <= goal && !is_led_) break;
+    if (rest.result.newton_steps == most_newton_steps || !std::isfinite(balance.largest))
+      fail(rest.result);
+    if (!improve(newton_step(goal, options, rest.result), balance)) {
+      if (balance.largest <= 100.0 * balance.rounding) break;
+      fail(rest.result);
+    }
+    is_led_ = false;
+    move_ = NodeVectors(net_.layout());
+    turn_free_pieces(options.tolerance);
+    balance = find_left();
+  }
+  Stretches stretches = net_.stretches(u_);
+  rest.result.most = stretches.most;
+  rest.result.beyond = std::ssize(stretches.beyond);
+  rest.beyond = std::move(stretches.beyond);
+  rest.u = std::move(u_);
+  return rest;
+}
+
+}  // namespace hackle

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Conjugate gradients for the tangent of a net of bonds.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "solver/bond_net.hpp"
+#include "solver/pieces.hpp"
+
+namespace hackle {
+
+class StaticSolve {
+ public:
+  struct Outcome {
+    int iterations = 0;
+    bool is_positive = true;
+  };
+
+  // Along x and y `mobile` is 1 for what is sought and 0 for what is given. All must outlive it.
+  StaticSolve(const BondNet& net, const Pieces& pieces, const NodeVectors& mobile);
+
+  // Changes what is mobile in d until the tangent of the net, applied to all of d, balances
+  // `force`: to within `share` of what is missing at first, or `goal` in the units of the net, at
+  // every node; or for `most` iterations. Pieces that nothing holds neither move nor turn as a
+  // whole. `look` is called after every iteration with what is left. Returns the number of
+  // iterations. Throws what `look` throws.
+  //
+  // Preconditioned by the 2 x 2 stiffness of each node against its neighbours. The bits are the
+  // same for any number of threads, and those of a mirror image are the mirror image's.
+  Outcome solve(const NodeVectors& force, NodeVectors& d, double share, double goal, int most,
+                const std::function<void(double left)>& look);
+
+ private:
+  struct Sums {
+    double product = 0.0, largest = 0.0;
+  };
+
+  void invert();
+  void start(const NodeVectors& force, const NodeVectors& d);
+  double curvature();                        // p . K p, and q = -K p
+  void go(double distance, NodeVectors& d);  // along p
+  Sums precondition();                       // z from r; r . z and the largest of r
+  void turn_to(double share);                // p = z + share p
+
+  const BondNet* net_;
+  const Pieces* pieces_;
+  const NodeVectors* mobile_;
+  NodeLayout layout_;
+  bool has_free_pieces_;
+  std::vector<Stiffness> inverse_;  // per node
+  NodeVectors p_, q_, r_, z_;
+  std::vector<double> of_row_, most_of_row_;
+};
+
+}  // namespace hackle

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "solver/quasistatic.hpp"
+
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "measure/energy.hpp"
+#include "solver/simulation.hpp"
+#include "support/mirror.hpp"
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr double duration = 10e-6;
+
+// An edge crack, opened by leading top and bottom apart.
+Plate opened(double shift) {
+  Plate plate = test::bare_plate(40, 30);
+  plate.cracks.push_back({{0.0, 0.5 * plate.height}, {0.5 * plate.width, 0.5 * plate.height}});
+  for (const auto& [edge, sign] : {std::pair{Edge::top, 1.0}, {Edge::bottom, -1.0}}) {
+    Support support;
+    support.region = strip(plate, edge, 2e-3);
+    support.value = Vec2(0.0, sign * shift);
+    support.course = ramp(duration);
+    plate.loads.supports.push_back(support);
+    plate.no_fail.push_back(strip(plate, edge, 4e-3));
+  }
+  return plate;
+}
+
+class Clock : public Observer {
+ public:
+  bool due(const Simulation&) override { return true; }
+  void observe(const Simulation& simulation) override {
+    times.push_back(simulation.time());
+    if (static_cast<int>(times.size()) == interrupt_after) request_interrupt();
+  }
+  std::vector<double> times;
+  int interrupt_after = -1;
+};
+
+TEST(Quasistatic, TimeGoesOnByIncrements) {
+  Simulation simulation(opened(1e-6), test::numerics(), {1});
+  Clock clock;
+  Observer* observers[] = {&clock};
+  const QuasistaticResult result = simulation.load_slowly({duration, 4}, observers);
+  EXPECT_THAT(result.passes, testing::ElementsAre(1, 1, 1, 1));
+  EXPECT_EQ(result.broken, 0);
+  EXPECT_TRUE(result.bears);
+  ASSERT_EQ(clock.times.size(), 5U);
+  for (int k = 0; k <= 4; ++k)
+    EXPECT_NEAR(clock.times[static_cast<std::size_t>(k)], k * duration / 4,
+                0.5001 * simulation.dt());
+  const Energy before = energy(simulation);
+  simulation.run(200 * simulation.dt());  // the course has ended: nothing moves
+  EXPECT_LT(energy(simulation).kinetic, 1e-6 * before.strain);
+}
+
+TEST(Quasistatic, ACrackGrowsAlongTheMidlineUntilThePlateIsInTwo) {
+  Simulation simulation(opened(8e-6), test::numerics(), {2});
+  const QuasistaticResult result = simulation.load_slowly({duration, 4});
+  EXPECT_TRUE(result.bears);  // the halves hang on their supports
+  EXPECT_EQ(test::asymmetric_nodes(simulation, true), 0);
+  // 20 columns are left, each with 40 bonds across at m = 4, fewer at the edge.
+  EXPECT_GE(result.broken, 20 * 40 - 60);
+  EXPECT_LE(result.broken, 20 * 40 + 100);
+  EXPECT_EQ(result.broken, count_damage(simulation).broken_bonds);
+  const Energy ledger = energy(simulation);
+  EXPECT_LT(ledger.strain, 0.01 * ledger.broken);  // of crumbs that hang between the halves
+  EXPECT_NEAR(ledger.residual(), 0.0, 1e-12 * ledger.external);
+}
+
+TEST(Quasistatic, BitsDependNotOnThreads) {
+  std::string hash;
+  for (const int threads : {1, 3}) {
+    Simulation simulation(opened(4e-6), test::numerics(), {threads});
+    simulation.load_slowly({duration, 2});
+    if (hash.empty()) hash = simulation.state().hash();
+    EXPECT_EQ(simulation.state().hash(), hash);
+  }
+}
+
+// With a dead load there is no rest once the crack has run through.
+TEST(Quasistatic, SaysThatThePlateComesApart) {
+  Plate plate = opened(0.0);
+  plate.loads.supports.pop_back();
+  plate.loads.tractions = {{Edge::bottom, {0.0, -40e6}}};
+  plate.loads.tractions[0].course = ramp(duration);
+  Simulation simulation(plate, test::numerics(), {1});
+  const QuasistaticResult result = simulation.load_slowly({duration, 5});
+  EXPECT_FALSE(result.bears);
+  EXPECT_THAT(result.why, testing::HasSubstr("relax"));
+  EXPECT_LT(result.passes.size(), 6U);
+  EXPECT_GT(result.broken, 500);
+  simulation.run(1e-6);  // it flies apart
+  EXPECT_GT(energy(simulation).kinetic, 0.0);
+}
+
+TEST(Quasistatic, AnInterruptLeavesTheLastIncrement) {
+  Simulation simulation(opened(1e-6), test::numerics(), {1});
+  Clock clock;
+  clock.interrupt_after = 3;
+  Observer* observers[] = {&clock};
+  try {
+    simulation.load_slowly({duration, 4}, observers);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+  }
+  clear_interrupt();
+  EXPECT_NEAR(simulation.time(), duration / 2, simulation.dt());
+  EXPECT_THAT(simulation.load_slowly({duration / 2, 2}).passes, testing::ElementsAre(1, 1));
+}
+
+TEST(Quasistatic, RefusesWhatMakesNoSense) {
+  Simulation simulation(opened(1e-6), test::numerics(), {1});
+  EXPECT_THROW(simulation.load_slowly({0.0, 4}), Error);
+  EXPECT_THROW(simulation.load_slowly({duration, 0}), Error);
+  EXPECT_THROW(simulation.load_slowly({duration, 4, 0.0}), Error);
+}
+
+TEST(Quasistatic, TheWorstBreakFirst) {
+  const Lattice lattice(test::bare_plate(20, 10), test::numerics());
+  BondBits bonds = lattice.bonds;
+  const std::ptrdiff_t at = lattice.grid.layout().at(5, 5);
+  EXPECT_EQ(break_worst({{at, 0, 1.05}, {at, 1, 1.5}, {at, 2, 1.4}}, bonds), 2);
+  EXPECT_TRUE(bonds.holds(at, 0));
+  EXPECT_FALSE(bonds.holds(at, 1) || bonds.holds(at, 2));
+  EXPECT_EQ(break_worst({}, bonds), 0);
+}
+
+}  // namespace
+}  // namespace hackle
