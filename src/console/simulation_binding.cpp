@@ -13,6 +13,7 @@
 #include "base/units.hpp"
 #include "console/arguments.hpp"
 #include "console/plate_binding.hpp"
+#include "console/relax_binding.hpp"
 #include "console/simulation_docs.hpp"
 
 namespace hackle {
@@ -252,16 +253,24 @@ constexpr std::array fields{
     Property{"hash", "", "Of the state; equal only when every bit is.", push_hash},
 };
 
-constexpr TypeDoc type{.name = "simulation",
-                       .sentence = "A plate being solved, and what it leaves behind.",
-                       .methods = methods,
-                       .fields = fields,
-                       .to_text = guarded<to_text>,
-                       .destroy = destroy_object<ScriptedRun>};
+// Of all files that bind methods of a simulation.
+std::vector<Function> all_methods() {
+  std::vector<Function> all;
+  for (const std::span<const Function> part : {std::span<const Function>(methods), relax_methods()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
 
 }  // namespace
 
 const TypeDoc& simulation_type() {
+  static const std::vector<Function> all = all_methods();
+  static const TypeDoc type{.name = "simulation",
+                            .sentence = "A plate being solved, and what it leaves behind.",
+                            .methods = all,
+                            .fields = fields,
+                            .to_text = guarded<to_text>,
+                            .destroy = destroy_object<ScriptedRun>};
   return type;
 }
 
