@@ -14,6 +14,7 @@
 #include "console/arguments.hpp"
 #include "console/load_binding.hpp"
 #include "console/plate_binding.hpp"
+#include "console/relax_binding.hpp"
 #include "console/simulation_docs.hpp"
 
 namespace hackle {
@@ -259,7 +260,7 @@ constexpr std::array fields{
 std::vector<Function> all_methods() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
-       {std::span<const Function>(methods), load_methods_of_simulation()})
+       {std::span<const Function>(methods), load_methods_of_simulation(), relax_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

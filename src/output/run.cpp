@@ -154,10 +154,15 @@ void Run::set_loads(Loads loads) {
   parts_->simulation.set_loads(std::move(loads));
 }
 
-void Run::run(double duration) {
+void Run::check_open(const char* who) const {
   parts_->refuse_while_running();
   if (parts_->closed && !parts_->outputs.empty())
-    throw Error(ErrorKind::refused, "run: the simulation is closed and its files are complete");
+    throw Error(ErrorKind::refused,
+                fmt::format("{}: the simulation is closed and its files are complete", who));
+}
+
+void Run::run(double duration) {
+  check_open("run");
   Simulation& simulation = parts_->simulation;
   ProgressObserver progress(parts_->talk, simulation.time(), simulation.end_time() + duration);
   std::vector<Observer*> observers{&progress};
@@ -170,6 +175,30 @@ void Run::step(std::int64_t count) {
   const Simulation& simulation = parts_->simulation;
   run(static_cast<double>(simulation.state().step + count) * simulation.dt() -
       simulation.end_time());
+}
+
+RelaxResult Run::relax(double tolerance) {
+  check_open("relax");
+  Progress progress(parts_->talk);
+  return parts_->simulation.relax(
+      {tolerance, [&](double fraction, int iterations) {
+         if (progress.due(fraction))
+           progress.show(fraction,
+                         fmt::format("coming to rest  iteration {}", grouped(iterations)));
+       }});
+}
+
+QuasistaticResult Run::load_slowly(double duration, int increments, double tolerance) {
+  check_open("quasistatic");
+  Progress progress(parts_->talk);
+  std::vector<Observer*> observers;
+  for (const auto& output : parts_->outputs) observers.push_back(output.get());
+  const auto show = [&](double fraction, int increment, int pass, std::int64_t broken) {
+    if (progress.due(fraction))
+      progress.show(fraction, fmt::format("increment {} of {}  pass {}  {} bonds broken", increment,
+                                          increments, pass, grouped(broken)));
+  };
+  return parts_->simulation.load_slowly({duration, increments, tolerance, show}, observers);
 }
 
 void Run::close() {

@@ -53,6 +53,10 @@ class Run {
 
   void run(double duration);      // s; see Simulation::run; shows progress on stderr
   void step(std::int64_t count);  // exactly so many steps
+  // See Simulation::relax and load_slowly; both show progress on stderr. Outputs see the state
+  // after each increment, when they are due.
+  RelaxResult relax(double tolerance);
+  QuasistaticResult load_slowly(double duration, int increments, double tolerance);
   // Completes movies and run files. Also done after an interrupt or a failure, so that they stay
   // valid. Can be called more than once; afterwards only frame(), report() and reading are allowed.
   void close();
@@ -64,6 +68,7 @@ class Run {
 
  private:
   struct Parts;
+  void check_open(const char* who) const;
   std::unique_ptr<Parts> parts_;
 };
 
