@@ -59,8 +59,9 @@ struct Numerics {
   Breaking breaking = Breaking::at_once;
   Precision precision = Precision::f64;
   bool fused = false;  // multiply and add in one rounding: faster, but not on every machine
-  double fidelity =
-      0.0;  // share of the critical stretch below which forces may be linearised, 0..1
+  // Share of the critical stretch below which forces may be linearised, 0..1; where materials
+  // differ or the temperature changes they never are.
+  double fidelity = 0.0;
   std::optional<double> step;  // s; nothing: step_fraction of the stability limit
   bool force_step = false;     // accept a step above the limit
 
