@@ -129,8 +129,9 @@ int add_mask(lua_State* L) {
     arguments.problems.add("mask: the area is empty",
                            "from is its lower left corner, to its upper right one");
   arguments.problems.throw_if_any();
-  const Shape shape = read_mask(beside_script(L, arguments.text("file")), area,
-                                arguments.choice<Mask>("remove"), arguments.number("threshold", 0.5));
+  const Shape shape =
+      read_mask(beside_script(L, arguments.text("file")), area, arguments.choice<Mask>("remove"),
+                arguments.number("threshold", 0.5));
   const bool cut = !arguments.has("material");
   if (cut)
     check_cutout(plate, shape, "mask", arguments.problems);

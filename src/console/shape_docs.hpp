@@ -196,6 +196,7 @@ inline constexpr FunctionDoc mask_doc{
     .owner = "p",
     .sentence = "Lays a picture over the plate and cuts out its dark or light pixels.",
     .options = mask_options,
-    .example = "-- p:mask { \"grains.png\", remove = \"dark\", from = {0, 0}, to = {20*mm, 20*mm} }"};
+    .example =
+        "-- p:mask { \"grains.png\", remove = \"dark\", from = {0, 0}, to = {20*mm, 20*mm} }"};
 
 }  // namespace hackle

@@ -34,8 +34,8 @@ std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& gri
   const std::vector<Material> materials = distinct_materials(plate);
   std::vector<std::uint8_t> material(grid.nodes());
   for (const Inclusion& inclusion : plate.inclusions) {
-    const auto kind = static_cast<std::uint8_t>(
-        std::ranges::find(materials, inclusion.material) - materials.begin());
+    const auto kind = static_cast<std::uint8_t>(std::ranges::find(materials, inclusion.material) -
+                                                materials.begin());
     for_nodes_in(inclusion.shape, grid, [&](int i, int j) { material[grid.index(i, j)] = kind; });
   }
   for (const Cutout& cutout : plate.cutouts) {
@@ -46,7 +46,8 @@ std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& gri
         if (is_inside(shape, grid.from_centre(i, j), tie))
           material[grid.index(i, j)] = Lattice::void_node;
   }
-  if (std::ranges::count(material, Lattice::void_node) == static_cast<std::ptrdiff_t>(material.size()))
+  if (std::ranges::count(material, Lattice::void_node) ==
+      static_cast<std::ptrdiff_t>(material.size()))
     throw Error(ErrorKind::refused, "plate: its cut-outs leave no node of it",
                 "make them smaller, or the spacing finer");
   return material;

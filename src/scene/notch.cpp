@@ -84,10 +84,10 @@ void check(const Plate& plate, const Notch& notch, Problems& problems) {
                              quantity(notch.at.x(), "m"), quantity(notch.at.y(), "m")),
                  "give a point on an edge");
   else if (nearest > slack(plate))
-    problems.add(fmt::format("notch: at ({}, {}) lies {} inside the plate",
-                             quantity(notch.at.x(), "m"), quantity(notch.at.y(), "m"),
-                             quantity(nearest, "m")),
-                 "a notch begins on an edge; p:hole { from, to, width } is a slot anywhere");
+    problems.add(
+        fmt::format("notch: at ({}, {}) lies {} inside the plate", quantity(notch.at.x(), "m"),
+                    quantity(notch.at.y(), "m"), quantity(nearest, "m")),
+        "a notch begins on an edge; p:hole { from, to, width } is a slot anywhere");
   if (!(std::abs(notch.angle) + half_opening(notch) <= steepest))
     problems.add("notch: it is so oblique or so wide that a side of it never leaves the plate",
                  "take a smaller angle, a smaller width or a larger depth");

@@ -58,8 +58,8 @@ bool is_apart(const Plate& plate, const Shape& shape) {
 
 // Of shapes without dents and holes, which the corners decide; others are left to the lattice.
 bool swallows(const Plate& plate, const Shape& shape) {
-  const bool plain = std::holds_alternative<Ellipse>(shape) ||
-                     std::holds_alternative<Capsule>(shape);
+  const bool plain =
+      std::holds_alternative<Ellipse>(shape) || std::holds_alternative<Capsule>(shape);
   if (!plain) return false;
   for (const double x : {0.0, plate.width})
     for (const double y : {0.0, plate.height})

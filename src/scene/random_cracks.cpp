@@ -77,8 +77,9 @@ void check(const Plate& plate, const RandomCracks& cracks, Problems& problems) {
                         cracks.area.most.x() <= plate.width + slack &&
                         cracks.area.most.y() <= plate.height + slack;
   if (!has_area)
-    problems.add("random_cracks: the area is empty", "from is its lower left corner, to its "
-                                                     "upper right one");
+    problems.add("random_cracks: the area is empty",
+                 "from is its lower left corner, to its "
+                 "upper right one");
   else if (!on_plate)
     problems.add("random_cracks: the area reaches beyond the plate",
                  fmt::format("the plate is {} x {}", quantity(plate.width, "m"),

@@ -14,7 +14,7 @@ namespace hackle {
 // ranges; those that stick out are drawn again.
 struct RandomCracks {
   int count = 0;
-  Vec2 length{0, 0};                  // m, least and most
+  Vec2 length{0, 0};                // m, least and most
   Vec2 angle{0, std::numbers::pi};  // rad from x anticlockwise, least and most
   std::int64_t seed = 1;
   Box area;  // m

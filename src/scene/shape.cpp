@@ -181,10 +181,10 @@ bool cuts_shape(const Bitmap& bitmap, const Segment& segment, double tie) {
 // Whether a cell is marked that has a point in common with the box.
 bool has_marked(const Bitmap& bitmap, const Box& box) {
   const Vec2 cell = cell_of(bitmap);
-  const Vec2 from = (box.least - bitmap.least).cwiseQuotient(cell).cwiseMax(0.0);
-  const Vec2 to = (box.most - bitmap.least)
-                      .cwiseQuotient(cell)
-                      .cwiseMin(Vec2(bitmap.columns - 1, bitmap.rows - 1));
+  const Vec2 last_cell(bitmap.columns - 1, bitmap.rows - 1);
+  const Vec2 from = (box.least - bitmap.least).cwiseQuotient(cell).array().floor().cwiseMax(0.0);
+  const Vec2 to =
+      (box.most - bitmap.least).cwiseQuotient(cell).array().floor().matrix().cwiseMin(last_cell);
   if (!(from.x() <= to.x() && from.y() <= to.y())) return false;
   const auto first = static_cast<std::size_t>(from.x()), last = static_cast<std::size_t>(to.x());
   for (auto j = static_cast<std::size_t>(from.y()); j <= static_cast<std::size_t>(to.y()); ++j) {
@@ -273,9 +273,8 @@ bool cuts(const Shape& shape, const Segment& segment, double tie) {
 bool may_cut(const Shape& shape, const Box& box, double tie) {
   if (const auto* polygon = std::get_if<Polygon>(&shape)) {
     bool near = is_within(*polygon, box.least);
-    for_sides(*polygon, [&](const Segment& side) {
-      near = near || is_near(side, box.least, box.most, tie);
-    });
+    for_sides(*polygon,
+              [&](const Segment& side) { near = near || is_near(side, box.least, box.most, tie); });
     return near;
   }
   if (const auto* bitmap = std::get_if<Bitmap>(&shape)) return has_marked(*bitmap, box);

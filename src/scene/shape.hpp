@@ -33,8 +33,8 @@ struct Capsule {
   friend bool operator==(const Capsule&, const Capsule&) = default;
 };
 
-// The dark or the light cells of a picture laid over a rectangle. Its rim lies between cells that are
-// inside and others.
+// The dark or the light cells of a picture laid over a rectangle. Its rim lies between cells that
+// are inside and others.
 struct Bitmap {
   Vec2 least{0, 0};  // lower left corner
   Vec2 most{0, 0};   // upper right corner
