@@ -63,7 +63,7 @@ TEST(ShapeBinding, WhatMakesNoSenseIsRefusedByName) {
            {"hole { centre = {1, 1}, radius = 1*mm }", "lies outside the plate"},
            {"hole { centre = {50*mm, 20*mm}, radius = 1 }", "leaves nothing of the plate"},
            {"hole { centre = {0, 0}, radius = 1*mm, name = 3 }", "name is 3, expected a text"},
-           {"hole { centre = {1e308, 0}, radius = 1e308 }", "lies outside the plate"},
+           {"hole { centre = {1e308, 0}, radius = 1e308 }", "has no area"},
            {"notch { at = {50*mm, 20*mm}, depth = 1*mm, width = 1*mm }", "inside the plate"},
            {"notch { at = {-1, 20*mm}, depth = 1*mm, width = 1*mm }", "lies outside the plate"},
            {"notch { at = {0, 20*mm}, depth = 1*mm, width = 50*mm, shape = 'v' }", "so oblique"},
