@@ -14,7 +14,7 @@ packages=(
   libeigen3-dev libosmesa6-dev liblua5.4-dev libhdf5-dev
   libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libedit-dev
-  libcairo2-dev fonts-dejavu-core libgtest-dev libgmock-dev libbenchmark-dev
+  libcairo2-dev libpng-dev fonts-dejavu-core libgtest-dev libgmock-dev libbenchmark-dev
 )
 
 missing=()

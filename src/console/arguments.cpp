@@ -81,6 +81,29 @@ std::optional<std::vector<Vec2>> points_at(lua_State* L, int index) {
   return points;
 }
 
+// The numbers of the table {a, b}, or nothing when it is something else.
+std::optional<Vec2> two_numbers(lua_State* L, int index) {
+  Vec2 numbers{0, 0};
+  int found = 0, others = 0;
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+    const lua_Integer place = lua_isinteger(L, -2) ? lua_tointeger(L, -2) : 0;
+    if ((place == 1 || place == 2) && lua_type(L, -1) == LUA_TNUMBER) {
+      numbers[place - 1] = lua_tonumber(L, -1);
+      ++found;
+    } else {
+      ++others;
+    }
+  }
+  return found == 2 && others == 0 ? std::optional(numbers) : std::nullopt;
+}
+
+// Of a table, under keys of any kind.
+std::size_t entries(lua_State* L, int index) {
+  std::size_t count = 0;
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) ++count;
+  return count;
+}
+
 }  // namespace
 
 std::string description(lua_State* L, int index) {
@@ -196,6 +219,10 @@ void Arguments::read_value(lua_State* L, int index, const Option& option) {
       return take_flag(L, index, option);
     case OptionType::point:
       return take_point(L, index, option);
+    case OptionType::pair:
+      return take_pair(L, index, option);
+    case OptionType::points:
+      return take_points(L, index, option);
     case OptionType::choice:
       return take_choice(L, index, option);
     case OptionType::material:
@@ -251,24 +278,49 @@ void Arguments::take_flag(lua_State* L, int index, const Option& option) {
 
 void Arguments::take_point(lua_State* L, int index, const Option& option) {
   if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
-  Vec2 point{0, 0};
-  int found = 0, others = 0;
-  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
-    const lua_Integer place = lua_isinteger(L, -2) ? lua_tointeger(L, -2) : 0;
-    if ((place == 1 || place == 2) && lua_type(L, -1) == LUA_TNUMBER) {
-      point[place - 1] = lua_tonumber(L, -1);
-      ++found;
-    } else {
-      ++others;
-    }
-  }
-  if (found != 2 || others != 0)
+  const std::optional<Vec2> point = two_numbers(L, index);
+  if (!point)
     return wrong(option, fmt::format("{}: {} is not a pair of numbers, expected {}", doc_->name,
                                      option.name, expectation(option)));
-  if (!point.allFinite())
+  if (!point->allFinite())
     return wrong(option, fmt::format("{}: {} is {{{}, {}}}, expected finite numbers", doc_->name,
-                                     option.name, number_text(point.x()), number_text(point.y())));
-  keep(option, point);
+                                     option.name, number_text(point->x()),
+                                     number_text(point->y())));
+  keep(option, *point);
+}
+
+void Arguments::take_pair(lua_State* L, int index, const Option& option) {
+  take_point(L, index, option);
+  if (!has(option.name)) return;
+  const Vec2 value = pair(option.name);
+  if (option.range.holds(value.x()) && option.range.holds(value.y())) return;
+  slots_[static_cast<std::size_t>(&option - doc_->options.data())].value.reset();
+  wrong(option, fmt::format("{}: {} is {{{}, {}}}, both must be {}", doc_->name, option.name,
+                            quantity(value.x(), option.unit), quantity(value.y(), option.unit),
+                            range_text(option)));
+}
+
+void Arguments::take_points(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
+  const lua_Unsigned count = lua_rawlen(L, index);
+  if (!option.range.holds(static_cast<double>(count)))
+    return wrong(option, fmt::format("{}: {} has {} points, there must be {}", doc_->name,
+                                     option.name, count, range_text(option)));
+  if (entries(L, index) != count)
+    return wrong(option, fmt::format("{}: {} holds something that is no point, expected {}",
+                                     doc_->name, option.name, expectation(option)));
+  std::vector<Vec2> points;
+  for (lua_Unsigned k = 1; k <= count; ++k) {
+    const bool is_table = lua_rawgeti(L, index, static_cast<lua_Integer>(k)) == LUA_TTABLE;
+    const std::optional<Vec2> point =
+        is_table ? two_numbers(L, lua_gettop(L)) : std::optional<Vec2>();
+    lua_pop(L, 1);
+    if (!point || !point->allFinite())
+      return wrong(option, fmt::format("{}: point {} of {} is not {{x, y}}, two finite numbers",
+                                       doc_->name, k, option.name));
+    points.push_back(*point);
+  }
+  keep(option, std::move(points));
 }
 
 void Arguments::take_choice(lua_State* L, int index, const Option& option) {
@@ -397,6 +449,14 @@ bool Arguments::flag(std::string_view name, bool fallback) const {
 
 Vec2 Arguments::point(std::string_view name) const {
   return value_or(name, Vec2(0.0, 0.0));
+}
+
+Vec2 Arguments::pair(std::string_view name, const Vec2& fallback) const {
+  return value_or(name, fallback);
+}
+
+std::vector<Vec2> Arguments::points(std::string_view name) const {
+  return value_or(name, std::vector<Vec2>{});
 }
 
 Material Arguments::material(std::string_view name) const {

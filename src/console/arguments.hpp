@@ -38,6 +38,8 @@ class Arguments {
   std::string text(std::string_view name, std::string_view fallback = {}) const;
   bool flag(std::string_view name, bool fallback = false) const;
   Vec2 point(std::string_view name) const;
+  Vec2 pair(std::string_view name, const Vec2& fallback = {0, 0}) const;
+  std::vector<Vec2> points(std::string_view name) const;
   Material material(std::string_view name) const;
   VectorField vector_field(std::string_view name) const;
   ScalarField scalar_field(std::string_view name) const;
@@ -57,7 +59,7 @@ class Arguments {
     std::size_t index = 0;
   };
   using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice,
-                             VectorField, ScalarField, Course>;
+                             VectorField, ScalarField, Course, std::vector<Vec2>>;
   struct Slot {
     std::optional<Value> value;
     bool bad = false;
@@ -86,6 +88,8 @@ class Arguments {
   void take_text(lua_State* L, int index, const Option& option);
   void take_flag(lua_State* L, int index, const Option& option);
   void take_point(lua_State* L, int index, const Option& option);
+  void take_pair(lua_State* L, int index, const Option& option);
+  void take_points(lua_State* L, int index, const Option& option);
   void take_choice(lua_State* L, int index, const Option& option);
   void take_material(lua_State* L, int index, const Option& option);
   void take_vector_field(lua_State* L, int index, const Option& option);

@@ -7,11 +7,10 @@
 #include "console/arguments.hpp"
 #include "console/load_binding.hpp"
 #include "console/region_options.hpp"
+#include "console/shape_binding.hpp"
 
 namespace hackle {
 namespace {
-
-constexpr std::array<std::string_view, 2> born_names{"broken", "absent"};
 
 constexpr std::array plate_options{
     Option{.name = "width",
@@ -41,30 +40,6 @@ constexpr FunctionDoc plate_doc{
     .options = plate_options,
     .example = "p = plate { width = 100*mm, height = 40*mm, material = \"duran50\" }"};
 
-constexpr std::array crack_options{
-    Option{.name = "from",
-           .type = OptionType::point,
-           .unit = "m",
-           .required = true,
-           .sentence = "One end, on the plate."},
-    Option{.name = "to",
-           .type = OptionType::point,
-           .unit = "m",
-           .required = true,
-           .sentence = "The other end, on the plate."},
-    Option{.name = "born",
-           .type = OptionType::choice,
-           .fallback = "broken",
-           .choices = born_names,
-           .sentence = "Whether the bonds it cuts count as damage or were never there."},
-};
-
-constexpr FunctionDoc crack_doc{.name = "crack",
-                                .owner = "p",
-                                .sentence = "Cuts every bond that a straight crack crosses.",
-                                .options = crack_options,
-                                .example = "p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }"};
-
 constexpr FunctionDoc nofail_doc{
     .name = "nofail",
     .owner = "p",
@@ -92,16 +67,6 @@ int return_self(lua_State* L) {
   return 1;
 }
 
-int add_crack(lua_State* L) {
-  Plate& plate = self<Plate>(L, crack_doc);
-  Arguments arguments = Arguments::from_table(L, 2, crack_doc);
-  const Crack crack{arguments.point("from"), arguments.point("to"), arguments.choice<Born>("born")};
-  if (arguments.has("from") && arguments.has("to")) check(plate, crack, arguments.problems);
-  arguments.problems.throw_if_any();
-  plate.cracks.push_back(crack);
-  return return_self(L);
-}
-
 int add_nofail(lua_State* L) {
   Plate& plate = self<Plate>(L, nofail_doc);
   Arguments arguments = Arguments::from_table(L, 2, nofail_doc);
@@ -116,8 +81,7 @@ int add_nofail(lua_State* L) {
 }
 
 constexpr std::array functions{Function{&plate_doc, guarded<make_plate>}};
-constexpr std::array methods{Function{&crack_doc, guarded<add_crack>},
-                             Function{&nofail_doc, guarded<add_nofail>}};
+constexpr std::array methods{Function{&nofail_doc, guarded<add_nofail>}};
 
 int to_text(lua_State* L) {
   push_text(L, describe(*object_at<Plate>(L, 1)));
@@ -139,7 +103,7 @@ constexpr std::array fields{
 std::vector<Function> all_methods() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
-       {std::span<const Function>(methods), load_methods_of_plate()})
+       {shape_methods(), std::span<const Function>(methods), load_methods_of_plate()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

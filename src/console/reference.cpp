@@ -30,6 +30,10 @@ std::string_view type_word(const Option& option) {
       return "flag";
     case OptionType::point:
       return "{x, y}";
+    case OptionType::pair:
+      return "{a, b}";
+    case OptionType::points:
+      return "points";
     case OptionType::choice:
       return "choice";
     case OptionType::material:

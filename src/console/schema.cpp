@@ -50,6 +50,10 @@ std::string expectation(const Option& option) {
       return "true or false";
     case OptionType::point:
       return "{x, y}, two numbers" + in_unit;
+ case OptionType::pair:
+      return "{a, b}, two numbers" + in_unit;
+    case OptionType::points:
+      return fmt::format("a list of {} or more points {{x, y}}{}", option.range.least, in_unit);
     case OptionType::choice:
       return "one of " + comma_list(option.choices);
     case OptionType::material:

@@ -18,6 +18,8 @@ enum class OptionType {
   text,          // not empty
   flag,          // true or false
   point,         // {x, y}, two finite numbers; a place or a vector
+  pair,          // {a, b}, two finite numbers, each in the range
+  points,        // a list of points, as many as the range says
   choice,        // one of `choices`
   material,      // the name of one, or what material{...} returns
   vector_field,  // {x, y}, or a function of x and y that returns two numbers

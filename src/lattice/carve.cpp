@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "lattice/lattice.hpp"
 
 namespace hackle {
@@ -20,12 +21,21 @@ NodeRange nodes_near(const Box& box, const Grid& grid, int margin) {
   return {first_i, last_i, first_j, last_j};
 }
 
+std::vector<Material> distinct_materials(const Plate& plate) {
+  std::vector<Material> list{plate.material};
+  for (const Inclusion& inclusion : plate.inclusions)
+    if (std::ranges::find(list, inclusion.material) == list.end())
+      list.push_back(inclusion.material);
+  return list;
+}
+
 std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& grid) {
   if (plate.cutouts.empty() && plate.inclusions.empty()) return {};
+  const std::vector<Material> materials = distinct_materials(plate);
   std::vector<std::uint8_t> material(grid.nodes());
-  std::uint8_t kind = 0;
   for (const Inclusion& inclusion : plate.inclusions) {
-    ++kind;
+    const auto kind = static_cast<std::uint8_t>(std::ranges::find(materials, inclusion.material) -
+                                                materials.begin());
     for_nodes_in(inclusion.shape, grid, [&](int i, int j) { material[grid.index(i, j)] = kind; });
   }
   for (const Cutout& cutout : plate.cutouts) {
@@ -36,8 +46,32 @@ std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& gri
         if (is_inside(shape, grid.from_centre(i, j), tie))
           material[grid.index(i, j)] = Lattice::void_node;
   }
+  if (std::ranges::count(material, Lattice::void_node) ==
+      static_cast<std::ptrdiff_t>(material.size()))
+    throw Error(ErrorKind::refused, "plate: its cut-outs leave no node of it",
+                "make them smaller, or the spacing finer");
   return material;
 }
+
+namespace {
+
+// The bonds that a node keeps.
+void carve_at(int i, int j, const Shape& shape, const std::vector<std::uint8_t>& material,
+              const Grid& grid, const Family& family, BondBits& bonds) {
+  const auto is_void = [&](int column, int row) {
+    return material[grid.index(column, row)] == Lattice::void_node;
+  };
+  if (is_void(i, j)) return bonds.clear_all(grid.layout().at(i, j));
+  const Vec2 here = grid.from_centre(i, j), reach = Vec2::Constant(family.reach());
+  const bool near = may_cut(shape, {here - reach, here + reach}, tie);
+  family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+    if (!grid.contains(i + a, j + b)) return;
+    if (is_void(i + a, j + b) || (near && cuts(shape, {here, grid.from_centre(i + a, j + b)}, tie)))
+      bonds.clear(grid.layout().at(i, j), bit);
+  });
+}
+
+}  // namespace
 
 void carve(const std::vector<Cutout>& cutouts, const std::vector<std::uint8_t>& material,
            const Grid& grid, const Family& family, BondBits& bonds) {
@@ -46,13 +80,7 @@ void carve(const std::vector<Cutout>& cutouts, const std::vector<std::uint8_t>& 
     const NodeRange range = nodes_near(bounds(shape), grid, family.reach());
     for (int j = range.first_j; j <= range.last_j; ++j)
       for (int i = range.first_i; i <= range.last_i; ++i)
-        family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-          if (!grid.contains(i + a, j + b)) return;
-          const bool ends_void = material[grid.index(i, j)] == Lattice::void_node ||
-                                 material[grid.index(i + a, j + b)] == Lattice::void_node;
-          const Segment bond{grid.from_centre(i, j), grid.from_centre(i + a, j + b)};
-          if (ends_void || cuts(shape, bond, tie)) bonds.clear(grid.layout().at(i, j), bit);
-        });
+        carve_at(i, j, shape, material, grid, family, bonds);
   }
 }
 

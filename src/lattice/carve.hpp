@@ -39,8 +39,12 @@ void for_nodes_in(const Region& region, const Grid& grid, const Work& work) {
     for (int i = 0; i < grid.nx; ++i) work(i, j);
 }
 
-// Per node: 0 for the plate's own material, k for the k-th inclusion, the last that covers it, or
-// Lattice::void_node inside a cut-out (a node on its rim stays). Empty when all are 0.
+// The plate's own material, then those of its inclusions, each once.
+std::vector<Material> distinct_materials(const Plate& plate);
+
+// Per node: of distinct_materials, by the last inclusion that covers it (rim included), or
+// Lattice::void_node inside a cut-out (a node on its rim stays). Empty when there is neither.
+// Throws Error (refused) when no node is left.
 std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& grid);
 
 // Clears the bonds of void nodes and those that pass through the inside of a cut-out.

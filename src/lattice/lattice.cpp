@@ -50,9 +50,9 @@ std::vector<MaterialOnLattice> materials_of(const Plate& plate, const Family& fa
   const auto on_lattice = [&](const Material& material) {
     return MaterialOnLattice{material, calibrate(family, material, dx, constants, plate.plane)};
   };
-  std::vector<MaterialOnLattice> materials{on_lattice(plate.material)};
-  for (const Inclusion& inclusion : plate.inclusions)
-    materials.push_back(on_lattice(inclusion.material));
+  std::vector<MaterialOnLattice> materials;
+  for (const Material& material : distinct_materials(plate))
+    materials.push_back(on_lattice(material));
   return materials;
 }
 

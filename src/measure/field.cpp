@@ -34,8 +34,10 @@ Field damage(const Simulation& simulation) {
 }
 
 Field displacement(const Simulation& simulation) {
-  return vector_field(simulation, "displacement", "m",
-                      [&](int i, int j) { return simulation.displacement(i, j); });
+  return vector_field(simulation, "displacement", "m", [&](int i, int j) -> Vec2 {
+    if (simulation.lattice().is_void(i, j)) return {0, 0};
+    return simulation.displacement(i, j);
+  });
 }
 
 Field velocity(const Simulation& simulation) {

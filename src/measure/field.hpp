@@ -20,7 +20,7 @@ struct Field {
 // Share of the bonds that a node was born with that are broken, 0..1; a node born without bonds
 // has 0. A straight crack shows as 0.4 to 0.5 on its two sides.
 Field damage(const Simulation& simulation);
-Field displacement(const Simulation& simulation);  // m, components x and y
+Field displacement(const Simulation& simulation);  // m, components x and y; 0 where void
 Field velocity(const Simulation& simulation);      // m/s, components x and y
 
 }  // namespace hackle

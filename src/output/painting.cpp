@@ -2,6 +2,7 @@
 #include "output/painting.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -39,8 +40,14 @@ PictureStyle style_of(const PictureOptions& options, const Simulation& simulatio
   return style;
 }
 
+// Pictures show the background where a value is no number.
 Field field_of(const std::string&, const Simulation& simulation) {
-  return damage(simulation);
+  Field field = damage(simulation);
+  const std::vector<std::uint8_t>& material = simulation.lattice().material;
+  for (std::size_t node = 0; node < material.size(); ++node)
+    if (material[node] == Lattice::void_node)
+      field.values[node] = std::numeric_limits<float>::quiet_NaN();
+  return field;
 }
 
 }  // namespace hackle

@@ -14,7 +14,7 @@ void check(const char* output, const PictureOptions& options);
 
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation);
 
-// The field by its name, one of field_names.
+// The field by its name, one of field_names; nan where there is no material.
 Field field_of(const std::string& name, const Simulation& simulation);
 
 }  // namespace hackle

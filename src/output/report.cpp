@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "output/report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "output/shape_remarks.hpp"
 #include "scene/waves.hpp"
 #include "solver/rigid_motion.hpp"
 
@@ -18,12 +20,20 @@ std::string_view name_of(const std::array<std::string_view, n>& names, Choice ch
   return names[static_cast<std::size_t>(choice)];
 }
 
+// " (15 200 of material)" when cut-outs removed some.
+std::string material_text(const Lattice& lattice) {
+  const auto removed = std::ranges::count(lattice.material, Lattice::void_node);
+  if (removed == 0) return "";
+  return fmt::format(" ({} of material)",
+                     grouped(static_cast<std::int64_t>(lattice.grid.nodes()) - removed));
+}
+
 std::string lattice_line(const Simulation& simulation, const Summary& summary) {
   const Numerics& numerics = simulation.numerics();
-  return fmt::format("{} nodes, {} bonds; spacing {}, horizon {} (m = {:.4g}); {} quadrature",
-                     grouped(summary.nodes), grouped(summary.bonds),
-                     quantity(numerics.spacing, "m"), quantity(numerics.horizon_or_default(), "m"),
-                     simulation.lattice().family.m(),
+  return fmt::format("{} nodes{}, {} bonds; spacing {}, horizon {} (m = {:.4g}); {} quadrature",
+                     grouped(summary.nodes), material_text(simulation.lattice()),
+                     grouped(summary.bonds), quantity(numerics.spacing, "m"),
+                     quantity(numerics.horizon_or_default(), "m"), simulation.lattice().family.m(),
                      name_of(quadrature_names, numerics.quadrature));
 }
 
@@ -113,7 +123,10 @@ std::vector<std::string> remarks(const Simulation& simulation) {
   if (simulation.widened_at())
     list.push_back(fmt::format(
         "from {} on it was solved in f64: displacements of {:.2g} spacings are too large for f32",
-        quantity(*simulation.widened_at(), "s"), spread_of(simulation.state()).half.maxCoeff()));
+        quantity(*simulation.widened_at(), "s"),
+        spread_of(simulation.state(), simulation.lattice().material).half.maxCoeff()));
+  for (std::string& remark : shape_remarks(plate, simulation.lattice()))
+    list.push_back(std::move(remark));
   const double E = simulation.lattice().calibration.moduli.E / plate.material.E;
   const double G0 = simulation.lattice().calibration.G0 / plate.material.G0;
   if (std::abs(E - 1.0) > 1e-6 || std::abs(G0 - 1.0) > 1e-6)

@@ -179,6 +179,7 @@ void Run::step(std::int64_t count) {
 
 RelaxResult Run::relax(double tolerance) {
   check_open("relax");
+  const Mark busy(parts_->running);
   Progress progress(parts_->talk);
   return parts_->simulation.relax(
       {tolerance, [&](double fraction, int iterations) {
@@ -190,6 +191,7 @@ RelaxResult Run::relax(double tolerance) {
 
 QuasistaticResult Run::load_slowly(double duration, int increments, double tolerance) {
   check_open("quasistatic");
+  const Mark busy(parts_->running);
   Progress progress(parts_->talk);
   std::vector<Observer*> observers;
   for (const auto& output : parts_->outputs) observers.push_back(output.get());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hackle {
 namespace {
@@ -15,9 +16,14 @@ bool overlap_on_line(const Segment& one, const Segment& other, double tie) {
   return most > tie && least < at(one.to) - tie;
 }
 
+// Where an end lies within rounding of the other segment it is left to the distances of the ends:
+// two pieces of one line, which have a gap between them, must not seem to cross.
 bool cross_properly(const Segment& one, const Segment& other) {
-  return side(one, other.from, 0.0) * side(one, other.to, 0.0) <= 0 &&
-         side(other, one.from, 0.0) * side(other, one.to, 0.0) <= 0;
+  const double size = std::max({one.from.cwiseAbs().maxCoeff(), one.to.cwiseAbs().maxCoeff(),
+                                other.from.cwiseAbs().maxCoeff(), other.to.cwiseAbs().maxCoeff()});
+  const double noise = 1e-14 * size;
+  return side(one, other.from, noise) * side(one, other.to, noise) < 0 &&
+         side(other, one.from, noise) * side(other, one.to, noise) < 0;
 }
 
 bool is_point(const Segment& segment) {
@@ -45,10 +51,7 @@ double distance(const Segment& segment, const Vec2& point) {
 }
 
 double distance(const Segment& one, const Segment& other) {
-  if (!is_point(one) && !is_point(other) && cross_properly(one, other)) {
-    const bool parallel = cross(one.to - one.from, other.to - other.from) == 0.0;
-    if (!parallel) return 0.0;
-  }
+  if (!is_point(one) && !is_point(other) && cross_properly(one, other)) return 0.0;
   return std::min({distance(one, other.from), distance(one, other.to), distance(other, one.from),
                    distance(other, one.to)});
 }
@@ -58,6 +61,19 @@ bool crosses(const Segment& one, const Segment& other, double tie) {
   if (from * to > 0) return false;
   if (from == 0 && to == 0) return overlap_on_line(one, other, tie);
   return side(other, one.from, tie) * side(other, one.to, tie) < 0;
+}
+
+std::vector<Vec2> arc(const Vec2& centre, double radius, double from, double to) {
+  constexpr double widest = 2.8e-3;  // rad of a chord: 1 - cos(widest / 2) < 1e-6
+  const double turn = to - from;
+  const auto pieces = static_cast<int>(std::max(2.0, std::ceil(std::abs(turn) / widest)));
+  std::vector<Vec2> points;
+  for (int k = 0; k <= pieces; ++k) {
+    const double angle = from + turn * (static_cast<double>(k) / pieces);
+    points.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  if (std::abs(turn) > 2.0 * std::numbers::pi - 1e-9) points.back() = points.front();
+  return points;
 }
 
 }  // namespace hackle

@@ -2,6 +2,8 @@
 // Plane geometry that shapes and cracks share. All of it treats mirror images alike, to the bit.
 #pragma once
 
+#include <vector>
+
 #include "scene/vec2.hpp"
 
 namespace hackle {
@@ -19,5 +21,10 @@ double distance(const Segment& one, const Segment& other);
 // Whether two segments have a point in common that is no end of `one`. On one line: whether more
 // than an end of `one` lies on the other.
 bool crosses(const Segment& one, const Segment& other, double tie);
+
+// Points along an arc, its two ends included, whose chords lie within a millionth of the radius of
+// it. Angles in rad from x, anticlockwise when `to` is above `from`. A whole turn ends in the very
+// point where it began.
+std::vector<Vec2> arc(const Vec2& centre, double radius, double from, double to);
 
 }  // namespace hackle

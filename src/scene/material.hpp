@@ -20,6 +20,8 @@ struct Material {
   double alpha = 0.0;
   double alphaT = 0.0;  // thermal expansion, 1/K, >= 0
   double s0 = 0.0;      // critical stretch, when it is given; 0: it follows from G0
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 // Adds a problem for every value outside its range.

@@ -62,6 +62,37 @@ std::string counted(std::size_t count, const char* noun) {
   return count == 0 ? std::string() : fmt::format(", {} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+bool is_apart(const Plate& plate, const Shape& shape) {
+  const Box box = bounds(shape);
+  return box.most.x() < 0.0 || box.most.y() < 0.0 || box.least.x() > plate.width ||
+         box.least.y() > plate.height;
+}
+
+// Of shapes without dents and holes, which the corners decide; others are left to the lattice.
+bool swallows(const Plate& plate, const Shape& shape) {
+  const bool plain =
+      std::holds_alternative<Ellipse>(shape) || std::holds_alternative<Capsule>(shape);
+  if (!plain) return false;
+  for (const double x : {0.0, plate.width})
+    for (const double y : {0.0, plate.height})
+      if (!covers(shape, {x, y}, 0.0)) return false;
+  return true;
+}
+
+// Nodes name theirs by a byte, and one value means that there is none.
+void check_materials(const Plate& plate, Problems& problems) {
+  constexpr std::size_t most = 254;
+  std::vector<const Material*> distinct;
+  for (const Inclusion& inclusion : plate.inclusions) {
+    const auto same = [&](const Material* other) { return *other == inclusion.material; };
+    if (std::ranges::none_of(distinct, same)) distinct.push_back(&inclusion.material);
+  }
+  if (distinct.size() > most)
+    problems.add(fmt::format("plate: its inclusions are of {} different materials, the most is {}",
+                             distinct.size(), most),
+                 "let several of them share a material");
+}
+
 }  // namespace
 
 Shape strip(const Plate& plate, Edge edge, double depth) {
@@ -87,14 +118,12 @@ void check(const Plate& plate, Problems& problems) {
   check_size("width", plate.width, problems);
   check_size("height", plate.height, problems);
   check(plate.material, problems);
-  for (const Cutout& cutout : plate.cutouts) check(cutout.shape, "cut-out", problems);
+  for (const Cutout& cutout : plate.cutouts) check_cutout(plate, cutout.shape, "cut-out", problems);
   for (const Inclusion& inclusion : plate.inclusions) {
-    check(inclusion.shape, "inclusion", problems);
+    check(plate, inclusion.shape, "inclusion", problems);
     check(inclusion.material, problems);
   }
-  if (plate.inclusions.size() > most_inclusions)
-    problems.add(fmt::format("inclusion: there are {} inclusions, more than {}",
-                             plate.inclusions.size(), most_inclusions));
+  check_materials(plate, problems);
   for (const Crack& crack : plate.cracks) check(plate, crack, problems);
   for (const Shape& zone : plate.no_fail) check_no_fail(plate, zone, problems);
   check(plate.loads, problems);
@@ -122,12 +151,29 @@ void check(const Plate& plate, const Crack& crack, Problems& problems) {
     problems.add("crack: two points in a row are the same");
 }
 
+void check(const Plate& plate, const Shape& shape, const std::string& who, Problems& problems) {
+  const std::size_t before = problems.list().size();
+  check(shape, who, problems);
+  if (problems.list().size() != before || !is_apart(plate, shape)) return;
+  const Box box = bounds(shape);
+  problems.add(fmt::format("{}: the {} from {} to {} lies outside the plate", who, kind_of(shape),
+                           point_text(box.least), point_text(box.most)),
+               extent_text(plate) + ", origin at its lower left corner");
+}
+
+void check_cutout(const Plate& plate, const Shape& shape, const std::string& who,
+                  Problems& problems) {
+  const std::size_t before = problems.list().size();
+  check(plate, shape, who, problems);
+  if (problems.list().size() == before && swallows(plate, shape))
+    problems.add(fmt::format("{}: the {} leaves nothing of the plate", who, kind_of(shape)),
+                 extent_text(plate));
+}
+
 void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems) {
   check(zone, "nofail", problems);
   const Box box = bounds(zone);
-  const bool apart = box.most.x() < 0.0 || box.most.y() < 0.0 || box.least.x() > plate.width ||
-                     box.least.y() > plate.height;
-  if (apart)
+  if (is_apart(plate, zone))
     problems.add(fmt::format("nofail: the zone from {} to {} lies outside the plate",
                              point_text(box.least), point_text(box.most)),
                  extent_text(plate));

@@ -100,6 +100,11 @@ Shape strip(const Plate& plate, Edge edge, double depth);
 // are no numbers.
 void check(const Plate& plate, Problems& problems);
 void check(const Plate& plate, const Crack& crack, Problems& problems);
+// `who` names the call: "hole".
+void check(const Plate& plate, const Shape& shape, const std::string& who, Problems& problems);
+// Also that it leaves something of the plate.
+void check_cutout(const Plate& plate, const Shape& shape, const std::string& who,
+                  Problems& problems);
 void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems);
 
 // "plate 100 x 40 mm, Duran 50 (E 65 GPa, ...), 1 crack, 2 tractions"; plane strain is said too.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include <fmt/format.h>
@@ -30,6 +31,15 @@ void for_sides(const Polygon& polygon, const Work& work) {
   for (std::size_t k = 0; k < n; ++k) work({polygon.points[k], polygon.points[(k + 1) % n]});
 }
 
+// Whether the box of a segment, made `margin` larger, has a point in common with another box.
+bool is_near(const Segment& segment, const Vec2& least, const Vec2& most, double margin) {
+  return std::min(segment.from.x(), segment.to.x()) <= most.x() + margin &&
+         std::max(segment.from.x(), segment.to.x()) >= least.x() - margin &&
+         std::min(segment.from.y(), segment.to.y()) <= most.y() + margin &&
+         std::max(segment.from.y(), segment.to.y()) >= least.y() - margin;
+}
+
+// By the even-odd rule; says nothing about points on the rim.
 bool is_within(const Polygon& polygon, const Vec2& point) {
   bool within = false;
   for_sides(polygon, [&](const Segment& side) {
@@ -41,26 +51,78 @@ bool is_within(const Polygon& polygon, const Vec2& point) {
   return within;
 }
 
-double depth(const Polygon& polygon, const Vec2& point) {
-  double nearest = std::numeric_limits<double>::max();
-  for_sides(polygon,
-            [&](const Segment& side) { nearest = std::min(nearest, distance(side, point)); });
-  return is_within(polygon, point) ? nearest : -nearest;
+bool is_on_rim(const Polygon& polygon, const Vec2& point, double tie) {
+  bool on_rim = false;
+  for_sides(polygon, [&](const Segment& side) {
+    if (is_near(side, point, point, tie)) on_rim = on_rim || distance(side, point) <= tie;
+  });
+  return on_rim;
 }
 
 double depth(const Capsule& capsule, const Vec2& point) {
   return capsule.radius - distance(capsule.axis, point);
 }
 
-// Half a cell inside or outside; pictures have no rim.
-double depth(const Bitmap& bitmap, const Vec2& point) {
-  const Vec2 cell = (bitmap.most - bitmap.least).cwiseQuotient(Vec2(bitmap.columns, bitmap.rows));
-  const Vec2 at = (point - bitmap.least).cwiseQuotient(cell);
-  const auto i = static_cast<std::int64_t>(std::floor(at.x()));
-  const auto j = static_cast<std::int64_t>(std::floor(at.y()));
-  const bool on = i >= 0 && j >= 0 && i < bitmap.columns && j < bitmap.rows &&
-                  bitmap.inside[static_cast<std::size_t>(j * bitmap.columns + i)] != 0;
-  return (on ? 0.5 : -0.5) * cell.minCoeff();
+// The cells of a picture along one axis that a place touches, in units of cells.
+struct Cells {
+  std::int64_t first, last;
+};
+
+Cells cells_at(double place, double tie) {
+  const double slack = std::min(tie, 0.25);
+  // No picture has as many cells: what lies beyond is off it anyway.
+  const double held = std::clamp(place, -1e9, 1e9);
+  return {static_cast<std::int64_t>(std::floor(held - slack)),
+          static_cast<std::int64_t>(std::floor(held + slack))};
+}
+
+bool is_marked(const Bitmap& bitmap, std::int64_t i, std::int64_t j) {
+  return i >= 0 && j >= 0 && i < bitmap.columns && j < bitmap.rows &&
+         bitmap.inside[static_cast<std::size_t>(j * bitmap.columns + i)] != 0;
+}
+
+Vec2 cell_of(const Bitmap& bitmap) {
+  return (bitmap.most - bitmap.least).cwiseQuotient(Vec2(bitmap.columns, bitmap.rows));
+}
+
+// Of the cells that a point touches: how many there are, and how many of them are marked.
+std::pair<int, int> touched(const Bitmap& bitmap, const Vec2& point, double tie) {
+  const Vec2 cell = cell_of(bitmap), at = (point - bitmap.least).cwiseQuotient(cell);
+  const Cells x = cells_at(at.x(), tie / cell.x()), y = cells_at(at.y(), tie / cell.y());
+  int all = 0, marked = 0;
+  for (std::int64_t j = y.first; j <= y.last; ++j)
+    for (std::int64_t i = x.first; i <= x.last; ++i) {
+      ++all;
+      marked += is_marked(bitmap, i, j) ? 1 : 0;
+    }
+  return {all, marked};
+}
+
+bool lies_inside(const Ellipse& ellipse, const Vec2& point, double tie) {
+  return depth(ellipse, point) > tie;
+}
+bool lies_inside(const Capsule& capsule, const Vec2& point, double tie) {
+  return depth(capsule, point) > tie;
+}
+bool lies_inside(const Polygon& polygon, const Vec2& point, double tie) {
+  return is_within(polygon, point) && !is_on_rim(polygon, point, tie);
+}
+bool lies_inside(const Bitmap& bitmap, const Vec2& point, double tie) {
+  const auto [all, marked] = touched(bitmap, point, tie);
+  return marked == all;
+}
+
+bool covers_shape(const Ellipse& ellipse, const Vec2& point, double tie) {
+  return depth(ellipse, point) >= -tie;
+}
+bool covers_shape(const Capsule& capsule, const Vec2& point, double tie) {
+  return depth(capsule, point) >= -tie;
+}
+bool covers_shape(const Polygon& polygon, const Vec2& point, double tie) {
+  return is_within(polygon, point) || is_on_rim(polygon, point, tie);
+}
+bool covers_shape(const Bitmap& bitmap, const Vec2& point, double tie) {
+  return touched(bitmap, point, tie).second > 0;
 }
 
 bool cuts_shape(const Ellipse& ellipse, const Segment& segment, double tie) {
@@ -72,29 +134,64 @@ bool cuts_shape(const Capsule& capsule, const Segment& segment, double tie) {
   return capsule.radius - distance(capsule.axis, segment) > tie;
 }
 
+// Whether the middle of any piece between these places along the segment (0 to 1) is inside.
+template <class Area>
+bool has_piece_inside(const Area& area, const Segment& segment, std::vector<double>& meets,
+                      double tie) {
+  std::ranges::sort(meets);
+  const Vec2 along = segment.to - segment.from;
+  for (std::size_t k = 0; k + 1 < meets.size(); ++k)
+    if (lies_inside(area, segment.from + 0.5 * (meets[k] + meets[k + 1]) * along, tie)) return true;
+  return false;
+}
+
 // Cuts the segment where it meets a side and looks at the middle of every piece.
 bool cuts_shape(const Polygon& polygon, const Segment& segment, double tie) {
   const Vec2 along = segment.to - segment.from;
+  const Vec2 least = segment.from.cwiseMin(segment.to), most = segment.from.cwiseMax(segment.to);
   std::vector<double> meets{0.0, 1.0};
   for_sides(polygon, [&](const Segment& side) {
+    if (!is_near(side, least, most, tie)) return;
     const Vec2 across = side.to - side.from;
     const double area = cross(along, across);
     if (area == 0.0) return;
     const double t = cross(side.from - segment.from, across) / area;
     if (t > 0.0 && t < 1.0) meets.push_back(t);
   });
-  std::ranges::sort(meets);
-  for (std::size_t k = 0; k + 1 < meets.size(); ++k)
-    if (depth(polygon, segment.from + 0.5 * (meets[k] + meets[k + 1]) * along) > tie) return true;
-  return false;
+  return has_piece_inside(polygon, segment, meets, tie);
 }
 
+// Cuts it at every line between cells.
 bool cuts_shape(const Bitmap& bitmap, const Segment& segment, double tie) {
-  const Vec2 cell = (bitmap.most - bitmap.least).cwiseQuotient(Vec2(bitmap.columns, bitmap.rows));
-  const Vec2 along = segment.to - segment.from;
-  const int pieces = 1 + static_cast<int>(2.0 * along.norm() / cell.minCoeff());
-  for (int k = 0; k <= pieces; ++k)
-    if (depth(bitmap, segment.from + (static_cast<double>(k) / pieces) * along) > tie) return true;
+  const Vec2 cell = cell_of(bitmap), along = segment.to - segment.from;
+  std::vector<double> meets{0.0, 1.0};
+  for (const int axis : {0, 1}) {
+    const double from = (segment.from[axis] - bitmap.least[axis]) / cell[axis];
+    const double to = (segment.to[axis] - bitmap.least[axis]) / cell[axis];
+    const double last = axis == 0 ? bitmap.columns : bitmap.rows;
+    const double first_line = std::max(0.0, std::ceil(std::min(from, to)));
+    const double last_line = std::min(last, std::floor(std::max(from, to)));
+    if (std::abs(along[axis]) <= tie) continue;
+    for (double line = first_line; line <= last_line; line += 1.0)
+      meets.push_back(std::clamp((line - from) / (to - from), 0.0, 1.0));
+  }
+  return has_piece_inside(bitmap, segment, meets, tie);
+}
+
+// Whether a cell is marked that has a point in common with the box.
+bool has_marked(const Bitmap& bitmap, const Box& box) {
+  const Vec2 cell = cell_of(bitmap);
+  const Vec2 last_cell(bitmap.columns - 1, bitmap.rows - 1);
+  const Vec2 from = (box.least - bitmap.least).cwiseQuotient(cell).array().floor().cwiseMax(0.0);
+  const Vec2 to =
+      (box.most - bitmap.least).cwiseQuotient(cell).array().floor().matrix().cwiseMin(last_cell);
+  if (!(from.x() <= to.x() && from.y() <= to.y())) return false;
+  const auto first = static_cast<std::size_t>(from.x()), last = static_cast<std::size_t>(to.x());
+  for (auto j = static_cast<std::size_t>(from.y()); j <= static_cast<std::size_t>(to.y()); ++j) {
+    const std::uint8_t* row =
+        bitmap.inside.data() + j * static_cast<std::size_t>(bitmap.columns) + first;
+    if (std::memchr(row, 1, last - first + 1) != nullptr) return true;
+  }
   return false;
 }
 
@@ -110,6 +207,17 @@ Box bounds_of(const Polygon& polygon) {
   for (const Vec2& point : polygon.points)
     box = {box.least.cwiseMin(point), box.most.cwiseMax(point)};
   return box;
+}
+
+// Whether all points lie on one line, but for rounding.
+bool is_flat(const Polygon& polygon) {
+  const Vec2& first = polygon.points.front();
+  const auto away = [&](const Vec2& p) { return (p - first).squaredNorm(); };
+  const Vec2 far = *std::ranges::max_element(polygon.points, {}, away);
+  const Vec2 along = far - first;
+  return std::ranges::all_of(polygon.points, [&](const Vec2& p) {
+    return std::abs(cross(along, p - first)) <= 1e-12 * along.squaredNorm();
+  });
 }
 
 Box bounds_of(const Capsule& capsule) {
@@ -151,15 +259,26 @@ Shape transformed(const Shape& shape, const Vec2& origin, double factor) {
 }
 
 bool is_inside(const Shape& shape, const Vec2& point, double tie) {
-  return std::visit([&](const auto& s) { return depth(s, point) > tie; }, shape);
+  return std::visit([&](const auto& s) { return lies_inside(s, point, tie); }, shape);
 }
 
 bool covers(const Shape& shape, const Vec2& point, double tie) {
-  return std::visit([&](const auto& s) { return depth(s, point) >= -tie; }, shape);
+  return std::visit([&](const auto& s) { return covers_shape(s, point, tie); }, shape);
 }
 
 bool cuts(const Shape& shape, const Segment& segment, double tie) {
   return std::visit([&](const auto& s) { return cuts_shape(s, segment, tie); }, shape);
+}
+
+bool may_cut(const Shape& shape, const Box& box, double tie) {
+  if (const auto* polygon = std::get_if<Polygon>(&shape)) {
+    bool near = is_within(*polygon, box.least);
+    for_sides(*polygon,
+              [&](const Segment& side) { near = near || is_near(side, box.least, box.most, tie); });
+    return near;
+  }
+  if (const auto* bitmap = std::get_if<Bitmap>(&shape)) return has_marked(*bitmap, box);
+  return true;
 }
 
 Shape rectangle(const Vec2& least, const Vec2& most) {
@@ -172,9 +291,13 @@ std::string kind_of(const Shape& shape) {
 }
 
 void check(const Shape& shape, const std::string& who, Problems& problems) {
+  if (const auto* polygon = std::get_if<Polygon>(&shape); polygon && polygon->points.size() < 3)
+    return problems.add(fmt::format("{}: a polygon has at least three points", who));
   const Box box = bounds(shape);
   const Vec2 size = box.most - box.least;
-  if (size.allFinite() && size.minCoeff() > 0.0) return;
+  const bool sized = size.allFinite() && size.minCoeff() > 0.0;
+  const auto* polygon = std::get_if<Polygon>(&shape);
+  if (sized && (polygon == nullptr || !is_flat(*polygon))) return;
   problems.add(fmt::format("{}: the {} has no area", who, kind_of(shape)),
                "give it a size in both directions");
 }

@@ -33,7 +33,8 @@ struct Capsule {
   friend bool operator==(const Capsule&, const Capsule&) = default;
 };
 
-// The dark or the light cells of a picture laid over a rectangle.
+// The dark or the light cells of a picture laid over a rectangle. Its rim lies between cells that
+// are inside and others.
 struct Bitmap {
   Vec2 least{0, 0};  // lower left corner
   Vec2 most{0, 0};   // upper right corner
@@ -61,6 +62,10 @@ bool is_inside(const Shape& shape, const Vec2& point, double tie);
 bool covers(const Shape& shape, const Vec2& point, double tie);
 // Whether any point of a segment is inside.
 bool cuts(const Shape& shape, const Segment& segment, double tie);
+
+// False only when no segment in the box has a point inside. For shapes of many parts: what is far
+// from all of them need not be looked at any closer.
+bool may_cut(const Shape& shape, const Box& box, double tie);
 
 Shape rectangle(const Vec2& least, const Vec2& most);
 

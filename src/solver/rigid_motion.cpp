@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "lattice/lattice.hpp"
+
 namespace hackle {
 namespace {
 
@@ -12,32 +14,39 @@ Values<double> widened(const Values<Real>& values) {
   return {values.begin(), values.end()};
 }
 
+// Calls work(i, j) for every node that is not void.
+template <class Work>
+void for_solid(const State& state, const std::vector<std::uint8_t>& material, const Work& work) {
+  std::size_t node = 0;
+  for (int j = 0; j < state.layout.ny; ++j)
+    for (int i = 0; i < state.layout.nx; ++i, ++node)
+      if (material.empty() || material[node] != Lattice::void_node) work(i, j);
+}
+
 }  // namespace
 
-Spread spread_of(const State& state) {
-  Vec2 least = state.u(0, 0), most = least;
-  for (int j = 0; j < state.layout.ny; ++j)
-    for (int i = 0; i < state.layout.nx; ++i) {
-      const Vec2 u = state.u(i, j);
-      least = least.cwiseMin(u);
-      most = most.cwiseMax(u);
-    }
+Spread spread_of(const State& state, const std::vector<std::uint8_t>& material) {
+  Vec2 least = Vec2::Constant(std::numeric_limits<double>::infinity()), most = -least;
+  for_solid(state, material, [&](int i, int j) {
+    const Vec2 u = state.u(i, j);
+    least = least.cwiseMin(u);
+    most = most.cwiseMax(u);
+  });
   return {0.5 * (most + least), 0.5 * (most - least)};
 }
 
-bool take_out_drift(State& state) {
+bool take_out_drift(State& state, const std::vector<std::uint8_t>& material) {
   // Rounded to f32, so that the origin is what is really subtracted.
-  const Vec2 middle = spread_of(state).middle.cast<float>().cast<double>();
+  const Vec2 middle = spread_of(state, material).middle.cast<float>().cast<double>();
   if (!(middle.cwiseAbs().maxCoeff() > most_drift)) return false;
-  for (int j = 0; j < state.layout.ny; ++j)
-    for (int i = 0; i < state.layout.nx; ++i) state.set_u(i, j, state.u(i, j) - middle);
+  for_solid(state, material, [&](int i, int j) { state.set_u(i, j, state.u(i, j) - middle); });
   state.origin += middle;
   return true;
 }
 
-bool is_too_wide_for_f32(const State& state, double s0) {
+bool is_too_wide_for_f32(const State& state, double s0, const std::vector<std::uint8_t>& material) {
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
-  return spread_of(state).half.maxCoeff() * rounding > 2e-4 * s0;
+  return spread_of(state, material).half.maxCoeff() * rounding > 2e-4 * s0;
 }
 
 State in_f64(const State& state) {

@@ -4,27 +4,32 @@
 // energy (kernel.md 6).
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "solver/state.hpp"
 
 namespace hackle {
 
 // Half the sum and half the difference of the largest and least u of all nodes, per component.
+// `material` is Lattice::material: void nodes, which nothing moves, are left out.
 struct Spread {
   Vec2 middle{0, 0};
   Vec2 half{0, 0};
 };
 
-Spread spread_of(const State& state);
+Spread spread_of(const State& state, const std::vector<std::uint8_t>& material = {});
 
 // A drift of the whole plate is taken out of u, into the origin, when it exceeds this, in spacings.
 inline constexpr double most_drift = 0.03125;
 
 // Moves the middle of a state in f32 into its origin when it has drifted. The middle of a scene
 // that is symmetric is exactly 0 across the midline, so symmetry is kept. True when u has changed.
-bool take_out_drift(State& state);
+bool take_out_drift(State& state, const std::vector<std::uint8_t>& material = {});
 
 // Whether what remains rounds the stretch of bonds by more than 2e-4 of the critical stretch s0.
-bool is_too_wide_for_f32(const State& state, double s0);
+bool is_too_wide_for_f32(const State& state, double s0,
+                         const std::vector<std::uint8_t>& material = {});
 
 // The same state in f64.
 State in_f64(const State& state);

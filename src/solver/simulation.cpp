@@ -195,8 +195,8 @@ void Simulation::take_heat() {
 
 // At fixed steps, so that the bits do not depend on how a run is cut into pieces.
 void Simulation::keep_f32_exact() {
-  const bool moved = take_out_drift(state_);
-  if (is_too_wide_for_f32(state_, lattice_.least_stretch())) {
+  const bool moved = take_out_drift(state_, lattice_.material);
+  if (is_too_wide_for_f32(state_, lattice_.least_stretch(), lattice_.material)) {
     state_ = in_f64(state_);
     widened_at_ = time();
     engine_ = engine_for(Precision::f64, lattice_, options(), threads_);

@@ -23,6 +23,23 @@ Json to_json(const std::vector<Vec2>& points) {
   return list;
 }
 
+// How many cells in a row are outside, then inside, and so on.
+Json run_lengths(const std::vector<std::uint8_t>& cells) {
+  Json list = Json::array();
+  std::uint8_t value = 0;
+  std::int64_t length = 0;
+  for (const std::uint8_t cell : cells) {
+    if (cell != value) {
+      list.push_back(length);
+      value = cell;
+      length = 0;
+    }
+    ++length;
+  }
+  list.push_back(length);
+  return list;
+}
+
 Json to_json(const Shape& shape) {
   Json json = {{"kind", kind_of(shape)}};
   if (const auto* ellipse = std::get_if<Ellipse>(&shape))
@@ -40,7 +57,7 @@ Json to_json(const Shape& shape) {
                  {"to_m", to_json(bitmap->most)},
                  {"columns", bitmap->columns},
                  {"rows", bitmap->rows},
-                 {"inside", bitmap->inside}});
+                 {"run_lengths", run_lengths(bitmap->inside)}});
   return json;
 }
 

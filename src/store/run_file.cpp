@@ -78,6 +78,11 @@ struct RunFile::Parts {
     describe(simulation, origin);
     write(file.root(), "nodes", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 3, places(grid).data(), "m",
           "places of the nodes");
+    if (!simulation.lattice().material.empty())
+      write(file.root(), "material", H5T_STD_U8LE, H5T_NATIVE_UINT8, 1,
+            simulation.lattice().material.data(), "",
+            "0: of the plate, k: of its k-th other material, 255: cut out");
+    has_material = !simulation.lattice().material.empty();
     time = file.series("time", H5T_IEEE_F64LE, "s", "simulated time of each record");
     step = file.series("step", H5T_STD_I64LE, "", "time steps done at each record");
     file.name(file.group(most_groups), "records");
@@ -126,7 +131,7 @@ struct RunFile::Parts {
   }
 
   void write_sidecar() {
-    hackle::write_text(sidecar_of(path), xdmf(grid, path, times));
+    hackle::write_text(sidecar_of(path), xdmf(grid, path, times, has_material));
     in_sidecar = times.size();
   }
 
@@ -135,6 +140,7 @@ struct RunFile::Parts {
   Hdf5File file;
   Hdf5Handle time, step;
   std::vector<double> times;
+  bool has_material = false;
   std::size_t in_sidecar = 0;
 };
 

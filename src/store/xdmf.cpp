@@ -45,6 +45,16 @@ std::string attribute(const Grid& grid, const std::string& source, const char* n
       fmt::arg("last", components == 1 ? "" : " 3"), fmt::arg("source", source));
 }
 
+// The same for all records. A threshold below 255 hides what was cut out.
+std::string material_attribute(const Grid& grid, const std::string& file) {
+  return fmt::format(
+      R"(      <Attribute Name="material" AttributeType="Scalar" Center="Node">
+        <DataItem Dimensions="1 {} {}" NumberType="UChar" Precision="1" Format="HDF">{}:/material</DataItem>
+      </Attribute>
+)",
+      grid.ny, grid.nx, file);
+}
+
 }  // namespace
 
 std::string record_group(std::size_t record) {
@@ -52,7 +62,7 @@ std::string record_group(std::size_t record) {
 }
 
 std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
-                 const std::vector<double>& times) {
+                 const std::vector<double>& times, bool has_material) {
   const std::string file = escaped(run_file.filename().string());
   const Vec2 first = grid.position(0, 0);
   std::string text =
@@ -74,6 +84,7 @@ std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
     text += attribute(grid, source, "damage", 1);
     text += attribute(grid, source, "displacement", 3);
     text += attribute(grid, source, "velocity", 3);
+    if (has_material) text += material_attribute(grid, file);
     text += "   </Grid>\n";
   }
   return text + "  </Grid>\n </Domain>\n</Xdmf>\n";

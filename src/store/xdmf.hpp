@@ -18,6 +18,6 @@ std::string record_group(std::size_t record);
 // The XML for the records at these times (s). The nodes are the points of an image, so that
 // ParaView shows a coloured surface at once and can warp it by the displacement.
 std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
-                 const std::vector<double>& times);
+                 const std::vector<double>& times, bool has_material = false);
 
 }  // namespace hackle

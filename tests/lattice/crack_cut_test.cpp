@@ -2,11 +2,13 @@
 #include "lattice/crack_cut.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "lattice/lattice.hpp"
+#include "scene/geometry.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
@@ -67,6 +69,43 @@ TEST(CrackCut, BrokenCracksCountAsDamageAndAbsentOnesDoNot) {
   const std::size_t beside = broken.grid.index(5, 10);
   EXPECT_GT(broken.born[beside], degree(broken, 5, 10));
   EXPECT_EQ(absent.born[beside], degree(absent, 5, 10));
+}
+
+TEST(CrackCut, AnInnerCornerBelongsToAPolylineAndItsEndsDoNot) {
+  // The corner lies where the diagonals of nodes 9 and 10 meet, at 5 mm.
+  const Lattice lattice =
+      cut_plate(20, 20, {{{3e-3, 5e-3}, {5e-3, 5e-3}, {5e-3, 7e-3}}, Born::broken});
+  EXPECT_FALSE(holds(lattice, 9, 9, 1, 1));
+  EXPECT_FALSE(holds(lattice, 9, 10, 1, -1));
+  EXPECT_TRUE(holds(lattice, 9, 13, 1, 1));  // through the end at 7 mm
+  EXPECT_FALSE(holds(lattice, 9, 12, 1, 0));
+}
+
+TEST(CrackCut, AClosedCircleSeparatesInsideFromOutside) {
+  Crack circle;
+  circle.points = arc({5e-3, 5e-3}, 3e-3, 0.0, 2.0 * std::numbers::pi);
+  const Lattice lattice = cut_plate(20, 20, circle);
+  const auto inside = [&](int i, int j) { return lattice.grid.from_centre(i, j).norm() < 6.0; };
+  lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int) {
+    for (int j = 0; j < 20; ++j)
+      for (int i = 0; i < 20; ++i) {
+        if (!lattice.grid.contains(i + a, j + b)) continue;
+        if (inside(i, j) != inside(i + a, j + b)) {
+          EXPECT_FALSE(holds(lattice, i, j, a, b));
+        } else if (inside(i, j)) {
+          EXPECT_TRUE(holds(lattice, i, j, a, b));
+        }
+      }
+  });
+}
+
+TEST(CrackCut, AnArcCutsWhatItsChordWouldNot) {
+  Crack half;
+  half.points = arc({5e-3, 5e-3}, 3e-3, 0.0, std::numbers::pi);
+  const Lattice lattice = cut_plate(20, 20, half);
+  EXPECT_FALSE(holds(lattice, 9, 15, 0, 1));  // at the top of it, 8 mm
+  EXPECT_TRUE(holds(lattice, 9, 9, 0, 1));    // on its chord
+  EXPECT_TRUE(holds(lattice, 9, 3, 0, 1));    // where the other half would be
 }
 
 // Mirror images of a random crack, about both midlines, cut mirror images of its bonds. Half of the

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace hackle {
+
+// Brightness, 0 black to 255 white, as a screen shows it (sRGB).
+struct GreyImage {
+  int width = 0;                     // px
+  int height = 0;                    // px
+  std::vector<std::uint8_t> pixels;  // row by row from the top
+};
+
+inline constexpr std::int64_t most_pixels = std::int64_t{1} << 24;
+
+// Reads a PNG of any kind: grey, colour or palette, 1 to 16 bits, interlaced or not. What is
+// transparent is laid on white. Throws Error (files) when it cannot be read, Error (refused) when
+// it has more than most_pixels.
+GreyImage read_png(const std::filesystem::path& path);
+
+}  // namespace hackle

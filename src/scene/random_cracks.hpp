@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Cracks at random places: flaws as a glass surface has them.
+#pragma once
+
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "scene/plate.hpp"
+
+namespace hackle {
+
+// Straight cracks that lie wholly in a rectangle. Length, direction and place are uniform in their
+// ranges; those that stick out are drawn again.
+struct RandomCracks {
+  int count = 0;
+  Vec2 length{0, 0};                // m, least and most
+  Vec2 angle{0, std::numbers::pi};  // rad from x anticlockwise, least and most
+  std::int64_t seed = 1;
+  Box area;  // m
+  Born born = Born::broken;
+};
+
+// The same bits on every machine. Throws Error (refused) when they do not fit into the area.
+std::vector<Crack> make(const RandomCracks& cracks);
+
+void check(const Plate& plate, const RandomCracks& cracks, Problems& problems);
+
+}  // namespace hackle
