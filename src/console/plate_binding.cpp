@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "console/arguments.hpp"
+#include "console/strength_binding.hpp"
 
 namespace hackle {
 namespace {
@@ -199,7 +200,8 @@ constexpr std::array fields{
 // Of all files that bind methods of a plate.
 std::vector<Function> all_methods() {
   std::vector<Function> all;
-  for (const std::span<const Function> part : {std::span<const Function>(methods)})
+  for (const std::span<const Function> part :
+       {std::span<const Function>(methods), strength_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

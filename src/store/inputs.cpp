@@ -119,6 +119,15 @@ Json to_json(const Start& start) {
           {"velocity_m_s", to_json(start.velocity)}};
 }
 
+Json to_json(const std::optional<Scatter>& scatter) {
+  if (!scatter) return "none";
+  const bool weibull = scatter->kind == Scatter::Kind::weibull;
+  return {{"distribution", weibull ? "weibull" : "normal"},
+          {weibull ? "modulus" : "deviation", scatter->spread},
+          {"correlation_m", scatter->correlation},
+          {"seed", scatter->seed}};
+}
+
 template <class T>
 Json list_of(const std::vector<T>& things) {
   Json list = Json::array();
@@ -142,7 +151,8 @@ Json to_json(const Plate& plate) {
           {"impactors", list_of(plate.loads.impactors)},
           {"damping_1_s", plate.loads.damping},
           {"starts", list_of(plate.starts)},
-          {"no_fail", list_of(plate.no_fail)}};
+          {"no_fail", list_of(plate.no_fail)},
+          {"strength", to_json(plate.scatter)}};
 }
 
 Json numerics_of(const Simulation& simulation) {
