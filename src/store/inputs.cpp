@@ -13,8 +13,10 @@ Json to_json(const Vec2& vector) {
 }
 
 Json to_json(const Material& material) {
-  return {{"name", material.name}, {"E_Pa", material.E},     {"rho_kg_m3", material.rho},
-          {"nu", material.nu},     {"G0_J_m2", material.G0}, {"alpha", material.alpha}};
+  return {{"name", material.name},         {"E_Pa", material.E},
+          {"rho_kg_m3", material.rho},     {"nu", material.nu},
+          {"G0_J_m2", material.G0},        {"alpha", material.alpha},
+          {"alphaT_1_K", material.alphaT}, {"s0", material.s0}};
 }
 
 Json to_json(const std::vector<Vec2>& points) {
