@@ -38,6 +38,8 @@ KnownMaterial read_material(lua_State* L, const std::string& key) {
   known.material.nu = number_field(L, "nu");
   known.material.G0 = number_field(L, "G0");
   known.material.alpha = number_field(L, "alpha");
+  known.material.alphaT = number_field(L, "alphaT");
+  known.material.s0 = number_field(L, "s0");
   Problems problems;
   check(known.material, problems);
   if (known.material.name.empty()) problems.add(fmt::format("material '{}' has no title", key));

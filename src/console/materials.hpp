@@ -19,7 +19,8 @@ struct KnownMaterial {
 
 class Materials {
  public:
-  // Reads a Lua file that returns { key = { title=, E=, rho=, nu=, G0=, source= }, ... }, in which
+  // Reads a Lua file that returns { key = { title=, E=, rho=, nu=, G0=, source= }, ... }, where
+  // alpha, alphaT and s0 (instead of G0) may be given, too; in it
   // the unit constants are known. Throws Error (files) when it cannot be read or makes no sense.
   explicit Materials(const std::filesystem::path& file);
 

@@ -8,6 +8,7 @@
 #include "console/load_binding.hpp"
 #include "console/region_options.hpp"
 #include "console/shape_binding.hpp"
+#include "console/strength_binding.hpp"
 
 namespace hackle {
 namespace {
@@ -103,7 +104,8 @@ constexpr std::array fields{
 std::vector<Function> all_methods() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
-       {shape_methods(), std::span<const Function>(methods), load_methods_of_plate()})
+       {shape_methods(), std::span<const Function>(methods), load_methods_of_plate(),
+        strength_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

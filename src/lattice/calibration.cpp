@@ -79,6 +79,7 @@ Calibration calibrate(const Family& family, const Material& material, double dx,
       result.s0 = std::sqrt(4.0 * pi * material.G0 / (9.0 * material.E * delta));  // Eq. 10
       break;
   }
+  if (material.s0 > 0.0) result.s0 = material.s0;
   result.moduli = moduli(family, result.c, dx, plane);
   result.G0 = fracture_energy(family, result.c, result.s0, dx, across);
   return result;

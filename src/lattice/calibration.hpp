@@ -35,6 +35,7 @@ Moduli moduli(const Family& family, double c, double dx, Plane plane = Plane::st
 // neighbour (physics.md 5.12). J/m2.
 double fracture_energy(const Family& family, double c, double s0, double dx, const Vec2& normal);
 
+// A critical stretch that the material gives holds as it is, and G0 follows from it.
 // Constants::paper knows plane stress and the constant micromodulus only.
 Calibration calibrate(const Family& family, const Material& material, double dx,
                       Constants constants, Plane plane = Plane::stress);

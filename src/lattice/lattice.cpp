@@ -7,6 +7,7 @@
 
 #include "lattice/carve.hpp"
 #include "lattice/crack_cut.hpp"
+#include "lattice/scatter.hpp"
 #include "lattice/symbol.hpp"
 
 namespace hackle {
@@ -77,7 +78,8 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
       rho(plate.material.rho),
       step_limit(safe_step(family, materials, grid.dx)),
       bonds(uncut_bonds(grid, family)),
-      unbreakable(bonds_in_zones(plate.no_fail, grid, family)) {
+      unbreakable(bonds_in_zones(plate.no_fail, grid, family)),
+      strength(plate.scatter ? strengths(*plate.scatter, grid) : std::vector<float>()) {
   carve(plate.cutouts, material, grid, family, bonds);
   cut_all(plate.cracks, Born::absent, grid, family, bonds);
   born = degrees(grid, family, bonds);

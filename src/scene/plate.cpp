@@ -12,8 +12,6 @@
 namespace hackle {
 namespace {
 
-// As the lattice keeps one byte a node.
-constexpr std::size_t most_inclusions = 254;
 
 std::string point_text(const Vec2& point) {
   return fmt::format("({}, {})", quantity(point.x(), "m"), quantity(point.y(), "m"));
@@ -126,6 +124,7 @@ void check(const Plate& plate, Problems& problems) {
   check_materials(plate, problems);
   for (const Crack& crack : plate.cracks) check(plate, crack, problems);
   for (const Shape& zone : plate.no_fail) check_no_fail(plate, zone, problems);
+  if (plate.scatter) check(*plate.scatter, problems);
   check(plate.loads, problems);
   check_rims(plate, problems);
   check_expansion(plate, problems);
@@ -170,6 +169,19 @@ void check_cutout(const Plate& plate, const Shape& shape, const std::string& who
                  extent_text(plate));
 }
 
+void check(const Scatter& scatter, Problems& problems) {
+  const bool weibull = scatter.kind == Scatter::Kind::weibull;
+  const double k = scatter.spread;
+  if (weibull && !(k >= 1.0 && k <= 1000.0))
+    problems.add(fmt::format("strength: the modulus is {}, it must lie between 1 and 1000", k));
+  if (!weibull && !(k > 0.0 && k <= 0.3))
+    problems.add(fmt::format("strength: the deviation is {}, it must be above 0, at most 0.3", k),
+                 "what scatters more follows a Weibull distribution");
+  if (!(scatter.correlation >= 0.0) || !std::isfinite(scatter.correlation))
+    problems.add(fmt::format("strength: the correlation is {} m, it must be at least 0 m",
+                             scatter.correlation));
+}
+
 void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems) {
   check(zone, "nofail", problems);
   const Box box = bounds(zone);
@@ -179,14 +191,24 @@ void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems) {
                  extent_text(plate));
 }
 
+std::string describe(const Scatter& scatter) {
+  const bool weibull = scatter.kind == Scatter::Kind::weibull;
+  return fmt::format(
+      "strength scattered ({} {}{}, seed {})", weibull ? "Weibull modulus" : "deviation",
+      shortest(scatter.spread),
+      scatter.correlation > 0.0 ? ", correlated over " + quantity(scatter.correlation, "m") : "",
+      scatter.seed);
+}
+
 std::string describe(const Plate& plate) {
   return fmt::format(
-      "plate {} x {} mm, {}{}{}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
+      "plate {} x {} mm, {}{}{}{}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
       shortest(std::round(plate.height * 1e9) * 1e-6),
       plate.plane == Plane::strain ? "plane strain, " : "", describe(plate.material),
       counted(plate.cutouts.size(), "cut-out"), counted(plate.inclusions.size(), "inclusion"),
       counted(plate.cracks.size(), "crack"), describe(plate.loads),
-      counted(plate.no_fail.size(), "no-fail zone"));
+      counted(plate.no_fail.size(), "no-fail zone"),
+      plate.scatter ? ", " + describe(*plate.scatter) : "");
 }
 
 }  // namespace hackle

@@ -59,7 +59,8 @@ struct Start {
 struct Scatter {
   enum class Kind { weibull, normal };
   Kind kind = Kind::weibull;
-  double spread = 0.0;       // Weibull modulus, or standard deviation of a normal distribution
+  double spread = 0.0;       // Weibull modulus in [1, 1000], or standard deviation of a normal
+                             // distribution in (0, 0.3]
   double correlation = 0.0;  // m, >= 0; 0: each node for itself
   std::int64_t seed = 1;
 };
@@ -105,7 +106,11 @@ void check(const Plate& plate, const Shape& shape, const std::string& who, Probl
 // Also that it leaves something of the plate.
 void check_cutout(const Plate& plate, const Shape& shape, const std::string& who,
                   Problems& problems);
+void check(const Scatter& scatter, Problems& problems);
 void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems);
+
+// "strength scattered (Weibull modulus 10, correlated over 2 mm, seed 1)"
+std::string describe(const Scatter& scatter);
 
 // "plate 100 x 40 mm, Duran 50 (E 65 GPa, ...), 1 crack, 2 tractions"; plane strain is said too.
 std::string describe(const Plate& plate);

@@ -43,7 +43,7 @@ Lattice with_strength(Lattice lattice, std::vector<float> strength) {
                 fmt::format("simulate: strength has {} values above 0 or not, the lattice {} nodes",
                             strength.size(), lattice.grid.nodes()),
                 "give one value above 0 for every node");
-  lattice.strength = std::move(strength);
+  if (!strength.empty()) lattice.strength = std::move(strength);
   return lattice;
 }
 

@@ -29,7 +29,8 @@ class Simulation {
  public:
   // Checks plate and numerics first: throws Error (refused) with every problem found, before
   // anything large is allocated. `strength` is the critical stretch of every node over s0, above 0,
-  // by Grid::index, or nothing: a bond breaks by the weaker of its ends.
+  // by Grid::index, or nothing, when the scatter of
+  // the plate holds: a bond breaks by the weaker of its ends.
   Simulation(Plate plate, Numerics numerics, Execution execution = {},
              std::vector<float> strength = {});
 

@@ -13,8 +13,10 @@ Json to_json(const Vec2& vector) {
 }
 
 Json to_json(const Material& material) {
-  return {{"name", material.name}, {"E_Pa", material.E},     {"rho_kg_m3", material.rho},
-          {"nu", material.nu},     {"G0_J_m2", material.G0}, {"alpha", material.alpha}};
+  return {{"name", material.name},         {"E_Pa", material.E},
+          {"rho_kg_m3", material.rho},     {"nu", material.nu},
+          {"G0_J_m2", material.G0},        {"alpha", material.alpha},
+          {"alphaT_1_K", material.alphaT}, {"s0", material.s0}};
 }
 
 Json to_json(const std::vector<Vec2>& points) {
@@ -136,6 +138,15 @@ Json to_json(const Start& start) {
           {"velocity_m_s", to_json(start.velocity)}};
 }
 
+Json to_json(const std::optional<Scatter>& scatter) {
+  if (!scatter) return "none";
+  const bool weibull = scatter->kind == Scatter::Kind::weibull;
+  return {{"distribution", weibull ? "weibull" : "normal"},
+          {weibull ? "modulus" : "deviation", scatter->spread},
+          {"correlation_m", scatter->correlation},
+          {"seed", scatter->seed}};
+}
+
 template <class T>
 Json list_of(const std::vector<T>& things) {
   Json list = Json::array();
@@ -159,7 +170,8 @@ Json to_json(const Plate& plate) {
           {"impactors", list_of(plate.loads.impactors)},
           {"damping_1_s", plate.loads.damping},
           {"starts", list_of(plate.starts)},
-          {"no_fail", list_of(plate.no_fail)}};
+          {"no_fail", list_of(plate.no_fail)},
+          {"strength", to_json(plate.scatter)}};
 }
 
 Json numerics_of(const Simulation& simulation) {

@@ -145,5 +145,21 @@ TEST(Calibration, DoesNotDependOnTheUnitOfLength) {
   EXPECT_NEAR(fine.moduli.E / coarse.moduli.E, 1.0, 1e-13);
 }
 
+// There and back: the critical stretch that follows from G0, given, has that G0.
+TEST(Calibration, AGivenCriticalStretchHoldsAndG0FollowsFromIt) {
+  const Family family(4, Quadrature::area);
+  Material material = test::duran50();
+  for (const Constants constants : {Constants::lattice, Constants::continuum, Constants::paper}) {
+    const Calibration from_G0 = calibrate(family, test::duran50(), dx, constants);
+    material.G0 = 0.0;
+    material.s0 = from_G0.s0;
+    const Calibration from_s0 = calibrate(family, material, dx, constants);
+    EXPECT_EQ(from_s0.s0, from_G0.s0);
+    EXPECT_EQ(from_s0.G0, from_G0.G0);
+    material.s0 *= 2.0;
+    EXPECT_DOUBLE_EQ(calibrate(family, material, dx, constants).G0, 4.0 * from_G0.G0);
+  }
+}
+
 }  // namespace
 }  // namespace hackle

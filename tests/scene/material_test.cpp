@@ -62,5 +62,27 @@ TEST(Material, ThermalExpansionIsNotNegative) {
   }
 }
 
+TEST(Material, EitherG0OrS0IsGiven) {
+  Material material = test::duran50();
+  material.s0 = 1e-3;
+  EXPECT_THAT(problems_of(material), testing::HasSubstr("both G0 and s0 are given"));
+  material.G0 = 0.0;
+  EXPECT_EQ(problems_of(material), "");
+  for (const double bad : {-1e-3, 1.0, std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()}) {
+    material.s0 = bad;
+    EXPECT_THAT(problems_of(material), testing::HasSubstr("material: s0 is")) << bad;
+  }
+}
+
+TEST(Material, DescriptionSaysWhatIsSpecial) {
+  Material material = test::duran50();
+  material.G0 = 0.0;
+  material.s0 = 1e-3;
+  material.alphaT = 7.5e-6;
+  EXPECT_EQ(describe(material),
+            "Duran 50 glass (E 65 GPa, rho 2235 kg/m3, s0 0.001, alphaT 7.5e-06 1/K)");
+}
+
 }  // namespace
 }  // namespace hackle
