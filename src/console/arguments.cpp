@@ -283,9 +283,9 @@ void Arguments::take_point(lua_State* L, int index, const Option& option) {
     return wrong(option, fmt::format("{}: {} is not a pair of numbers, expected {}", doc_->name,
                                      option.name, expectation(option)));
   if (!point->allFinite())
-    return wrong(option, fmt::format("{}: {} is {{{}, {}}}, expected finite numbers", doc_->name,
-                                     option.name, number_text(point->x()),
-                                     number_text(point->y())));
+    return wrong(option,
+                 fmt::format("{}: {} is {{{}, {}}}, expected finite numbers", doc_->name,
+                             option.name, number_text(point->x()), number_text(point->y())));
   keep(option, *point);
 }
 

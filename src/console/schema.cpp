@@ -50,7 +50,7 @@ std::string expectation(const Option& option) {
       return "true or false";
     case OptionType::point:
       return "{x, y}, two numbers" + in_unit;
- case OptionType::pair:
+    case OptionType::pair:
       return "{a, b}, two numbers" + in_unit;
     case OptionType::points:
       return fmt::format("a list of {} or more points {{x, y}}{}", option.range.least, in_unit);

@@ -37,6 +37,9 @@ void check(const Material& material, Problems& problems) {
   require_positive("E", material.E, "Pa", problems);
   require_positive("rho", material.rho, "kg/m3", problems);
   check_toughness(material, problems);
+  if (!(material.alpha >= 0.0 && material.alpha < 1.0))
+    problems.add(
+        fmt::format("material: alpha is {}, it must be at least 0 and below 1", material.alpha));
   if (!(material.alphaT >= 0.0 && std::isfinite(material.alphaT)))
     problems.add(
         fmt::format("material: alphaT is {} 1/K, it must be at least 0 1/K", material.alphaT),

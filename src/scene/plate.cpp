@@ -12,7 +12,6 @@
 namespace hackle {
 namespace {
 
-
 std::string point_text(const Vec2& point) {
   return fmt::format("({}, {})", quantity(point.x(), "m"), quantity(point.y(), "m"));
 }

@@ -31,7 +31,7 @@ struct State {
   std::variant<Motion<double>, Motion<float>> motion;
   BondBits bonds;
   std::int64_t step = 0;
-  std::int64_t start = 0;  // step at which the plate was last set in motion, or brought to rest
+  std::int64_t start = 0;      // step at which the plate was last set in motion, or brought to rest
   double external_work = 0.0;  // done by loads and supports so far, and by changes of temperature
                                // up to half a step ago, in units of rho dx^4/dt^2 (J/m)
   double work_ahead = 0.0;     // what supports did in the last half step, which is not in it yet

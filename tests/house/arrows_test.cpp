@@ -34,10 +34,10 @@ const std::map<std::string, std::set<std::string>> may_see = {
 
 // Libraries that only their own room may know.
 const std::map<std::string, std::set<std::string>> rooms_of_library = {
-    {"lua.hpp", {"console"}},    {"lauxlib.h", {"console"}}, {"GL/", {"render"}},
-    {"cairo", {"render"}}, {"png.h", {"render"}},       {"hdf5.h", {"store"}},      {"libav", {"movie"}},
-    {"libswscale", {"movie"}},   {"oneapi/", {"solver"}},    {"CLI/", {"app"}},
-    {"histedit.h", {"console"}}, {"editline/", {"console"}},
+    {"lua.hpp", {"console"}}, {"lauxlib.h", {"console"}},  {"GL/", {"render"}},
+    {"cairo", {"render"}},    {"png.h", {"render"}},       {"hdf5.h", {"store"}},
+    {"libav", {"movie"}},     {"libswscale", {"movie"}},   {"oneapi/", {"solver"}},
+    {"CLI/", {"app"}},        {"histedit.h", {"console"}}, {"editline/", {"console"}},
 };
 
 struct Include {

@@ -111,7 +111,9 @@ TEST_P(Composite, TheBitsAreTheSameHoweverItIsCarriedOut) {
     const std::string alone = hash({1});
     for (const int threads : {2, 5}) EXPECT_EQ(hash({threads}), alone) << threads;
     for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2})
-      if (is_supported(set)) EXPECT_EQ(hash({1, set}), alone);
+      if (is_supported(set)) {
+        EXPECT_EQ(hash({1, set}), alone);
+      }
   }
 }
 
