@@ -69,10 +69,12 @@ inline constexpr auto move_options =
     joined(std::array{Option{.name = "velocity",
                              .type = OptionType::vector_field,
                              .unit = "m/s",
+                             .alternative = true,
                              .sentence = "The velocity that is imposed."},
                       Option{.name = "displacement",
                              .type = OptionType::vector_field,
                              .unit = "m",
+                             .alternative = true,
                              .sentence = "The displacement that is imposed, instead."},
                       axis_option, time_option},
            region_options);
@@ -98,10 +100,12 @@ inline constexpr auto start_options =
     joined(std::array{Option{.name = "velocity",
                              .type = OptionType::vector_field,
                              .unit = "m/s",
+                             .alternative = true,
                              .sentence = "Velocity at time zero."},
                       Option{.name = "displacement",
                              .type = OptionType::vector_field,
                              .unit = "m",
+                             .alternative = true,
                              .sentence = "Displacement at time zero."}},
            region_options);
 

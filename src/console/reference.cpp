@@ -57,6 +57,7 @@ std::string allowed(const Option& option) {
 
 std::string presence(const Option& option) {
   if (option.required) return "required";
+  if (option.alternative) return "one way";
   return option.fallback.empty() ? "optional" : fmt::format("default {}", option.fallback);
 }
 

@@ -57,6 +57,7 @@ struct Option {
   bool positional = false;      // may be given as [1], without its name
   std::string_view fallback{};  // what holds when it is left out, for a reader
   std::span<const std::string_view> choices{};
+  bool alternative = false;  // one of several ways to say something; see its function
   std::string_view sentence{};
 };
 

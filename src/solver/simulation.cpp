@@ -155,6 +155,8 @@ void Simulation::set_loads(Loads loads) {
     state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_.step),
                                       heat.before(lattice_, state_.step), threads_) /
                             energy_unit();
+  // What is let go has done its work.
+  if (loading.led().empty()) state_.external_work += std::exchange(state_.work_ahead, 0.0);
   loading_ = std::move(loading);
   heat_ = std::move(heat);
   plate_ = std::move(plate);

@@ -40,7 +40,7 @@ TEST(Help, TakesFunctionsAndObjectsToo) {
   const std::string make = "p = plate { width = 1, height = 1, material = 'duran50' }";
   EXPECT_EQ(printed("help(simulate)"), printed("help 'simulate'"));
   EXPECT_EQ(printed(make + " help(p.crack)"), printed("help 'crack'"));
-  EXPECT_THAT(printed(make + " help(p)"), HasSubstr("p:traction { edge, stress }"));
+  EXPECT_THAT(printed(make + " help(p)"), HasSubstr("p:traction { edge, stress, depth, time }"));
 }
 
 TEST(Help, OnSomethingUnknownSuggests) {

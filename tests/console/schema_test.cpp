@@ -52,15 +52,13 @@ TEST(Schema, NamesOfOptionsDifferAndChoicesAreNotEmpty) {
   }
 }
 
-// But for functions that take one of several groups of options.
-TEST(Schema, WhatIsNotRequiredSaysItsDefault) {
-  const std::set<std::string_view> grouped{"crack",  "hole",  "inclusion",    "mask",
-                                           "nofail", "notch", "random_cracks"};
+TEST(Schema, WhatIsNotRequiredSaysItsDefaultOrIsOneWayOfSeveral) {
   for (const FunctionDoc* doc : all_docs())
-    for (const Option& option : doc->options)
-      if (!grouped.contains(doc->name)) {
-        EXPECT_NE(option.required, !option.fallback.empty()) << doc->name << ", " << option.name;
-      }
+    for (const Option& option : doc->options) {
+      const int said =
+          int{option.required} + int{!option.fallback.empty()} + int{option.alternative};
+      EXPECT_EQ(said, 1) << doc->name << ", " << option.name;
+    }
 }
 
 TEST(Schema, EveryExampleRuns) {

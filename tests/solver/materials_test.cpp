@@ -40,7 +40,7 @@ TEST(Materials, ASecondMaterialThatNoNodeIsOfChangesNoBit) {
   const std::string plain = hash(numerics);
   Material other = plate.material;
   other.G0 *= 2.0;
-  plate.inclusions.push_back({test::disc({1.0, 1.0}, 5e-3), other});
+  plate.inclusions.push_back({test::disc({50e-3, 20e-3}, 0.1e-3), other});
   EXPECT_EQ(hash(numerics), plain);
 }
 
