@@ -1,0 +1,29 @@
+-- soda_lime_ladder.lua: how the load decides how often a crack branches.
+--
+-- The edge crack of the paper's first plate in soda-lime glass of quasi-static toughness (3.8 J/m2), as in
+-- PDMATLAB2D's deck after Bobaru & Zhang 2015: horizon 1 mm, 300 x 120 nodes, loads that appear at once.
+-- Expected: no fork at 0.2 and 1 MPa, one at 2 MPa (19 to 20 us, 65 mm), several at 4 MPa.
+--
+--   hackle run scripts/benchmarks/soda_lime_ladder.lua
+--   hackle run scripts/benchmarks/soda_lime_ladder.lua --set only=2*MPa
+
+local o = options { only = 0*MPa }
+
+-- Load, and how long the crack takes.
+local ladder = { { 0.2*MPa, 150*us }, { 1*MPa, 80*us }, { 2*MPa, 43*us }, { 4*MPa, 33*us } }
+
+for _, rung in ipairs(ladder) do
+  local load, duration = rung[1], rung[2]
+  if o.only == 0 or o.only == load then
+    local p = plate { width = 100*mm, height = 40*mm, material = "soda_lime" }
+    p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }
+    for edge, pull in pairs { top = load, bottom = -load } do
+      p:traction { edge = edge, stress = {0, pull} }:nofail { edge = edge, depth = 1*mm }
+    end
+    local s = simulate(p, { spacing = 1*mm/3, horizon = 1*mm })
+    s:run(duration)
+    local name = string.format("%.1f_MPa.png", load/MPa)
+    s:frame { name, field = "damage" }
+    print(name, s.damage.broken_bonds .. " bonds broken")
+  end
+end
