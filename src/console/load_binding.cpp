@@ -15,7 +15,7 @@ namespace {
 
 // A region that must be given.
 Region required_region(Arguments& arguments, const Plate& plate, std::string_view who) {
-  const Region region = region_of(arguments, plate, who);
+  Region region = region_of(arguments, plate, who);
   if (!region && arguments.problems.empty())
     arguments.problems.add(std::string(who) + ": no area is given",
                            "give edge and depth, or from and to, or centre and radius");

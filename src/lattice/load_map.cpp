@@ -37,7 +37,7 @@ std::vector<LoadedNode> list_of(const NodeForces& forces) {
 template <class T>
 T value_at(const FieldOfPlace<T>& field, const Lattice& lattice, int i, int j, const char* who) {
   const Vec2 place = lattice.grid.position(i, j);
-  const T value = field.at(place);
+  T value = field.at(place);
   bool finite;
   if constexpr (std::is_same_v<T, Vec2>)
     finite = value.allFinite();

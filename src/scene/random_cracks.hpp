@@ -13,11 +13,11 @@ namespace hackle {
 // Straight cracks that lie wholly in a rectangle. Length, direction and place are uniform in their
 // ranges; those that stick out are drawn again.
 struct RandomCracks {
-  int count = 0;
   Vec2 length{0, 0};                // m, least and most
   Vec2 angle{0, std::numbers::pi};  // rad from x anticlockwise, least and most
+  Box area;                         // m
   std::int64_t seed = 1;
-  Box area;  // m
+  int count = 0;
   Born born = Born::broken;
 };
 

@@ -120,10 +120,10 @@ TEST(Notch, FromACornerGoesAlongTheDiagonal) {
 }
 
 TEST(RandomCracks, AreTheSameForTheSameSeedAndLieInTheirArea) {
-  RandomCracks cracks{.count = 200,
-                      .length = {1e-3, 5e-3},
+  RandomCracks cracks{.length = {1e-3, 5e-3},
                       .angle = {0.2, 0.4},
-                      .area = {{0.01, 0.01}, {0.02, 0.03}}};
+                      .area = {{0.01, 0.01}, {0.02, 0.03}},
+                      .count = 200};
   const std::vector<Crack> one = make(cracks), again = make(cracks);
   cracks.seed = 2;
   EXPECT_NE(make(cracks).front().points, one.front().points);
@@ -140,7 +140,7 @@ TEST(RandomCracks, AreTheSameForTheSameSeedAndLieInTheirArea) {
 }
 
 TEST(RandomCracks, ThatDoNotFitAreRefused) {
-  const RandomCracks cracks{.count = 1, .length = {1.0, 2.0}, .area = {{0, 0}, {0.1, 0.1}}};
+  const RandomCracks cracks{.length = {1.0, 2.0}, .area = {{0, 0}, {0.1, 0.1}}, .count = 1};
   EXPECT_THROW(make(cracks), Error);
 }
 
