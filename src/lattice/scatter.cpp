@@ -34,10 +34,10 @@ struct Bell {
     const double nearest = std::floor(place + 0.5);
     first = static_cast<std::int64_t>(nearest) - reach;
     double squares = 0.0;
-    for (int k = -reach; k <= reach; ++k) {
-      const double away = place - (nearest + k);
+    for (std::size_t n = 0; n < weight.size(); ++n) {
+      const double away = place - (nearest - reach + static_cast<double>(n));
       const double w = portable::exp(-0.5 * (away * away));
-      weight[static_cast<std::size_t>(k + reach)] = w;
+      weight[n] = w;
       squares += w * w;
     }
     for (double& w : weight) w /= std::sqrt(squares);
@@ -85,9 +85,10 @@ template <class Take>
 void for_correlated(const Scatter& scatter, const Grid& grid, const Take& take) {
   const double cell = 0.5 * scatter.correlation;
   std::vector<Bell> across;
+  across.reserve(static_cast<std::size_t>(grid.nx));
   for (int i = 0; i < grid.nx; ++i) across.emplace_back(grid.position(i, 0).x() / cell);
   const std::int64_t first = across.front().first;
-  const auto columns = static_cast<std::size_t>(across.back().first - first + 2 * reach + 1);
+  const auto columns = static_cast<std::size_t>(across.back().first - first + 2LL * reach + 1);
   NoiseRows noise(scatter.seed, first, columns);
   for (int j = 0; j < grid.ny; ++j) {
     const Bell up(grid.position(0, j).y() / cell);
