@@ -62,6 +62,7 @@ Crack draw(const RandomCracks& cracks, std::mt19937_64& random) {
 std::vector<Crack> make(const RandomCracks& cracks) {
   std::mt19937_64 random(static_cast<std::uint64_t>(cracks.seed));
   std::vector<Crack> list;
+  list.reserve(static_cast<std::size_t>(cracks.count));
   for (int k = 0; k < cracks.count; ++k) list.push_back(draw(cracks, random));
   return list;
 }

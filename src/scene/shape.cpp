@@ -169,10 +169,10 @@ bool cuts_shape(const Bitmap& bitmap, const Segment& segment, double tie) {
     const double from = (segment.from[axis] - bitmap.least[axis]) / cell[axis];
     const double to = (segment.to[axis] - bitmap.least[axis]) / cell[axis];
     const double last = axis == 0 ? bitmap.columns : bitmap.rows;
-    const double first_line = std::max(0.0, std::ceil(std::min(from, to)));
-    const double last_line = std::min(last, std::floor(std::max(from, to)));
     if (std::abs(along[axis]) <= tie) continue;
-    for (double line = first_line; line <= last_line; line += 1.0)
+    const auto first_line = std::clamp(std::ceil(std::min(from, to)), 0.0, last + 1.0);
+    const auto last_line = std::clamp(std::floor(std::max(from, to)), -1.0, last);
+    for (auto line = static_cast<int>(first_line); line <= static_cast<int>(last_line); ++line)
       meets.push_back(std::clamp((line - from) / (to - from), 0.0, 1.0));
   }
   return has_piece_inside(bitmap, segment, meets, tie);
@@ -241,7 +241,9 @@ Shape transformed(const Shape& shape, const Vec2& origin, double factor) {
   struct Transform {
     const decltype(point)& move;
     double factor;
-    Shape operator()(Ellipse s) const { return Ellipse{move(s.centre), s.radii * factor, s.angle}; }
+    Shape operator()(const Ellipse& s) const {
+      return Ellipse{move(s.centre), s.radii * factor, s.angle};
+    }
     Shape operator()(Polygon s) const {
       std::ranges::transform(s.points, s.points.begin(), move);
       return s;
