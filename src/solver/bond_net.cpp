@@ -201,7 +201,8 @@ void BondNet::apply_row(const NodeVectors& p, NodeVectors& result, int j) const 
     const int side = keeps ? 1 : -1, row = j + side * bond.b;
     const bool inside = row >= 0 && row < ny;
     const std::ptrdiff_t shift = keeps ? column : column - bond.a;
-    const std::ptrdiff_t to = side * bond.a + (inside ? side * bond.b * layout().stride() : 0);
+    const std::ptrdiff_t up = side * bond.b, across = side * bond.a;
+    const std::ptrdiff_t to = across + (inside ? up * layout().stride() : 0);
     const int keeper = keeps ? (inside ? j : -1) : (inside ? row : -1);
     const auto of = [&](int component) {
       return keeper < 0 ? zeros_.data() + shift : slice(keeper, k, component) + shift;

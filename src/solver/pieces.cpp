@@ -136,7 +136,7 @@ void Pieces::find_motions(std::size_t piece, const NodeVectors& mobile) {
 
 Resultant Pieces::resultant(std::size_t piece, const NodeVectors& force,
                             const NodeVectors& u) const {
-  const auto& [fx, fy] = force;
+  const Values<double>&fx = force.x, &fy = force.y;
   const auto moved = [&](const Vec2& x, std::size_t at) {
     return Vec2(x + Vec2(u.x[at], u.y[at]));
   };
@@ -155,7 +155,7 @@ Resultant Pieces::resultant(std::size_t piece, const NodeVectors& force,
 }
 
 void Pieces::take_out_rigid(NodeVectors& vector) const {
-  auto& [vx, vy] = vector;
+  Values<double>&vx = vector.x, &vy = vector.y;
   for (std::size_t piece = 0; piece < list_.size(); ++piece) {
     const Piece& box = list_[piece];
     if (box.is_held) continue;

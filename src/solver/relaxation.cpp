@@ -58,7 +58,7 @@ NodeVectors mobile_of(const NodeLayout& layout, const Loading& loading) {
 }  // namespace
 
 Relaxation::Relaxation(const Lattice& lattice, const State& state, const Loading& loading,
-                       Threads threads)
+                       const Threads& threads)
     : lattice_(&lattice),
       net_(lattice, state, threads),
       u_(displacements(state)),

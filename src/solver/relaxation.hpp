@@ -42,7 +42,8 @@ struct Equilibrium {
 class Relaxation {
  public:
   // `loading` says what acts at rest (Loading::halt). All must outlive it.
-  Relaxation(const Lattice& lattice, const State& state, const Loading& loading, Threads threads);
+  Relaxation(const Lattice& lattice, const State& state, const Loading& loading,
+             const Threads& threads);
 
   // Throws Error (refused) when loads push or turn a piece that nothing holds, Error (run_failed)
   // when there is no equilibrium to be found, and Error (interrupted).
