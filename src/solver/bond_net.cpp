@@ -201,7 +201,7 @@ void BondNet::apply_row(const NodeVectors& p, NodeVectors& result, int j) const 
     const int side = keeps ? 1 : -1, row = j + side * bond.b;
     const bool inside = row >= 0 && row < ny;
     const std::ptrdiff_t shift = keeps ? column : column - bond.a;
-    const std::ptrdiff_t up = side * bond.b, across = side * bond.a;
+    const int up = side * bond.b, across = side * bond.a;
     const std::ptrdiff_t to = across + (inside ? up * layout().stride() : 0);
     const int keeper = keeps ? (inside ? j : -1) : (inside ? row : -1);
     const auto of = [&](int component) {
