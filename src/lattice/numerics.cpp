@@ -150,7 +150,8 @@ double memory_needed(const Plate& plate, const Numerics& numerics) {
   const double real = numerics.precision == Precision::f32 ? 4.0 : 8.0;
   const double values = plate.material.alpha > 0.0 ? 10.0 : 6.0;
   const double bits = 4.0 * family_of(numerics).words() * (plate.no_fail.empty() ? 2.0 : 3.0);
-  return places(size) * (real * values + bits) + size.nodes() * sizeof(std::uint16_t);
+  // An eighth of a value a place: what is known of a tile of 128.
+  return places(size) * (real * (values + 0.125) + bits) + size.nodes() * sizeof(std::uint16_t);
 }
 
 void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems) {

@@ -37,7 +37,7 @@ bool take_out_drift(State& state) {
 
 bool is_too_wide_for_f32(const State& state, double s0) {
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
-  return spread_of(state).half.maxCoeff() * rounding > 2e-4 * s0;
+  return spread_of(state).half.maxCoeff() * rounding > most_rounding * s0;
 }
 
 State in_f64(const State& state) {
