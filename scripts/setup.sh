@@ -17,10 +17,16 @@ packages=(
   libcairo2-dev libpng-dev fonts-dejavu-core libgtest-dev libgmock-dev libbenchmark-dev
 )
 
+if ! command -v dpkg-query >/dev/null; then
+  echo "Hackle is built on Debian 12: there is no dpkg-query here. It needs: ${packages[*]}" >&2
+  exit 1
+fi
 missing=()
 for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$status" = installed ] || missing+=("$package")
+  # It fails for a package that this machine has never heard of, which is as good as missing.
+  if ! status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) || [ "$status" != installed ]; then
+    missing+=("$package")
+  fi
 done
 
 if [ ${#missing[@]} -gt 0 ]; then

@@ -188,7 +188,8 @@ double memory_needed(const Plate& plate, const Numerics& numerics) {
   const Extent size = extent(plate, numerics);
   const double real = numerics.precision == Precision::f32 ? 4.0 : 8.0;
   const double bits = 4.0 * family_of(numerics).words() * (plate.no_fail.empty() ? 2.0 : 3.0);
-  return places(size) * (real * values_of_place(plate) + bits) +
+  // An eighth of a value a place: what is known of a tile of 128.
+  return places(size) * (real * (values_of_place(plate) + 0.125) + bits) +
          size.nodes() * bytes_of_node(plate);
 }
 

@@ -43,15 +43,15 @@ std::string model_line(const Simulation& simulation) {
   const Moduli& moduli = lattice.calibration.moduli;
   const WaveSpeeds waves = wave_speeds(moduli.E, moduli.nu, lattice.rho, simulation.plate().plane);
   return fmt::format(
-      "plane {}, {} constants, {} micromodulus: E {} (material {}), nu {:.3f} (material {}), G0 {} "
+      "plane {}, {} constants, {} micromodulus: E {} (material {}), nu {:.3f} (material {:.3g}), "
+      "G0 {} "
       "(material {}), s0 {:.4g}; "
       "c_R {:.0f} m/s",
       name_of(plane_names, simulation.plate().plane),
       name_of(constants_names, simulation.numerics().constants),
       name_of(micromodulus_names, simulation.numerics().micromodulus), quantity(moduli.E, "Pa"),
-      quantity(material.E, "Pa"), moduli.nu, fmt::format("{:.3g}", material.nu),
-      quantity(lattice.calibration.G0, "J/m2"), quantity(material.G0, "J/m2"),
-      lattice.calibration.s0, waves.rayleigh);
+      quantity(material.E, "Pa"), moduli.nu, material.nu, quantity(lattice.calibration.G0, "J/m2"),
+      quantity(material.G0, "J/m2"), lattice.calibration.s0, waves.rayleigh);
 }
 
 std::string time_line(const Summary& summary) {

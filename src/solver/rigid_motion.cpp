@@ -46,7 +46,7 @@ bool take_out_drift(State& state, const std::vector<std::uint8_t>& material) {
 
 bool is_too_wide_for_f32(const State& state, double s0, const std::vector<std::uint8_t>& material) {
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
-  return spread_of(state, material).half.maxCoeff() * rounding > 2e-4 * s0;
+  return spread_of(state, material).half.maxCoeff() * rounding > most_rounding * s0;
 }
 
 State in_f64(const State& state) {

@@ -27,7 +27,11 @@ inline constexpr double most_drift = 0.03125;
 // that is symmetric is exactly 0 across the midline, so symmetry is kept. True when u has changed.
 bool take_out_drift(State& state, const std::vector<std::uint8_t>& material = {});
 
-// Whether what remains rounds the stretch of bonds by more than 2e-4 of the critical stretch s0.
+// How much of the critical stretch rounding may make up before f32 is given up: far below what the
+// step and the spacing cost, and the arms of a plate that has opened stay in f32.
+inline constexpr double most_rounding = 2e-4;
+
+// Whether what remains rounds the stretch of bonds by more than most_rounding of s0.
 bool is_too_wide_for_f32(const State& state, double s0,
                          const std::vector<std::uint8_t>& material = {});
 

@@ -37,12 +37,14 @@ const Plate& checked(const Plate& plate, const Numerics& numerics, InstructionSe
 }
 
 Lattice with_strength(Lattice lattice, std::vector<float> strength) {
-  const bool positive = std::ranges::all_of(strength, [](float s) { return s > 0.0F; });
-  if (!strength.empty() && (strength.size() != lattice.grid.nodes() || !positive))
-    throw Error(ErrorKind::refused,
-                fmt::format("simulate: strength has {} values above 0 or not, the lattice {} nodes",
-                            strength.size(), lattice.grid.nodes()),
-                "give one value above 0 for every node");
+  Problems problems;
+  if (!strength.empty() && strength.size() != lattice.grid.nodes())
+    problems.add(fmt::format("simulate: strength has {} values, the lattice {} nodes",
+                             strength.size(), lattice.grid.nodes()),
+                 "give one for every node, or none");
+  if (!std::ranges::all_of(strength, [](float s) { return s > 0.0F; }))
+    problems.add("simulate: a strength is not above 0", "give a share of the critical stretch");
+  problems.throw_if_any();
   if (!strength.empty()) lattice.strength = std::move(strength);
   return lattice;
 }

@@ -99,8 +99,8 @@ class Simulation {
   // The default step for a limit: step_fraction of it, rounded down to three digits.
   static double default_step(double limit);
 
-  // Throws Error (run_failed) unless every displacement and velocity is finite, and in single
-  // precision, too.
+  // Throws Error (run_failed) unless every displacement and velocity is a number, and one that the
+  // single precision of fields can hold.
   void check_finite() const;
 
  private:

@@ -7,6 +7,7 @@
 #include "app/lammps_peer.hpp"
 #include "app/program.hpp"
 #include "base/error.hpp"
+#include "support/skipping.hpp"
 
 namespace hackle {
 namespace {
@@ -46,7 +47,7 @@ TEST_F(CommandBenchTest, JsonHasARowForEveryConfiguration) {
 }
 
 TEST_F(CommandBenchTest, LammpsIsMeasuredWhenItIsThere) {
-  if (!lammps_is_installed()) GTEST_SKIP() << "lmp is not on the PATH";
+  HACKLE_NEEDS(lammps_is_installed(), "lmp is not on the PATH");
   const auto ended = bench({"--peer", "lammps", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto json = nlohmann::json::parse(ended.out);

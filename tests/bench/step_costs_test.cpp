@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/skipping.hpp"
+
 namespace hackle {
 namespace {
 
@@ -43,7 +45,7 @@ double per_node_step(const std::string& words, int nodes = 16000) {
 class StepCosts : public testing::Test {
  protected:
   void SetUp() override {
-    if (!valgrind_is_installed()) GTEST_SKIP() << "valgrind counts, and it is not on the PATH";
+    HACKLE_NEEDS(valgrind_is_installed(), "valgrind counts, and it is not on the PATH");
   }
 };
 

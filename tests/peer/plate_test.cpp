@@ -11,7 +11,6 @@
 // some 1e-12 of the displacements, until bodies touch: from then on they differ, for LAMMPS has
 // contact forces (Hackle has none).
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -21,6 +20,7 @@
 #include "solver/simulation.hpp"
 #include "support/folder.hpp"
 #include "support/scenes.hpp"
+#include "support/skipping.hpp"
 
 namespace hackle::test {
 namespace {
@@ -189,9 +189,7 @@ bool is_touching(const PeerPlate& plate, const PeerSample& sample) {
 class PeerTest : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
-    if (lammps_is_installed()) return;
-    if (std::getenv("HACKLE_REQUIRE_PEERS") != nullptr) FAIL() << "lmp is not on the PATH";
-    GTEST_SKIP() << "LAMMPS is the peer, and lmp is not on the PATH";
+    HACKLE_NEEDS(lammps_is_installed(), "LAMMPS is the peer, and lmp is not on the PATH");
   }
 
   std::vector<PeerSample> solve_with_lammps(int last_step) const {

@@ -54,6 +54,10 @@ TEST(Fidelity, DoesNotDependOnThreadsOrInstructionSet) {
     const Numerics numerics = with_fidelity(0.5, precision);
     const std::string hash =
         solved(test::edge_crack(24e6), numerics, {1, InstructionSet::baseline}, 80).state().hash();
+    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512})
+      if (is_supported(set)) {
+        EXPECT_EQ(solved(test::edge_crack(24e6), numerics, {1, set}, 80).state().hash(), hash);
+      }
     for (const int threads : {2, 3, 5})
       EXPECT_EQ(solved(test::edge_crack(24e6), numerics, {threads}, 80).state().hash(), hash);
   }
@@ -73,7 +77,7 @@ TEST(Fidelity, KeepsTheMirrorImagesOfAnEvenNumberOfColumns) {
 
 TEST(Fused, GivesTheSameBitsOnEveryMachineThatHasIt) {
   if (!can_fuse(InstructionSet::avx2) || !is_supported(InstructionSet::avx512))
-    GTEST_SKIP() << "one machine only";
+    GTEST_SKIP() << "this machine lacks AVX2 with FMA, or AVX-512";
   for (const Precision precision : {Precision::f64, Precision::f32}) {
     Numerics numerics = test::numerics();
     numerics.precision = precision;
@@ -86,7 +90,7 @@ TEST(Fused, GivesTheSameBitsOnEveryMachineThatHasIt) {
 }
 
 TEST(Fused, KeepsMirrorImagesAndStaysWithinRounding) {
-  if (!can_fuse(best_instruction_set())) GTEST_SKIP() << "no fused arithmetic here";
+  if (!can_fuse(best_instruction_set())) GTEST_SKIP() << "this machine has no fused arithmetic";
   Numerics numerics = test::numerics();
   const Simulation plain = solved(test::edge_crack(24e6), numerics, {1}, 100);
   numerics.fused = true;
@@ -124,12 +128,11 @@ TEST(Strength, ABondBreaksByTheWeakerOfItsEnds) {
       const float weaker =
           std::min(strength[lattice.grid.index(i, j)], strength[lattice.grid.index(i, j + 1)]);
       EXPECT_EQ(simulation.holds(i, j, 0, 1), weaker >= 1.0F) << i << "," << j;
-      EXPECT_TRUE(simulation.lattice().family.reach() < 5 &&
-                  simulation.holds(i, j, 0, 1) == simulation.holds(i, j + 1, 0, -1));
+      EXPECT_EQ(simulation.holds(i, j + 1, 0, -1), weaker >= 1.0F) << i << "," << j;
     }
 }
 
-TEST(Strength, OfOneEverywhereChangesNothingButRounding) {
+TEST(Strength, OfOneEverywhereChangesNoBit) {
   const Plate plate = test::edge_crack(12e6);
   const std::vector<float> ones(16000, 1.0F);
   Simulation uniform(plate, test::numerics(), {1}), varied(plate, test::numerics(), {1}, ones);

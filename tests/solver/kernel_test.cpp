@@ -30,7 +30,8 @@ class EveryKernel : public testing::TestWithParam<InstructionSet> {
  protected:
   void SetUp() override {
     if (!is_supported(GetParam()))
-      GTEST_SKIP() << instruction_set_names[static_cast<std::size_t>(GetParam())];
+      GTEST_SKIP() << "this machine has no "
+                   << instruction_set_names[static_cast<std::size_t>(GetParam())];
   }
   Simulation bare(int nx, int ny, double m = 4.0) const {
     return Simulation(test::bare_plate(nx, ny), test::numerics(0.5e-3, m * 0.5e-3),
