@@ -2,6 +2,9 @@
 // The program from outside: exit codes, what goes to stdout and stderr, files.
 #include "app/program.hpp"
 
+#include <chrono>
+#include <thread>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -133,7 +136,12 @@ TEST_F(ProgramTest, TheHashDoesNotDependOnThreads) {
 }
 
 TEST_F(ProgramTest, CtrlCCompletesTheMovie) {
-  program_.at_first_word = [](pid_t process) { kill(process, SIGINT); };
+  // The movie's file is opened with the first frame, which the run asks for before its first step.
+  program_.at_first_word = [this](pid_t process) {
+    for (int tries = 0; tries < 600 && !fs::exists(folder_.path / "out/a/.a.partial.mp4"); ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    kill(process, SIGINT);
+  };
   const auto ended = run(test::scene + R"(
     s:movie { "a.mp4", every = 1*us, width = 320 }
     print "go" io.stdout:flush()

@@ -9,25 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "console/console.hpp"
+#include "support/folder.hpp"
 
 namespace hackle::test {
-
-// A folder of this test alone, removed at the end.
-class Folder {
- public:
-  Folder() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    path = std::filesystem::path(testing::TempDir()) /
-           (std::string("hackle_") + info->test_suite_name() + "_" + info->name());
-    std::filesystem::remove_all(path);
-    std::filesystem::create_directories(path);
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::filesystem::path path;
-};
 
 inline ConsoleSettings quiet(const std::filesystem::path& output_folder = "unused") {
   ConsoleSettings settings;

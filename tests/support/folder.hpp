@@ -21,4 +21,15 @@ inline std::filesystem::path fresh_folder() {
   return folder;
 }
 
+// Such a folder, removed at the end.
+class Folder {
+ public:
+  Folder() : path(fresh_folder()) {}
+  ~Folder() { std::filesystem::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  const std::filesystem::path path;
+};
+
 }  // namespace hackle::test
