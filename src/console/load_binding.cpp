@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -105,6 +106,26 @@ struct TemperatureKind {
   }
 };
 
+struct ImpactorKind {
+  static constexpr auto list = &Loads::impactors;
+  static Impactor read(Arguments& arguments, const Plate&) {
+    Impactor impactor;
+    impactor.centre = arguments.point("centre");
+    impactor.radius = arguments.number("radius");
+    impactor.velocity = arguments.pair("velocity");
+    if (arguments.has("mass") && arguments.has("density"))
+      arguments.problems.add("impactor: both a mass and a density are given", "give one of them");
+    const double area = std::numbers::pi * impactor.radius * impactor.radius;
+    impactor.mass = arguments.has("mass") ? arguments.number("mass")
+                                          : area * arguments.number("density", steel);
+    return impactor;
+  }
+  static bool same_place(const Impactor&, const Impactor&) { return false; }  // it is on its way
+
+ private:
+  static constexpr double steel = 7850.0;  // kg/m3
+};
+
 int return_self(lua_State* L) {
   lua_settop(L, 1);
   return 1;
@@ -195,6 +216,7 @@ constexpr std::array plate_methods{
     Function{&plate_clamp_doc, guarded<add_to_plate<ClampKind, plate_clamp_doc>>},
     Function{&plate_move_doc, guarded<add_to_plate<MoveKind, plate_move_doc>>},
     Function{&plate_temperature_doc, guarded<add_to_plate<TemperatureKind, plate_temperature_doc>>},
+    Function{&plate_impactor_doc, guarded<add_to_plate<ImpactorKind, plate_impactor_doc>>},
     Function{&plate_damping_doc, guarded<damp_plate>},
     Function{&start_doc, guarded<add_start>},
 };
@@ -206,6 +228,7 @@ constexpr std::array simulation_methods{
     Function{&run_clamp_doc, guarded<change_in_run<ClampKind, run_clamp_doc>>},
     Function{&run_move_doc, guarded<change_in_run<MoveKind, run_move_doc>>},
     Function{&run_temperature_doc, guarded<change_in_run<TemperatureKind, run_temperature_doc>>},
+    Function{&run_impactor_doc, guarded<change_in_run<ImpactorKind, run_impactor_doc>>},
     Function{&run_damping_doc, guarded<damp_run>},
     Function{&release_doc, guarded<release>},
 };

@@ -88,6 +88,34 @@ inline constexpr auto temperature_options =
                       time_option},
            region_options);
 
+inline constexpr std::array impactor_options{
+    Option{.name = "centre",
+           .type = OptionType::point,
+           .unit = "m",
+           .required = true,
+           .sentence = "Where it starts, beside the plate or in a hole."},
+    Option{.name = "radius",
+           .unit = "m",
+           .range = above(0.0),
+           .required = true,
+           .sentence = "At least a spacing."},
+    Option{.name = "velocity",
+           .type = OptionType::pair,
+           .unit = "m/s",
+           .required = true,
+           .sentence = "With which it starts; then it flies freely."},
+    Option{.name = "density",
+           .unit = "kg/m3",
+           .range = above(0.0),
+           .fallback = "7850",
+           .sentence = "Of the disc; 7850 is that of steel."},
+    Option{.name = "mass",
+           .unit = "kg/m",
+           .range = above(0.0),
+           .alternative = true,
+           .sentence = "Per metre of thickness, instead of a density."},
+};
+
 inline constexpr std::array damping_options{
     Option{.name = "rate",
            .unit = "1/s",
@@ -150,6 +178,12 @@ inline constexpr FunctionDoc plate_temperature_doc{
         "p = plate { width = 10*mm, height = 4*mm, material = material { like = \"duran50\", "
         "alphaT = 3.3e-6 } }\n"
         "p:temperature { change = function(x, y) return -100*y/(4*mm) end }"};
+inline constexpr FunctionDoc plate_impactor_doc{
+    .name = "impactor",
+    .owner = "p",
+    .sentence = "Throws a rigid disc at the plate, in its plane.",
+    .options = impactor_options,
+    .example = "p:impactor { centre = {-6*mm, 20*mm}, radius = 5*mm, velocity = {50, 0} }"};
 inline constexpr FunctionDoc plate_damping_doc{.name = "damping",
                                                .owner = "p",
                                                .sentence = "Lets all motion die away.",
@@ -188,6 +222,9 @@ inline constexpr FunctionDoc run_temperature_doc = of_simulation(
     "3.3e-6 } }\n"
     "s = simulate(p, { spacing = 0.5*mm })\n"
     "s:temperature { change = -100 }");
+inline constexpr FunctionDoc run_impactor_doc =
+    of_simulation(plate_impactor_doc,
+                  "s:impactor { centre = {-6*mm, 20*mm}, radius = 5*mm, velocity = {50, 0} }");
 inline constexpr FunctionDoc run_damping_doc =
     of_simulation(plate_damping_doc, "s:damping { rate = 1e5 }");
 inline constexpr FunctionDoc release_doc{

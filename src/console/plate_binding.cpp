@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "console/arguments.hpp"
+#include "console/contact_binding.hpp"
 #include "console/load_binding.hpp"
 #include "console/region_options.hpp"
 #include "console/shape_binding.hpp"
@@ -103,8 +104,9 @@ constexpr std::array fields{
 // Of all files that bind methods of a plate.
 std::vector<Function> all_methods() {
   std::vector<Function> all;
-  for (const std::span<const Function> part : {shape_methods(), std::span<const Function>(methods),
-                                               load_methods_of_plate(), strength_methods()})
+  for (const std::span<const Function> part :
+       {shape_methods(), std::span<const Function>(methods), load_methods_of_plate(),
+        strength_methods(), contact_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

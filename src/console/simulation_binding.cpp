@@ -223,11 +223,12 @@ void set_number(lua_State* L, const char* name, double value) {
 
 int push_energy(lua_State* L) {
   const Energy ledger = energy(simulation_of(L));
-  lua_createtable(L, 0, 6);
+  lua_createtable(L, 0, 7);
   set_number(L, "kinetic", ledger.kinetic);
   set_number(L, "strain", ledger.strain);
   set_number(L, "broken", ledger.broken);
   set_number(L, "damped", ledger.damped);
+  set_number(L, "contact", ledger.contact);
   set_number(L, "external", ledger.external);
   set_number(L, "residual", ledger.residual());
   return 1;
@@ -249,7 +250,7 @@ constexpr std::array fields{
     Property{"dt_limit", "s", "The longest stable time step.", push_dt_limit},
     Property{"nodes", "", "Of the lattice.", push_nodes},
     Property{"bonds", "", "The plate was born with.", push_bonds},
-    Property{"energy", "J/m", "kinetic, strain, broken, damped, external and residual.",
+    Property{"energy", "J/m", "kinetic, strain, broken, damped, contact, external and residual.",
              push_energy},
     Property{"damage", "", "broken_bonds since the start, and the most damage of a node.",
              push_damage},

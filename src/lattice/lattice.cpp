@@ -58,13 +58,14 @@ std::vector<MaterialOnLattice> materials_of(const Plate& plate, const Family& fa
 }
 
 // What bounds every bond and every node of the plate.
-double safe_step(const Family& family, const std::vector<MaterialOnLattice>& materials, double dx) {
+double safe_step(const Family& family, const std::vector<MaterialOnLattice>& materials, double dx,
+                 double contact) {
   double c = 0.0, rho = std::numeric_limits<double>::max();
   for (const MaterialOnLattice& entry : materials) {
     c = std::max(c, entry.calibration.c);
     rho = std::min(rho, entry.material.rho);
   }
-  return step_limit(family, c, rho, dx);
+  return step_limit(family, c, rho, dx, contact);
 }
 
 }  // namespace
@@ -76,7 +77,7 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
       material(materials_of_nodes(plate, grid)),
       calibration(materials.front().calibration),
       rho(plate.material.rho),
-      step_limit(safe_step(family, materials, grid.dx)),
+      step_limit(safe_step(family, materials, grid.dx, contact_stiffness(plate))),
       bonds(uncut_bonds(grid, family)),
       unbreakable(bonds_in_zones(plate.no_fail, grid, family)),
       strength(plate.scatter ? strengths(*plate.scatter, grid) : std::vector<float>()) {

@@ -27,11 +27,12 @@ struct Lattice {
   // of their micromoduli, and breaks by the weaker.
   std::vector<MaterialOnLattice> materials;
   std::vector<std::uint8_t>
-      material;                     // per node: of `materials`, or void_node; empty when all are 0
-  Calibration calibration;          // of the plate's own material
-  double rho;                       // kg/m3, of the plate's own material
-  double step_limit;                // s, 2/omega_max; of the stiffest and the lightest material
-  BondBits bonds;                   // at t = 0, after the cracks were cut
+      material;             // per node: of `materials`, or void_node; empty when all are 0
+  Calibration calibration;  // of the plate's own material
+  double rho;               // kg/m3, of the plate's own material
+  double step_limit;        // s, 2/omega_max; of the stiffest and the lightest material, contacts
+                            // included
+  BondBits bonds;           // at t = 0, after the cracks were cut
   std::vector<std::uint16_t> born;  // per node: bonds it was born with, the base of its damage
   BondBits unbreakable;             // bonds of no-fail zones; empty when there are none
   std::vector<float> strength;      // per node: its critical stretch over s0; empty when all are 1

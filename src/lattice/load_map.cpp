@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -182,16 +183,21 @@ std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice) 
   return heat;
 }
 
-std::vector<LoadedNode> forces_at(const std::vector<SpreadForce>& forces, const Grid& grid,
-                                  double t) {
-  NodeForces sum;
-  for (const SpreadForce& force : forces) {
-    const double factor = force.course.at(t);
-    for (const LoadedNode& node : force.nodes)
-      sum.try_emplace(grid.index(node.i, node.j), LoadedNode{node.i, node.j, {0, 0}, node.inertia})
-          .first->second.acceleration += factor * node.acceleration;
+std::vector<LoadedNode> sum_of(const std::vector<LoadedNode>& one,
+                               const std::vector<LoadedNode>& other, const Grid& grid) {
+  std::vector<LoadedNode> sum;
+  sum.reserve(one.size() + other.size());
+  const auto index = [&](const LoadedNode& node) { return grid.index(node.i, node.j); };
+  std::ranges::merge(one, other, std::back_inserter(sum), {}, index, index);
+  std::size_t count = 0;
+  for (const LoadedNode& node : sum) {
+    if (count > 0 && index(sum[count - 1]) == index(node))
+      sum[count - 1].acceleration += node.acceleration;
+    else
+      sum[count++] = node;
   }
-  return list_of(sum);
+  sum.resize(count);
+  return sum;
 }
 
 }  // namespace hackle

@@ -55,8 +55,8 @@ std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& la
 // Temperature changes, likewise; nodes whose material does not expand are left out.
 std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice);
 
-// The sum of all forces at time t (s): each node once, ordered by index.
-std::vector<LoadedNode> forces_at(const std::vector<SpreadForce>& forces, const Grid& grid,
-                                  double t);
+// What two lists make together. All three: each node once, ordered by index.
+std::vector<LoadedNode> sum_of(const std::vector<LoadedNode>& one,
+                               const std::vector<LoadedNode>& other, const Grid& grid);
 
 }  // namespace hackle

@@ -145,7 +145,7 @@ void check_against_limit(const Plate& plate, const Numerics& numerics, Problems&
     rho = std::min(rho, inclusion.material.rho);
   }
   if (!known || !numerics.step || numerics.force_step) return;
-  const double limit = step_limit(family, c, rho, numerics.spacing);
+  const double limit = step_limit(family, c, rho, numerics.spacing, contact_stiffness(plate));
   if (*numerics.step <= limit) return;
   problems.add(fmt::format("simulate: step is {}, above the stability limit of {}",
                            quantity(*numerics.step, "s"), quantity(limit, "s")),

@@ -22,7 +22,9 @@ Branches symbol(const Family& family, double c, double dx, const Vec2& k);
 // eigenvalues, and heavier nodes those of the motion.
 double largest_frequency(const Family& family, double c, double rho, double dx);
 
-// Velocity Verlet is stable for steps up to 2/omega_max, in s.
-double step_limit(const Family& family, double c, double rho, double dx);
+// Velocity Verlet is stable for steps up to 2/omega_max, in s. With contacts of `contact` times the
+// micromodulus (see Contact), of which every node may have one straight ahead and two aslant, as
+// much as two of stiffness k = contact c dx/m: they add no more than 4 k/rho to omega^2.
+double step_limit(const Family& family, double c, double rho, double dx, double contact = 0.0);
 
 }  // namespace hackle

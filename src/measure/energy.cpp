@@ -31,6 +31,7 @@ Energy energy(const Simulation& simulation) {
   energy.strain = bonds.held;
   energy.broken = bonds.broken;
   energy.damped = simulation.damped_energy();
+  energy.contact = simulation.contact_energy();
   energy.external = simulation.external_work();
   return energy;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The energy ledger of a simulation: W_external = E_kinetic + E_strain + E_broken + residual.
+// The energy ledger of a simulation: W_external = E_kinetic + E_strain + E_broken + E_damped +
+// E_contact + residual.
 #pragma once
 
 #include "solver/simulation.hpp"
@@ -14,9 +15,10 @@ struct Energy {
   double broken = 0.0;   // the same at s = s0, over the bonds that broke since t = 0: what the
                         // fracture energy G0 charges for them. Cuts made by the scene cost nothing.
   double damped = 0.0;    // kinetic energy taken by damping
-  double external = 0.0;  // work done by loads and supports, what the start gave, and by how much
-                          // changes of temperature raised the strain energy
-  double residual() const { return external - kinetic - strain - broken - damped; }
+  double contact = 0.0;   // stored where faces and fragments touch
+  double external = 0.0;  // work done by loads, supports and impactors, what the start gave, and by
+                          // how much changes of temperature raised the strain energy
+  double residual() const { return external - kinetic - strain - broken - damped - contact; }
 };
 
 Energy energy(const Simulation& simulation);

@@ -14,9 +14,10 @@ nlohmann::ordered_json to_json(const StageSeconds& wall) {
 }
 
 nlohmann::ordered_json to_json(const Energy& energy) {
-  return {{"kinetic", energy.kinetic},   {"strain", energy.strain},
-          {"broken", energy.broken},     {"damped", energy.damped},
-          {"external", energy.external}, {"residual", energy.residual()}};
+  return {{"kinetic", energy.kinetic},    {"strain", energy.strain},
+          {"broken", energy.broken},      {"damped", energy.damped},
+          {"contact", energy.contact},    {"external", energy.external},
+          {"residual", energy.residual()}};
 }
 
 // Shares of all tile-steps.

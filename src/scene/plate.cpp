@@ -124,6 +124,7 @@ void check(const Plate& plate, Problems& problems) {
   for (const Crack& crack : plate.cracks) check(plate, crack, problems);
   for (const Shape& zone : plate.no_fail) check_no_fail(plate, zone, problems);
   if (plate.scatter) check(*plate.scatter, problems);
+  if (plate.contact) check(*plate.contact, problems);
   check(plate.loads, problems);
   check_rims(plate, problems);
   check_expansion(plate, problems);
@@ -181,6 +182,19 @@ void check(const Scatter& scatter, Problems& problems) {
                              scatter.correlation));
 }
 
+void check(const Contact& contact, Problems& problems) {
+  if (!(contact.stiffness > 0.0 && contact.stiffness <= 100.0))
+    problems.add(fmt::format("contact: the stiffness is {}, it must be above 0, at most 100",
+                             contact.stiffness));
+  if (!(contact.reach > 0.0 && contact.reach <= 1.0))
+    problems.add(
+        fmt::format("contact: the reach is {}, it must be above 0, at most 1", contact.reach));
+}
+
+double contact_stiffness(const Plate& plate) {
+  return plate.contact ? plate.contact->stiffness : 0.0;
+}
+
 void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems) {
   check(zone, "nofail", problems);
   const Box box = bounds(zone);
@@ -201,13 +215,13 @@ std::string describe(const Scatter& scatter) {
 
 std::string describe(const Plate& plate) {
   return fmt::format(
-      "plate {} x {} mm, {}{}{}{}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
+      "plate {} x {} mm, {}{}{}{}{}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
       shortest(std::round(plate.height * 1e9) * 1e-6),
       plate.plane == Plane::strain ? "plane strain, " : "", describe(plate.material),
       counted(plate.cutouts.size(), "cut-out"), counted(plate.inclusions.size(), "inclusion"),
       counted(plate.cracks.size(), "crack"), describe(plate.loads),
       counted(plate.no_fail.size(), "no-fail zone"),
-      plate.scatter ? ", " + describe(*plate.scatter) : "");
+      plate.scatter ? ", " + describe(*plate.scatter) : "", plate.contact ? ", contact" : "");
 }
 
 }  // namespace hackle

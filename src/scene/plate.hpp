@@ -65,11 +65,12 @@ struct Scatter {
   std::int64_t seed = 1;
 };
 
-// Nodes that have lost bonds push each other away when they come near: K = stiffness times that of
-// a bond (LAMMPS: 15), below `reach` times their distance at rest.
+// Nodes that lack bonds push each other away when they come near: with `stiffness` times the
+// micromodulus, below `reach` times their distance at rest (see contact_forces.hpp). By default as
+// in LAMMPS.
 struct Contact {
-  double stiffness = 15.0;
-  double reach = 0.9;
+  double stiffness = 15.0;  // in (0, 100]
+  double reach = 0.9;       // in (0, 1]
 };
 
 // Thin, free of stress across its thickness, or thick, held from straining across it. Bond-based
@@ -93,6 +94,9 @@ struct Plate {
   Loads loads;
 };
 
+// 0 without contact.
+double contact_stiffness(const Plate& plate);
+
 // The strip of width `depth` along an edge.
 Shape strip(const Plate& plate, Edge edge, double depth);
 
@@ -107,6 +111,7 @@ void check(const Plate& plate, const Shape& shape, const std::string& who, Probl
 void check_cutout(const Plate& plate, const Shape& shape, const std::string& who,
                   Problems& problems);
 void check(const Scatter& scatter, Problems& problems);
+void check(const Contact& contact, Problems& problems);
 void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems);
 
 // "strength scattered (Weibull modulus 10, correlated over 2 mm, seed 1)"

@@ -311,6 +311,7 @@ void Engine<Real>::step(const Lattice& lattice, State& state) {
 // all tasks are done.
 template <class Real>
 void Engine<Real>::break_bonds(BondBits& bonds) {
+  losses_.clear();
   for (Scratch<Real>& scratch : scratch_) {
     for (const Loss& loss : scratch.losses) {
       bonds.clear(loss.at, loss.word, loss.bit);
@@ -320,6 +321,7 @@ void Engine<Real>::break_bonds(BondBits& bonds) {
           tile_of(loss.at + bond_offsets_[static_cast<std::size_t>(bond)]));
       intact_[here] = complete_[here] = complete_[there] = 0;
     }
+    losses_.insert(losses_.end(), scratch.losses.begin(), scratch.losses.end());
     scratch.losses.clear();
     for (std::size_t path = 0; path < path_counts_.size(); ++path)
       path_counts_[path] += std::exchange(scratch.counts[path], 0);

@@ -50,6 +50,8 @@ class Engine {
   void accelerations(const Lattice& lattice, const State& state, Values<Real>& ax,
                      Values<Real>& ay);
 
+  // The bonds that broke in the last step.
+  const std::vector<Loss>& losses() const { return losses_; }
   const PathCounts& path_counts() const { return path_counts_; }
   std::size_t bytes() const;  // of all that grows with the plate
 
@@ -103,6 +105,7 @@ class Engine {
   Threads threads_;
   std::vector<Rows> tasks_;
   std::vector<Scratch<Real>> scratch_;  // one a thread
+  std::vector<Loss> losses_;
   PathCounts path_counts_{};
 };
 

@@ -49,7 +49,9 @@ double Amplitude::at(std::int64_t step, double dt) const {
   return evaluate(step, dt);
 }
 
-Loading::Loading(const Plate& plate, const Lattice& lattice, double dt) : dt_(dt) {
+Loading::Loading(const Plate& plate, const Lattice& lattice, double dt)
+    : dt_(dt), impact_(plate, lattice, dt) {
+  if (plate.contact) contact_.emplace(*plate.contact, lattice, dt);
   add(spread_forces(plate, lattice), lattice.grid);
   add(spread_supports(plate, lattice), lattice);
   varies_ = !leads_.empty() || std::ranges::any_of(parts_, [](const Force& part) {
@@ -104,18 +106,56 @@ void Loading::tabulate(std::int64_t begin, std::int64_t end) {
   for (Lead& part : leads_) part.amplitude.tabulate(begin, end, dt_);
 }
 
-bool Loading::update(const Lattice&, const State& state) {
-  if (!varies_ && !std::exchange(fresh_, false)) return false;
-  fresh_ = false;
-  sum_forces(state.step);
-  lead(state, state.step, true);
+void Loading::begin(const Lattice& lattice, State& state) {
+  impact_.begin(lattice, state);
+  if (contact_) contact_->begin(lattice, state);
+  fresh_ = true;
+}
+
+void Loading::follow(const Lattice& lattice, State& state, std::span<const Loss> losses) {
+  impact_.fly(state);
+  if (contact_) contact_->take_note(lattice, state, losses);
+}
+
+bool Loading::update(const Lattice& lattice, const State& state) {
+  const bool changed = std::exchange(fresh_, false) || varies_;
+  if (changed) {
+    sum_forces(state.step);
+    lead(state, state.step, true);
+  }
+  const bool touched = touch(lattice, state);
+  if (!changed && !touched) return false;
+  all_ = sum_of(forces_, impact_.forces(), lattice.grid);
+  if (contact_) all_ = sum_of(all_, contact_->forces(), lattice.grid);
   return true;
+}
+
+// True when something touches, or did in the last step.
+bool Loading::touch(const Lattice& lattice, const State& state) {
+  const auto touched = [this] {
+    return !impact_.forces().empty() || (contact_ && !contact_->forces().empty());
+  };
+  const bool before = touched();
+  impact_.update(lattice, state);
+  if (contact_) contact_->update(lattice, state);
+  return before || touched();
+}
+
+// v is the displacement of the step: the work of constant forces is exact, that of others of second
+// order in the step.
+void Loading::add_work(const Lattice& lattice, const State& state, double& work) const {
+  // From m/s2 to lattice units.
+  const double unit = (varies() ? 0.5 : 1.0) * dt_ * dt_ / lattice.grid.dx;
+  for (const auto* forces : {&forces_, &impact_.forces()})
+    for (const LoadedNode& load : *forces)
+      work += load.inertia * unit * load.acceleration.dot(state.v(load.i, load.j));
 }
 
 // The displacement at the end of the step before is that of now.
 void Loading::halt(const State& state) {
   fresh_ = true;
   sum_forces(state.step);
+  all_ = forces_;
   lead(state, state.step - 1, false);
 }
 

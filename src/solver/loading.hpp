@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The loads of a plate in time: which forces act in a step, and where nodes are being led.
+// What acts on a plate in time: forces in a step, contacts and impacts among them, and where nodes
+// are being led.
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "lattice/load_map.hpp"
+#include "solver/contact_forces.hpp"
+#include "solver/impact.hpp"
 #include "solver/state.hpp"
 
 namespace hackle {
@@ -44,22 +49,35 @@ struct LedNode {
 
 class Loading {
  public:
-  // Throws what spread_forces and spread_supports throw.
+  // Throws what spread_forces, spread_supports and Impact throw.
   Loading(const Plate& plate, const Lattice& lattice, double dt);
 
   // Functions of time are asked now for all steps begin <= n < end. Throws what they throw.
   void tabulate(std::int64_t begin, std::int64_t end);
 
+  // Takes up a state that is not the one of the last step: bonds, and the discs that it does not
+  // have yet. Throws what Impact::begin throws.
+  void begin(const Lattice& lattice, State& state);
+  // A step has been done, and these bonds broke in it.
+  void follow(const Lattice& lattice, State& state, std::span<const Loss> losses);
   // Finds what acts in the step that begins with this state. True when it is not what it was.
   bool update(const Lattice& lattice, const State& state);
   // Finds what acts on a plate that stands still at the time of u: displacements are those of this
-  // moment, and nodes that are led at a velocity stay where they are. update() must follow before
-  // the next step, and says true then.
+  // moment, and nodes that are led at a velocity stay where they are; without contacts and
+  // impacts. update() must follow before the next step, and says true then.
   void halt(const State& state);
 
   // Each node once, ordered by index.
-  const std::vector<LoadedNode>& forces() const { return forces_; }
+  const std::vector<LoadedNode>& forces() const { return all_; }
   const std::vector<LedNode>& led() const { return led_; }
+  // Whether forces of loads and impacts differ from step to step.
+  bool varies() const { return varies_ || !impact_.empty(); }
+  // Adds the work that loads and impacts do in a step, of which `state` is the end: all of it, or,
+  // when they vary, the half of those that acted at its beginning; what acts at its end does the
+  // other half.
+  void add_work(const Lattice& lattice, const State& state, double& work) const;
+  // What is stored in contacts at the time of update(). Both in units of rho dx^4/dt^2.
+  double contact_energy() const { return contact_ ? contact_->energy() : 0.0; }
 
  private:
   // What one load adds to the entries of forces_ or led_.
@@ -79,14 +97,18 @@ class Loading {
   void add(const std::vector<SpreadForce>& forces, const Grid& grid);
   void add(const std::vector<SpreadSupport>& supports, const Lattice& lattice);
   void sum_forces(std::int64_t step);
+  bool touch(const Lattice& lattice, const State& state);
   // To where displacements are in the step, and at the velocities, or at none.
   void lead(const State& state, std::int64_t step, bool moving);
 
   double dt_;
   std::vector<Force> parts_;
   std::vector<Lead> leads_;
-  std::vector<LoadedNode> forces_;
+  std::vector<LoadedNode> forces_;  // of the loads alone
+  std::vector<LoadedNode> all_;
   std::vector<LedNode> led_;
+  std::optional<ContactForces> contact_;
+  Impact impact_;
   bool varies_ = false;
   bool fresh_ = true;  // what acts is not what update() found last
 };

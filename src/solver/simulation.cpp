@@ -131,6 +131,7 @@ void Simulation::start() {
 }
 
 void Simulation::prepare() {
+  loading_.begin(lattice_, state_);
   loading_.update(lattice_, state_);
   heat_.update(lattice_, state_.step);
   std::visit(
@@ -152,6 +153,7 @@ void Simulation::set_loads(Loads loads) {
   loading.tabulate(state_.step, state_.step + 1);
   ThermalStrain heat(plate, lattice_, dt_);
   heat.update(lattice_, state_.step);
+  loading.begin(lattice_, state_);
   const bool rebuild = heat.empty() != heat_.empty();
   if (!heat.empty() || !heat_.empty())
     state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_.step),
@@ -167,21 +169,30 @@ void Simulation::set_loads(Loads loads) {
 }
 
 void Simulation::step() {
-  take_loads();
+  if (plate_.loads.damping > 0.0) damp_motion();
   if (!heat_.empty()) count_heat_work();
   std::visit([this](auto& engine) { engine.step(lattice_, state_); }, engine_);
   ++state_.step;
   count_external_work();
   if (!heat_.empty()) take_heat();
+  take_loads();
   if (state_.precision() == Precision::f32 && state_.step % steps_between_checks == 0)
     keep_f32_exact();
 }
 
+void Simulation::damp_motion() {
+  state_.damped += damp(lattice_, std::exp(-plate_.loads.damping * dt_), threads_, state_);
+}
+
+// For the step to come.
 void Simulation::take_loads() {
-  if (loading_.update(lattice_, state_))
-    std::visit([this](auto& engine) { engine.set_loads(loading_); }, engine_);
-  if (plate_.loads.damping > 0.0)
-    state_.damped += damp(lattice_, std::exp(-plate_.loads.damping * dt_), threads_, state_);
+  std::visit(
+      [this](auto& engine) {
+        loading_.follow(lattice_, state_, engine.losses());
+        if (loading_.update(lattice_, state_)) engine.set_loads(loading_);
+      },
+      engine_);
+  if (loading_.varies()) loading_.add_work(lattice_, state_, state_.external_work);
 }
 
 // From half a step before now to half a step after.
@@ -210,11 +221,8 @@ void Simulation::keep_f32_exact() {
   }
 }
 
-// The loads are constant over a step and v is its displacement: their work is exact.
 void Simulation::count_external_work() {
-  const double unit = dt_ * dt_ / lattice_.grid.dx;  // m/s2 to lattice units
-  for (const LoadedNode& load : loading_.forces())
-    state_.external_work += load.inertia * unit * load.acceleration.dot(state_.v(load.i, load.j));
+  loading_.add_work(lattice_, state_, state_.external_work);
   state_.work_ahead = 0.0;
   if (loading_.led().empty()) return;
   std::visit(
@@ -298,6 +306,10 @@ double Simulation::external_work() const {
     work +=
         heat_work(lattice_, state_, heat_.before(lattice_, state_.step), heat_.values(), threads_);
   return work;
+}
+
+double Simulation::contact_energy() const {
+  return loading_.contact_energy() * energy_unit();
 }
 
 double Simulation::damped_energy() const {

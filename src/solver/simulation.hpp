@@ -84,6 +84,7 @@ class Simulation {
   double end_time() const { return end_time_; }                           // s, asked for
   double external_work() const;           // done by loads, supports and heat so far, J/m
   double damped_energy() const;           // taken by damping so far, J/m
+  double contact_energy() const;          // stored in contacts now, J/m
   Vec2 displacement(int i, int j) const;  // m
   std::vector<Vec2> velocities() const;   // m/s, now, by Grid::index
   // Whether the bond of node (i, j) to (i + column, j + row) holds.
@@ -107,6 +108,7 @@ class Simulation {
   EngineOptions options() const;
   void start();
   void prepare();
+  void damp_motion();
   void take_loads();
   void take_heat();
   void count_heat_work();

@@ -27,6 +27,9 @@ void Simulation::check_statics() const {
   if (!plate_.loads.heatings.empty())
     throw Error(ErrorKind::refused, "relax: a plate that is heated cannot be brought to rest",
                 "leave out the heat, or let damping calm the plate");
+  if (!plate_.loads.impactors.empty())
+    throw Error(ErrorKind::refused, "relax: a plate that is being hit cannot be brought to rest",
+                "bring it to rest before s:impactor{}, or let damping calm it");
 }
 
 Equilibrium Simulation::find_rest(const RelaxOptions& options) {

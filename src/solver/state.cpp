@@ -68,6 +68,9 @@ std::string State::hash() const {
   for (const double* energy : {&work_ahead, &damped})
     if (*energy != 0.0) hash.add(std::span(energy, 1));
   hash.add(std::span(origin.data(), 2));
+  for (const Disc& disc : discs)
+    for (const Vec2* vector : {&disc.centre, &disc.velocity})
+      hash.add(std::span(vector->data(), 2));
   return hash.hex();
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "lattice/lattice.hpp"
 #include "solver/scratch.hpp"
@@ -18,6 +19,13 @@ struct Motion {
   Values<Real> ux, uy;
   Values<Real> vx, vy;
   Values<Real> threshold;  // e above which the bonds of a node break; only where a history moves it
+};
+
+// A rigid disc in flight, in lattice units: its place from the centre of the lattice, and its
+// velocity half a step earlier.
+struct Disc {
+  Vec2 centre{0, 0};
+  Vec2 velocity{0, 0};
 };
 
 // Leapfrog: u belongs to the time step * dt, v to half a step earlier; at step `start` both to the
@@ -37,6 +45,7 @@ struct State {
   double work_ahead = 0.0;     // what supports did in the last half step, which is not in it yet
   double damped = 0.0;         // kinetic energy taken by damping so far, in the same units
   Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u
+  std::vector<Disc> discs;     // in the order of the impactors of the plate
 
   Precision precision() const { return motion.index() == 0 ? Precision::f64 : Precision::f32; }
   bool is_start() const { return step == start; }

@@ -9,7 +9,12 @@ namespace hackle {
 namespace {
 
 std::vector<LoadedNode> forces_of(const Plate& plate, const Lattice& lattice) {
-  return forces_at(spread_forces(plate, lattice), lattice.grid, 0.0);
+  std::vector<LoadedNode> sum;
+  for (SpreadForce& force : spread_forces(plate, lattice)) {
+    for (LoadedNode& node : force.nodes) node.acceleration *= force.course.at(0.0);
+    sum = sum_of(sum, force.nodes, lattice.grid);
+  }
+  return sum;
 }
 
 TEST(Tractions, HaveTheExactResultant) {

@@ -236,7 +236,8 @@ TEST_P(CompositeWithoutHistory, TheLedgerClosesWithTheSquareOfTheStep) {
 TEST_P(Composite, MemoryIsWhatWasSaid) {
   const Simulation simulation(torn(400, 300), in(Precision::f64), {1});
   const double needed = memory_needed(simulation.plate(), simulation.numerics());
-  EXPECT_NEAR(static_cast<double>(simulation.bytes()) / needed, 1.0, 0.06);
+  EXPECT_LE(static_cast<double>(simulation.bytes()), needed);
+  EXPECT_GT(static_cast<double>(simulation.bytes()), 0.9 * needed);
 }
 
 std::string name_of(const Mixture& mixture) {

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Rigid discs thrown at a plate: what they push, what they lose, and what is refused.
+#include "solver/impact.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "measure/energy.hpp"
+#include "support/mirror.hpp"
+#include "support/scenes.hpp"
+#include "support/states.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr double radius = 4e-3, mass = 0.5;
+
+// A disc beside the left edge of a plate that never breaks.
+Plate hit(const Vec2& velocity, double y = 0.01) {
+  Plate plate = test::bare_plate(60, 40);
+  plate.no_fail.push_back(rectangle({0.0, 0.0}, {0.03, 0.02}));
+  plate.loads.impactors.push_back({{-radius, y}, radius, velocity, mass});
+  return plate;
+}
+
+Vec2 velocity_of(const Simulation& simulation) {
+  return simulation.state().discs.front().velocity *
+         (simulation.lattice().grid.dx / simulation.dt());
+}
+
+// The law for every node.
+std::vector<LoadedNode> reference(const Simulation& simulation) {
+  const Lattice& lattice = simulation.lattice();
+  const Grid& grid = lattice.grid;
+  const Vec2 centre = grid.centre + grid.dx * simulation.state().discs.front().centre;
+  std::vector<LoadedNode> pushed;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const Vec2 apart = grid.position(i, j) + simulation.displacement(i, j) - centre;
+      const double r = apart.norm();
+      if (r >= radius) continue;
+      const double density =
+          15.0 * lattice.calibration.c * (radius - r) / (lattice.family.m() * grid.dx);
+      pushed.push_back({i, j, (density * grid.dx * grid.dx / lattice.rho / r) * apart, 1.0});
+    }
+  return pushed;
+}
+
+TEST(Impact, PushesWhatItCovers) {
+  Simulation simulation(hit({80.0, -10.0}), test::numerics(), {1});
+  std::size_t most = 0;
+  for (int k = 0; k < 60; ++k) {
+    simulation.step();
+    const auto wanted = reference(simulation);
+    const auto& found = simulation.loading().forces();
+    ASSERT_EQ(found.size(), wanted.size()) << k;
+    for (std::size_t n = 0; n < found.size(); ++n) {
+      EXPECT_EQ(found[n].i, wanted[n].i);
+      EXPECT_EQ(found[n].j, wanted[n].j);
+      EXPECT_LT((found[n].acceleration - wanted[n].acceleration).norm(),
+                1e-9 * wanted[n].acceleration.norm() + 1.0);
+    }
+    most = std::max(most, found.size());
+  }
+  EXPECT_GT(most, 5U);
+}
+
+TEST(Impact, GivesThePlateWhatTheDiscLoses) {
+  for (const Precision precision : {Precision::f64, Precision::f32}) {
+    Numerics numerics = test::numerics();
+    numerics.precision = precision;
+    const Vec2 before(40.0, 10.0);
+    Simulation simulation(hit(before), numerics, {1});
+    simulation.run(80e-6);
+    const Vec2 after = velocity_of(simulation);
+    ASSERT_TRUE(simulation.loading().forces().empty());  // they have parted
+    EXPECT_LT(after.x(), 0.9 * before.x());
+    const double lost = 0.5 * mass * (before.squaredNorm() - after.squaredNorm());
+    EXPECT_NEAR(simulation.external_work(), lost, 5e-3 * lost);
+    const Energy ledger = energy(simulation);
+    EXPECT_LT(std::abs(ledger.residual()), 5e-3 * ledger.external);
+    Vec2 momentum(0, 0);
+    for (const Vec2& v : simulation.velocities()) momentum += v;
+    momentum *= 2235.0 * 0.25e-6;
+    EXPECT_LT((momentum - mass * (before - after)).norm(), 1e-5 * mass * before.norm());
+  }
+}
+
+TEST(Impact, ADiscThatMissesFliesOnAndCostsNothing) {
+  Plate plate = hit({80.0, 0.0}, 0.0251);
+  Simulation simulation(plate, test::numerics(), {1});
+  simulation.run(50e-6);
+  EXPECT_EQ(velocity_of(simulation), Vec2(80.0, 0.0));
+  EXPECT_EQ(simulation.external_work(), 0.0);
+  EXPECT_EQ(simulation.displacement(0, 39), Vec2(0, 0));
+  const Vec2 centre = simulation.state().discs.front().centre * 0.5e-3;
+  EXPECT_NEAR(centre.x(), -radius - 0.015 + 80.0 * simulation.time(), 1e-9);
+}
+
+TEST(Impact, KeepsMirrorImages) {
+  for (const Precision precision : {Precision::f64, Precision::f32}) {
+    Plate plate = hit({80.0, 0.0});
+    plate.no_fail.clear();
+    plate.contact = Contact{};
+    Numerics numerics = test::numerics();
+    numerics.precision = precision;
+    Simulation simulation(plate, numerics, {2});
+    simulation.run(40e-6);
+    EXPECT_GT(count_damage(simulation).broken_bonds, 100);
+    EXPECT_EQ(test::asymmetric_nodes(simulation, true), 0);
+    EXPECT_EQ(velocity_of(simulation).y(), 0.0);
+  }
+}
+
+TEST(Impact, BitsDoNotDependOnThreadsOrPieces) {
+  const auto hash = [](int threads, int pieces) {
+    Simulation simulation(hit({80.0, 30.0}), test::numerics(), {threads});
+    for (int k = 0; k < pieces; ++k) simulation.run(40e-6 / pieces);
+    return simulation.state().hash();
+  };
+  const std::string whole = hash(1, 1);
+  EXPECT_EQ(hash(3, 1), whole);
+  EXPECT_EQ(hash(2, 9), whole);
+}
+
+TEST(Impact, TwoDiscsThatCoverANodePushItTogether) {
+  Plate plate = hit({40.0, 0.0});
+  plate.loads.impactors.push_back({{-radius, 0.01}, radius, {40.0, 0.0}, mass});
+  Simulation twice(plate, test::numerics(), {1}), once(hit({40.0, 0.0}), test::numerics(), {1});
+  while (once.loading().forces().empty()) {
+    once.step();
+    twice.step();
+  }
+  const auto &one = once.loading().forces(), &two = twice.loading().forces();
+  ASSERT_EQ(two.size(), one.size());
+  for (std::size_t n = 0; n < one.size(); ++n)
+    EXPECT_EQ(two[n].acceleration, Vec2(2.0 * one[n].acceleration));
+}
+
+TEST(Impact, ADiscMayComeLater) {
+  Simulation simulation(hit({40.0, 0.0}), test::numerics(), {1});
+  simulation.run(20e-6);
+  const Disc first = simulation.state().discs.front();
+  Loads loads = simulation.plate().loads;
+  loads.impactors.push_back({{0.035, 0.01}, radius, {-40.0, 0.0}, mass});
+  simulation.set_loads(loads);
+  ASSERT_EQ(simulation.state().discs.size(), 2U);
+  EXPECT_EQ(simulation.state().discs.front().centre, first.centre);
+  simulation.run(20e-6);
+  EXPECT_GT(simulation.state().discs.back().velocity.x(), -40.0 * simulation.dt() / 0.5e-3);
+}
+
+struct BadDisc {
+  Impactor impactor;
+  const char* says;
+};
+
+class BadDiscs : public testing::TestWithParam<BadDisc> {};
+
+TEST_P(BadDiscs, AreRefusedBeforeTheRunAndInIt) {
+  Plate plate = test::bare_plate(60, 40);
+  Simulation simulation(plate, test::numerics(), {1});
+  const std::string before = simulation.state().hash();
+  plate.loads.impactors.push_back(GetParam().impactor);
+  const auto refusal = [](const auto& work) -> std::string {
+    try {
+      work();
+    } catch (const Error& error) {
+      return error.kind() == ErrorKind::refused ? error.what() : "";
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal([&] { Simulation(plate, test::numerics(), {1}); }),
+              testing::HasSubstr(GetParam().says));
+  EXPECT_THAT(refusal([&] { simulation.set_loads(plate.loads); }),
+              testing::HasSubstr(GetParam().says));
+  EXPECT_EQ(simulation.state().hash(), before);
+  EXPECT_TRUE(simulation.plate().loads.impactors.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadDiscs,
+    testing::Values(BadDisc{{{0.0, 0.01}, radius, {1, 0}, mass}, "it overlaps the plate"},
+                    BadDisc{{{-radius, 0.01}, 1e-4, {1, 0}, mass}, "under one spacing"},
+                    BadDisc{{{-radius, 0.01}, radius, {1, 0}, 1e-3}, "less than that of the nodes"},
+                    BadDisc{{{-radius, 0.01}, -1.0, {1, 0}, mass}, "radius is -1 m"},
+                    BadDisc{{{-radius, NAN}, radius, {1, 0}, mass}, "centre is"},
+                    BadDisc{{{-radius, 0.01}, radius, {INFINITY, 0}, mass}, "velocity is"}));
+
+}  // namespace
+}  // namespace hackle
