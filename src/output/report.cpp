@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "output/features.hpp"
 #include "output/shape_remarks.hpp"
 #include "scene/waves.hpp"
 #include "solver/rigid_motion.hpp"
@@ -104,11 +105,13 @@ std::string tiles_line(const Summary& summary) {
 
 std::string report(const Simulation& simulation, const Summary& summary) {
   return fmt::format(
-      "{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}\n  tiles    "
+      "{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}\n  steps    "
+      "{}\n  tiles    "
       "{}\n  wall     {}\n  state    {}",
       describe(simulation.plate()), lattice_line(simulation, summary), model_line(simulation),
-      time_line(summary), damage_line(summary), energy_line(summary.energy), tiles_line(summary),
-      wall_line(simulation, summary), summary.hash);
+      time_line(summary), damage_line(summary), energy_line(summary.energy),
+      describe_features(simulation), tiles_line(summary), wall_line(simulation, summary),
+      summary.hash);
 }
 
 std::vector<std::string> remarks(const Simulation& simulation) {

@@ -233,6 +233,8 @@ Summary Run::summary() const {
   summary.precision = precision_names[static_cast<std::size_t>(simulation.state().precision())];
   summary.paths = simulation.path_counts();
   summary.threads = simulation.threads();
+  summary.stages = stages(simulation);
+  summary.features = kernel_features(simulation);
   summary.energy = energy(simulation);
   summary.damage = count_damage(simulation);
   summary.peak_rss = peak_resident_memory();

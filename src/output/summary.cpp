@@ -20,6 +20,12 @@ nlohmann::ordered_json to_json(const Energy& energy) {
           {"residual", energy.residual()}};
 }
 
+nlohmann::ordered_json to_json(const std::vector<Stage>& stages) {
+  nlohmann::ordered_json json;
+  for (const Stage& stage : stages) json[std::string(stage.name)] = stage.share;
+  return json;
+}
+
 // Shares of all tile-steps.
 nlohmann::ordered_json to_json(const PathCounts& paths) {
   const auto all =
@@ -45,6 +51,8 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   json["precision"] = summary.precision;
   json["threads"] = summary.threads;
   json["tile_paths"] = to_json(summary.paths);
+  json["step_shares"] = to_json(summary.stages);
+  json["kernel_features"] = summary.features;
   json["wall_s"] = to_json(summary.wall);
   json["node_steps_per_s"] = summary.node_steps_per_second();
   json["energy_J_per_m"] = to_json(summary.energy);

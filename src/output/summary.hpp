@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "measure/energy.hpp"
+#include "output/features.hpp"
 #include "solver/tiles.hpp"
 
 namespace hackle {
@@ -35,7 +36,9 @@ struct Summary {
   double dt_limit = 0.0;  // s, 2/omega_max
   std::string precision;  // "f64" or "f32"
   int threads = 0;
-  PathCounts paths{};  // tile-steps by the path they took
+  PathCounts paths{};                 // tile-steps by the path they took
+  std::vector<Stage> stages;          // of a step, and their share of the time of solving
+  std::vector<std::string> features;  // of the kernel
   StageSeconds wall;
   Energy energy;  // J/m
   DamageCount damage;

@@ -10,7 +10,7 @@ namespace hackle {
 namespace {
 
 constexpr double farthest = 1.5;  // spacings: pairs that are farther apart at rest count as so far
-constexpr double slack = 0.25;    // how far nodes may wander before pairs are sought anew
+constexpr double slack = 0.35;    // how far nodes may wander before pairs are sought anew
 constexpr double cell = farthest + 2.0 * slack;
 
 // Far beyond any plate, nodes of a diverged solution share their cells.
@@ -34,70 +34,73 @@ ContactForces::ContactForces(const Contact& contact, const Lattice& lattice, dou
 
 void ContactForces::begin(const Lattice& lattice, const State& state) {
   const Grid& grid = lattice.grid;
-  is_open_.assign(grid.nodes(), 0);
+  place_.assign(grid.nodes(), -1);
   open_.clear();
-  const auto degree = degrees(grid, lattice.family, state.bonds);
   cells_.clear();
   pairs_.clear();
+  const auto degree = degrees(grid, lattice.family, state.bonds);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
-      if (degree[grid.index(i, j)] < lattice.family.bonds()) open(lattice, state, i, j);
+      if (degree[grid.index(i, j)] < lattice.family.bonds() && !lattice.is_void(i, j))
+        open(lattice, state, i, j);
 }
 
+// Nodes that are new among the open ones are paired with all others; those that were open before
+// are a pair from now on.
 void ContactForces::take_note(const Lattice& lattice, const State& state,
                               std::span<const Loss> losses) {
   const NodeLayout layout = lattice.grid.layout();
+  const int open_before = static_cast<int>(open_.size());
   for (const Loss& loss : losses) {
     const auto j = static_cast<int>(loss.at / layout.stride());
     const auto i = static_cast<int>(loss.at - layout.at(0, j));
     const int lost = 32 * loss.word + std::countr_zero(loss.bit);
-    open(lattice, state, i, j);
+    const int one = open(lattice, state, i, j);
     lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-      if (bit == lost) open(lattice, state, i + a, j + b);
+      if (bit != lost) return;
+      const int other = open(lattice, state, i + a, j + b);
+      if (one < open_before && other < open_before) pair_up(one, other, lattice);
     });
   }
 }
 
-void ContactForces::open(const Lattice& lattice, const State& state, int i, int j) {
+// Where in open_ the node is.
+int ContactForces::open(const Lattice& lattice, const State& state, int i, int j) {
   const Grid& grid = lattice.grid;
-  if (lattice.is_void(i, j) || is_open_[grid.index(i, j)] != 0) return;
-  is_open_[grid.index(i, j)] = 1;
+  int& place = place_[grid.index(i, j)];
+  if (place >= 0) return place;
+  place = static_cast<int>(open_.size());
   const Vec2 u = state.u(i, j);
   open_.push_back({i, j, grid.from_centre(i, j) + u, u, {}});
-  find_pairs(static_cast<int>(open_.size()) - 1, lattice);
+  find_pairs(place, lattice, state.bonds);
+  return place;
 }
 
 // With all nodes in the cells around it, and into its own.
-void ContactForces::find_pairs(int node, const Lattice& lattice) {
-  const Vec2 home = open_[static_cast<std::size_t>(node)].home;
+void ContactForces::find_pairs(int node, const Lattice& lattice, const BondBits& bonds) {
+  const Open& own = open_[static_cast<std::size_t>(node)];
   for (int up = -1; up <= 1; ++up)
     for (int right = -1; right <= 1; ++right) {
-      const auto found = cells_.find(cell_at(home, right, up));
+      const auto found = cells_.find(cell_at(own.home, right, up));
       if (found == cells_.end()) continue;
-      for (const int other : found->second) {
-        const Pair pair = pair_of(node, other, lattice);
-        const Vec2 apart = open_[static_cast<std::size_t>(other)].home - home;
-        if (apart.norm() < pair.distance + 2.0 * slack) pairs_.push_back(pair);
+      for (const int index : found->second) {
+        const Open& other = open_[static_cast<std::size_t>(index)];
+        if ((other.home - own.home).norm() < farthest + 2.0 * slack &&
+            !holds(lattice.grid, lattice.family, bonds, own.i, own.j, other.i - own.i,
+                   other.j - own.j))
+          pair_up(node, index, lattice);
       }
     }
-  cells_[cell_at(home, 0, 0)].push_back(node);
+  cells_[cell_at(own.home, 0, 0)].push_back(node);
 }
 
-ContactForces::Pair ContactForces::pair_of(int one, int other, const Lattice& lattice) const {
+void ContactForces::pair_up(int one, int other, const Lattice& lattice) {
   const Open& p = open_[static_cast<std::size_t>(one)];
   const Open& q = open_[static_cast<std::size_t>(other)];
-  const int columns = q.i - p.i, rows = q.j - p.j;
-  Pair pair{one, other, reach_ * std::min(std::hypot(columns, rows), farthest), 0.0, -1, 0};
+  const double distance = reach_ * std::min(std::hypot(q.i - p.i, q.j - p.j), farthest);
+  if ((q.home - p.home).norm() >= distance + 2.0 * slack) return;
   const double c = 0.5 * (lattice.micromodulus_at(p.i, p.j) + lattice.micromodulus_at(q.i, q.j));
-  pair.strength = strength_ * c / lattice.calibration.c;
-  lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-    const bool kept = a == columns && b == rows;
-    if (!kept && !(a == -columns && b == -rows)) return;
-    const Open& keeper = kept ? p : q;
-    pair.at = lattice.grid.layout().at(keeper.i, keeper.j);
-    pair.bit = bit;
-  });
-  return pair;
+  pairs_.push_back({one, other, distance, strength_ * c / lattice.calibration.c});
 }
 
 bool ContactForces::follow(const Grid& grid, const State& state) {
@@ -116,25 +119,24 @@ void ContactForces::renew(const Lattice& lattice, const State& state) {
   for (int node = 0; node < static_cast<int>(open_.size()); ++node) {
     Open& own = open_[static_cast<std::size_t>(node)];
     own.home = lattice.grid.from_centre(own.i, own.j) + state.u(own.i, own.j);
-    find_pairs(node, lattice);
+    find_pairs(node, lattice, state.bonds);
   }
 }
 
 void ContactForces::update(const Lattice& lattice, const State& state) {
   if (!follow(lattice.grid, state)) renew(lattice, state);
   OrderFreeSum energy;
-  for (const Pair& pair : pairs_) energy.add({push(pair, state.bonds), 0.0});
+  for (const Pair& pair : pairs_) energy.add({push(pair), 0.0});
   energy_ = energy.value().x();
   collect(lattice);
 }
 
-double ContactForces::push(const Pair& pair, const BondBits& bonds) {
+double ContactForces::push(const Pair& pair) {
   Open& p = open_[static_cast<std::size_t>(pair.one)];
   Open& q = open_[static_cast<std::size_t>(pair.other)];
   const Vec2 apart = Vec2(q.i - p.i, q.j - p.j) + (q.u - p.u);
   const double r = apart.norm();
-  if (!(r < pair.distance && r > 0.0) || (pair.at >= 0 && bonds.holds(pair.at, pair.bit)))
-    return 0.0;
+  if (!(r < pair.distance && r > 0.0)) return 0.0;
   const double overlap = pair.distance - r;
   const Vec2 force = (pair.strength * overlap / r) * apart;
   q.force.add(force);

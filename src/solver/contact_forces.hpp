@@ -46,31 +46,30 @@ class ContactForces {
     Vec2 u{0, 0};
     OrderFreeSum force;
   };
+  // Two of them that no bond joins.
   struct Pair {
     int one = 0;
     int other = 0;
-    double distance = 0.0;   // d, in dx
-    double strength = 0.0;   // of the force per (d - r), in units of rho dx^2/dt^2
-    std::ptrdiff_t at = -1;  // the node that keeps their bond, and its bit; -1 when there is none
-    int bit = 0;
+    double distance = 0.0;  // d, in dx
+    double strength = 0.0;  // of the force per (d - r), in units of rho dx^2/dt^2
   };
 
-  void open(const Lattice& lattice, const State& state, int i, int j);
-  void find_pairs(int node, const Lattice& lattice);
-  Pair pair_of(int one, int other, const Lattice& lattice) const;
+  int open(const Lattice& lattice, const State& state, int i, int j);
+  void find_pairs(int node, const Lattice& lattice, const BondBits& bonds);
+  void pair_up(int one, int other, const Lattice& lattice);
   // Reads u. False when a node has wandered too far for the pairs.
   bool follow(const Grid& grid, const State& state);
   // Seeks the pairs anew.
   void renew(const Lattice& lattice, const State& state);
   // The energy it stores.
-  double push(const Pair& pair, const BondBits& bonds);
+  double push(const Pair& pair);
   void collect(const Lattice& lattice);
 
   double reach_;
   double strength_;  // of two nodes of the plate's own material
   double unit_;      // lattice unit of acceleration, m/s2
   std::vector<Open> open_;
-  std::vector<std::uint8_t> is_open_;  // by Grid::index
+  std::vector<int> place_;  // in open_, by Grid::index; -1 for nodes that are not
   std::unordered_map<std::int64_t, std::vector<int>> cells_;
   std::vector<Pair> pairs_;
   std::vector<LoadedNode> forces_;

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "base/stopwatch.hpp"
+
 namespace hackle {
 namespace {
 
@@ -112,18 +114,23 @@ void Loading::begin(const Lattice& lattice, State& state) {
   fresh_ = true;
 }
 
-void Loading::follow(const Lattice& lattice, State& state, std::span<const Loss> losses) {
+void Loading::follow(const Lattice& lattice, State& state, std::span<const Loss> losses,
+                     LoadSeconds& seconds) {
+  const Stopwatch all(seconds.all);
   impact_.fly(state);
-  if (contact_) contact_->take_note(lattice, state, losses);
+  if (!contact_) return;
+  const Stopwatch watch(seconds.contact);
+  contact_->take_note(lattice, state, losses);
 }
 
-bool Loading::update(const Lattice& lattice, const State& state) {
+bool Loading::update(const Lattice& lattice, const State& state, LoadSeconds& seconds) {
+  const Stopwatch all(seconds.all);
   const bool changed = std::exchange(fresh_, false) || varies_;
   if (changed) {
     sum_forces(state.step);
     lead(state, state.step, true);
   }
-  const bool touched = touch(lattice, state);
+  const bool touched = touch(lattice, state, seconds);
   if (!changed && !touched) return false;
   all_ = sum_of(forces_, impact_.forces(), lattice.grid);
   if (contact_) all_ = sum_of(all_, contact_->forces(), lattice.grid);
@@ -131,13 +138,19 @@ bool Loading::update(const Lattice& lattice, const State& state) {
 }
 
 // True when something touches, or did in the last step.
-bool Loading::touch(const Lattice& lattice, const State& state) {
+bool Loading::touch(const Lattice& lattice, const State& state, LoadSeconds& seconds) {
   const auto touched = [this] {
     return !impact_.forces().empty() || (contact_ && !contact_->forces().empty());
   };
   const bool before = touched();
-  impact_.update(lattice, state);
-  if (contact_) contact_->update(lattice, state);
+  if (!impact_.empty()) {
+    const Stopwatch watch(seconds.impact);
+    impact_.update(lattice, state);
+  }
+  if (contact_) {
+    const Stopwatch watch(seconds.contact);
+    contact_->update(lattice, state);
+  }
   return before || touched();
 }
 

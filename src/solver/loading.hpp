@@ -47,6 +47,15 @@ struct LedNode {
   double inertia = 1.0;  // density there over Lattice::rho
 };
 
+// Wall time of finding what acts, s.
+struct LoadSeconds {
+  double contact = 0.0;
+  double impact = 0.0;
+  double all = 0.0;  // loads that vary and supports, too
+
+  double others() const { return all - contact - impact; }
+};
+
 class Loading {
  public:
   // Throws what spread_forces, spread_supports and Impact throw.
@@ -59,9 +68,10 @@ class Loading {
   // have yet. Throws what Impact::begin throws.
   void begin(const Lattice& lattice, State& state);
   // A step has been done, and these bonds broke in it.
-  void follow(const Lattice& lattice, State& state, std::span<const Loss> losses);
+  void follow(const Lattice& lattice, State& state, std::span<const Loss> losses,
+              LoadSeconds& seconds);
   // Finds what acts in the step that begins with this state. True when it is not what it was.
-  bool update(const Lattice& lattice, const State& state);
+  bool update(const Lattice& lattice, const State& state, LoadSeconds& seconds);
   // Finds what acts on a plate that stands still at the time of u: displacements are those of this
   // moment, and nodes that are led at a velocity stay where they are; without contacts and
   // impacts. update() must follow before the next step, and says true then.
@@ -97,7 +107,7 @@ class Loading {
   void add(const std::vector<SpreadForce>& forces, const Grid& grid);
   void add(const std::vector<SpreadSupport>& supports, const Lattice& lattice);
   void sum_forces(std::int64_t step);
-  bool touch(const Lattice& lattice, const State& state);
+  bool touch(const Lattice& lattice, const State& state, LoadSeconds& seconds);
   // To where displacements are in the step, and at the velocities, or at none.
   void lead(const State& state, std::int64_t step, bool moving);
 

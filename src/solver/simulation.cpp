@@ -132,7 +132,7 @@ void Simulation::start() {
 
 void Simulation::prepare() {
   loading_.begin(lattice_, state_);
-  loading_.update(lattice_, state_);
+  loading_.update(lattice_, state_, step_seconds_.loads);
   heat_.update(lattice_, state_.step);
   std::visit(
       [this](auto& engine) {
@@ -181,6 +181,7 @@ void Simulation::step() {
 }
 
 void Simulation::damp_motion() {
+  const Stopwatch watch(step_seconds_.damping);
   state_.damped += damp(lattice_, std::exp(-plate_.loads.damping * dt_), threads_, state_);
 }
 
@@ -188,8 +189,8 @@ void Simulation::damp_motion() {
 void Simulation::take_loads() {
   std::visit(
       [this](auto& engine) {
-        loading_.follow(lattice_, state_, engine.losses());
-        if (loading_.update(lattice_, state_)) engine.set_loads(loading_);
+        loading_.follow(lattice_, state_, engine.losses(), step_seconds_.loads);
+        if (loading_.update(lattice_, state_, step_seconds_.loads)) engine.set_loads(loading_);
       },
       engine_);
   if (loading_.varies()) loading_.add_work(lattice_, state_, state_.external_work);
@@ -198,12 +199,14 @@ void Simulation::take_loads() {
 // From half a step before now to half a step after.
 void Simulation::count_heat_work() {
   if (!heat_.changes_around(state_.step)) return;
+  const Stopwatch watch(step_seconds_.heat);
   state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_.step),
                                     heat_.before(lattice_, state_.step + 1), threads_) /
                           energy_unit();
 }
 
 void Simulation::take_heat() {
+  const Stopwatch watch(step_seconds_.heat);
   if (heat_.update(lattice_, state_.step))
     std::visit([this](auto& engine) { engine.set_heat(lattice_, heat_.values()); }, engine_);
 }

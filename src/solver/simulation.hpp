@@ -25,6 +25,15 @@ struct Execution {
   InstructionSet instruction_set = best_instruction_set();
 };
 
+// Wall time of parts of a step that not every scene has, s.
+struct StepSeconds {
+  double damping = 0.0;
+  double heat = 0.0;
+  LoadSeconds loads;
+
+  double sum() const { return damping + heat + loads.all; }
+};
+
 class Simulation {
  public:
   // Checks plate and numerics first: throws Error (refused) with every problem found, before
@@ -95,7 +104,9 @@ class Simulation {
   std::optional<double> widened_at() const { return widened_at_; }
   // Bytes of state, lattice and engine that grow with the plate.
   std::size_t bytes() const;
-  double solve_seconds() const { return solve_seconds_; }  // wall time
+  double solve_seconds() const { return solve_seconds_; }  // wall time of all steps
+  // What of it went into damping, heat and loads that vary; the kernel took the rest.
+  const StepSeconds& step_seconds() const { return step_seconds_; }
 
   // The default step for a limit: step_fraction of it, rounded down to three digits.
   static double default_step(double limit);
@@ -132,6 +143,7 @@ class Simulation {
   ThermalStrain heat_;
   double end_time_ = 0.0;
   double solve_seconds_ = 0.0;
+  StepSeconds step_seconds_;
   std::optional<double> widened_at_;
 
   InstructionSet instruction_set_;

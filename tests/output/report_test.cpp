@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "output/features.hpp"
 #include "output/run.hpp"
 #include "support/scenes.hpp"
 
@@ -37,6 +38,31 @@ TEST(Report, SaysPlaneQuadratureAndMicromodulus) {
                              HasSubstr("area quadrature"),
                              HasSubstr("plane strain, continuum constants, conical micromodulus: "),
                              HasSubstr("nu 0.246 (material 0.2)")));
+}
+
+TEST(Report, SaysWhatIsSwitchedOn) {
+  Plate plate = test::edge_crack(12e6);
+  plate.contact = Contact{};
+  plate.scatter = Scatter{Scatter::Kind::weibull, 20.0, 0.0, 1};
+  plate.loads.damping = 1e3;
+  plate.loads.tractions.front().course = ramp(1e-6);
+  hackle::Run run(plate, test::numerics(), {1}, Talk::quiet, {"x.lua", ""});
+  run.run(2e-6);
+  EXPECT_THAT(run.report(),
+              testing::ContainsRegex("steps    kernel [0-9.]+ % \\(no-fail zones, scatter of "
+                                     "strength\\), damping [0-9.]+ %, varying loads [0-9.]+ %, "
+                                     "contact [0-9.]+ %\n"));
+  double sum = 0.0;
+  for (const Stage& stage : stages(run.simulation())) {
+    EXPECT_GT(stage.share, 0.0) << stage.name;
+    sum += stage.share;
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-9);
+}
+
+TEST(Report, HasTheKernelAloneForAPlainScene) {
+  hackle::Run run(test::bare_plate(20, 10), test::numerics(), {1}, Talk::quiet, {"x.lua", ""});
+  EXPECT_THAT(run.report(), HasSubstr("steps    kernel 0.0 %\n"));
 }
 
 TEST(Remarks, AreSilentForAnOrdinaryScene) {
