@@ -47,4 +47,13 @@ Field velocity(const Simulation& simulation) {
                       [&](int i, int j) { return velocities[grid.index(i, j)]; });
 }
 
+std::vector<Circle> impactors(const Simulation& simulation) {
+  const Grid& grid = simulation.lattice().grid;
+  std::vector<Circle> circles;
+  for (std::size_t k = 0; k < simulation.state().discs.size(); ++k)
+    circles.push_back({grid.centre + grid.dx * simulation.state().discs[k].centre,
+                       simulation.plate().loads.impactors[k].radius});
+  return circles;
+}
+
 }  // namespace hackle

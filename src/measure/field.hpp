@@ -23,4 +23,11 @@ Field damage(const Simulation& simulation);
 Field displacement(const Simulation& simulation);  // m, components x and y; 0 where void
 Field velocity(const Simulation& simulation);      // m/s, components x and y
 
+// A rigid disc in flight, m.
+struct Circle {
+  Vec2 centre{0, 0};
+  double radius = 0.0;
+};
+std::vector<Circle> impactors(const Simulation& simulation);
+
 }  // namespace hackle

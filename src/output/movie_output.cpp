@@ -26,7 +26,8 @@ void MovieOutput::observe(const Simulation& simulation) {
   if (!painting_)
     painting_ = std::make_unique<Worker<Shot>>(waiting_shots, [this](const Shot& s) { paint(s); });
   schedule_.advance();
-  hand_over({field_of(options_.picture.field, simulation), simulation.time()});
+  hand_over(
+      {field_of(options_.picture.field, simulation), simulation.time(), impactors(simulation)});
 }
 
 void MovieOutput::hand_over(Shot shot) {
@@ -50,7 +51,7 @@ void MovieOutput::paint(const Shot& shot) {
   {
     const Stopwatch watch(seconds);
     if (!painter_) painter_ = std::make_unique<PlatePainter>(style_);
-    image = painter_->paint(*shot.field, shot.time);
+    image = painter_->paint(*shot.field, shot.time, shot.discs);
   }
   render_seconds_ += seconds;
   if (!encoder_) {

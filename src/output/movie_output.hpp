@@ -30,6 +30,7 @@ class MovieOutput : public Output {
   struct Shot {
     std::optional<Field> field;
     double time = 0.0;
+    std::vector<Circle> discs;
   };
   void paint(const Shot& shot);
   void hand_over(Shot shot);

@@ -140,7 +140,8 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
   {
     const Stopwatch watch(parts_->frame_render_seconds);
     PlatePainter painter(style_of(options, parts_->simulation));
-    image = painter.paint(field_of(options.field, parts_->simulation), parts_->simulation.time());
+    image = painter.paint(field_of(options.field, parts_->simulation), parts_->simulation.time(),
+                          impactors(parts_->simulation));
   }
   const Stopwatch watch(parts_->frame_store_seconds);
   make_folder_of(path);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include <cairo.h>
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ namespace hackle {
 namespace {
 
 constexpr Colour text_colour{222, 228, 236};
+constexpr Colour disc_colour{150, 170, 190};
 constexpr Colour quiet_colour{140, 150, 166};
 
 // A Cairo context on the pixels of an image.
@@ -40,6 +42,19 @@ class Canvas {
   void outline(const Rectangle& r) {
     cairo_set_line_width(cairo_.get(), 1.0);
     cairo_rectangle(cairo_.get(), r.x - 0.5, r.y - 0.5, r.width + 1.0, r.height + 1.0);
+    cairo_stroke(cairo_.get());
+  }
+  void clip(double y, double height, double width) {
+    cairo_rectangle(cairo_.get(), 0.0, y, width, height);
+    cairo_clip(cairo_.get());
+  }
+  // Seen through a little, with a bright rim.
+  void disc(double x, double y, double radius, Colour c) {
+    cairo_arc(cairo_.get(), x, y, radius, 0.0, 2.0 * std::numbers::pi);
+    cairo_set_source_rgba(cairo_.get(), c.red / 255.0, c.green / 255.0, c.blue / 255.0, 0.55);
+    cairo_fill_preserve(cairo_.get());
+    colour(c);
+    cairo_set_line_width(cairo_.get(), 1.5);
     cairo_stroke(cairo_.get());
   }
   double width_of(const std::string& text, double size) {
@@ -139,6 +154,21 @@ void draw_time(Image& image, const Layout& layout, double time) {
   canvas.colour(text_colour);
   canvas.write(time_text(time), layout.caption.right(), layout.caption.y + layout.font, layout.font,
                1.0);
+}
+
+void draw_discs(Image& image, const Layout& layout, const Grid& grid,
+                const std::vector<Circle>& discs) {
+  if (discs.empty()) return;
+  Canvas canvas(image);
+  const double top = layout.caption.bottom(), below = layout.bar.y - 0.5 * layout.font;
+  canvas.clip(top, below - top, image.width);
+  const double scale = layout.plate.width / (grid.nx * grid.dx);  // px/m
+  for (const Circle& disc : discs) {
+    const Vec2 place = (disc.centre - grid.centre) * scale;
+    canvas.disc(layout.plate.x + 0.5 * layout.plate.width + place.x(),
+                layout.plate.y + 0.5 * layout.plate.height - place.y(), disc.radius * scale,
+                disc_colour);
+  }
 }
 
 std::string time_text(double time) {

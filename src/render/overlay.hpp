@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/image.hpp"
+#include "measure/field.hpp"
 #include "render/colour_map.hpp"
 #include "render/layout.hpp"
 
@@ -25,6 +27,10 @@ void draw_frame(Image& image, const Layout& layout, const ColourMap& map, const 
 
 // The time, in s, at the right end of the caption.
 void draw_time(Image& image, const Layout& layout, double time);
+
+// Discs, between the caption and the legend.
+void draw_discs(Image& image, const Layout& layout, const Grid& grid,
+                const std::vector<Circle>& discs);
 
 // "22.50 µs"; always two decimals, so that it does not dance.
 std::string time_text(double time);

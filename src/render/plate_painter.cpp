@@ -130,12 +130,13 @@ int PlatePainter::height() const {
   return parts_->layout.height;
 }
 
-Image PlatePainter::paint(const Field& field, double time) {
+Image PlatePainter::paint(const Field& field, double time, const std::vector<Circle>& discs) {
   parts_->context.make_current();
   parts_->draw_field(field);
   Image image = parts_->context.finish();
   draw_frame(image, parts_->layout, parts_->map, parts_->text_for(field));
   draw_time(image, parts_->layout, time);
+  draw_discs(image, parts_->layout, parts_->style.grid, discs);
   return image;
 }
 

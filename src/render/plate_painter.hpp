@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/image.hpp"
 #include "lattice/grid.hpp"
@@ -32,8 +33,9 @@ class PlatePainter {
   int width() const;   // px, even
   int height() const;  // px, even, from the shape of the plate
 
-  // `field` has one component. `time` in s.
-  Image paint(const Field& field, double time);
+  // `field` has one component. `time` in s. Discs are drawn where they are now, over the plate as
+  // it was at rest.
+  Image paint(const Field& field, double time, const std::vector<Circle>& discs = {});
 
  private:
   struct Parts;

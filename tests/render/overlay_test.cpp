@@ -2,6 +2,7 @@
 #include "render/overlay.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,24 @@ TEST_P(Overlay, DrawsBarScaleAndTimeWhereTheyBelong) {
   EXPECT_EQ(lit(image, layout.caption), 0);
   draw_time(image, layout, 22.5e-6);
   EXPECT_GT(lit(image, layout.caption), 0);
+}
+
+TEST_P(Overlay, DrawsDiscsWhereTheyAreAndNowhereElse) {
+  const Grid grid{200, 80, 0.5e-3, {0.05, 0.02}};
+  draw_discs(image, layout, grid, {});
+  const Rectangle all{0, 0, image.width, image.height};
+  EXPECT_EQ(lit(image, all), 0);
+  // A tenth of the plate's width across, in its middle: pi/4 of the square around it, and its rim.
+  draw_discs(image, layout, grid, {{{0.05, 0.02}, 0.005}});
+  const double width = 0.1 * layout.plate.width, area = 0.25 * std::numbers::pi * width * width;
+  EXPECT_NEAR(lit(image, all), area, 2.0 * std::numbers::pi * width);
+  const int x = layout.plate.x + layout.plate.width / 2,
+            y = layout.plate.y + layout.plate.height / 2, r = static_cast<int>(0.5 * width) + 2;
+  EXPECT_EQ(lit(image, {x - r, y - r, 2 * r, 2 * r}), lit(image, all));
+  // Neither the caption nor the legend are painted over, however large it is.
+  draw_discs(image, layout, grid, {{{-0.5, -0.5}, 10.0}});
+  EXPECT_EQ(lit(image, layout.caption), 0);
+  EXPECT_EQ(lit(image, layout.bar), 0);
 }
 
 TEST_P(Overlay, StaysInsideThePicture) {

@@ -1,0 +1,21 @@
+-- shatter.lua: a steel disc flies into the edge of a plate of glass, crushes it, and bounces off while cracks
+-- run on through the plate.
+--
+-- Strength scatters, so that the two sides break differently. The faces of cracks push each other away where
+-- they touch; without p:contact{} fragments would pass through one another.
+--
+--   hackle run scripts/gallery/shatter.lua
+--   hackle run scripts/gallery/shatter.lua --set seed=5
+
+local o = options { seed = 2, speed = 60, spacing = 0.25*mm }
+
+local p = plate { width = 60*mm, height = 60*mm, material = "duran50" }
+p:strength { modulus = 10, correlation = 1*mm, seed = o.seed }
+p:contact  {}
+p:impactor { centre = {-5.01*mm, 30*mm}, radius = 5*mm, velocity = {o.speed, 0} }
+
+local s = simulate(p, { spacing = o.spacing })
+s:movie { "shatter.mp4", every = 0.25*us, width = 800 }
+s:run(40*us)
+s:frame { "shatter.png", width = 800 }
+print(s:report())
