@@ -4,7 +4,9 @@
 // than d = reach min(L, 1.5 dx), L their distance at rest, with `stiffness` times the micromodulus
 // times (d - r)/delta, delta the horizon.
 //
-// Only nodes that lack a bond are looked at, those at the rims of the plate included.
+// Only nodes that lack a bond are looked at, those at the rims of the plate included. LAMMPS pushes
+// nodes that are still bonded, too, once they are nearer than d: a second, stiffer law for bonds
+// that are shortened by a tenth, which no bond of glass lives to see.
 #pragma once
 
 #include <cstdint>

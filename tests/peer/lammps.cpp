@@ -52,7 +52,7 @@ region bottom block INF INF INF -{top} INF INF
 group top region top
 group bottom region bottom
 fix up top addforce 0 {pull:.17g} 0
-fix down bottom addforce 0 -{pull:.17g} 0
+fix down bottom addforce 0 {push:.17g} 0
 fix move all nve
 compute damage all damage/atom
 dump nodes all custom {every} nodes.dump id x y c_damage
@@ -63,7 +63,7 @@ run {steps}
 )",
              fmt::arg("c", plate.c), fmt::arg("m", plate.m), fmt::arg("s00", plate.s00),
              fmt::arg("alpha", plate.alpha), fmt::arg("top", top), fmt::arg("pull", plate.pull),
-             fmt::arg("every", every), fmt::arg("steps", steps));
+             fmt::arg("push", -plate.pull), fmt::arg("every", every), fmt::arg("steps", steps));
 }
 
 // One snapshot of a dump; false at its end.

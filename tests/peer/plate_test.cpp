@@ -8,8 +8,8 @@
 //
 // Both programs integrate with velocity Verlet and round differently: LAMMPS stores places, not
 // displacements, and a place of 60 dx has an ulp of 7e-15 dx. That is what is left between them,
-// some 1e-12 of the displacements, until bodies touch: from then on they differ, for LAMMPS has
-// contact forces (Hackle has none).
+// some 1e-12 of the displacements, until bodies touch: LAMMPS cannot do without contact forces,
+// which have a test of their own.
 #include <cmath>
 #include <numbers>
 
