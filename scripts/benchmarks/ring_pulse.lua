@@ -1,6 +1,6 @@
 -- ring_pulse.lua: an elastic pulse spreads as a ring in an intact plate.
 --
--- A small bulge of displacement, a Gaussian along the radius, is let go in the middle of a plate; two rings leave
+-- A small bulge of displacement, a Gaussian along the radius, is let go in the middle of a plate; a ring leaves
 -- (the field's usual wave test: PDMATLAB2D WavePropagation.m, with its width over plate of 1/30). The time at
 -- which the ring passes two nodes gives its speed, to be compared with c_p = sqrt(E/(rho (1 - nu^2))) of plane
 -- stress, E and nu those of the lattice (nu 0.317 at m = 4).

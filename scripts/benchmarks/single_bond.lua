@@ -1,6 +1,6 @@
 -- single_bond.lua: the smallest scene that has a bond to break: two nodes that fly apart.
 --
--- Two nodes on the smallest family (m = 2) move apart along x at 10 m/s each. A PMB bond under them is a linear
+-- Two nodes on the smallest family (m = 2) move apart along x at 10 m/s each. The bond between them is a linear
 -- spring, k = c V^2/dx between two nodes of mass rho V, so that its stretch is
 -- s(t) = 2 v/(w dx) sin(w t) with w^2 = 2 c V/(rho dx), until it reaches s0.
 -- Source: that formula, and the calibration of src/lattice for c: E = C11 - C12^2/C11 over the offsets of the family.

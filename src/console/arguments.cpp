@@ -277,15 +277,16 @@ void Arguments::take_texts(lua_State* L, int index, const Option& option) {
   if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
   const lua_Unsigned count = lua_rawlen(L, index);
   if (!option.range.holds(static_cast<double>(count)) || entries(L, index) != count)
-    return wrong(option, fmt::format("{}: {} is not {}", doc_->name, option.name, expectation(option)));
+    return wrong(option,
+                 fmt::format("{}: {} is not {}", doc_->name, option.name, expectation(option)));
   std::vector<std::string> texts;
   for (lua_Unsigned k = 1; k <= count; ++k) {
     const bool is_text = lua_rawgeti(L, index, static_cast<lua_Integer>(k)) == LUA_TSTRING;
     if (is_text) texts.emplace_back(text_at(L, -1));
     lua_pop(L, 1);
     if (!is_text || texts.back().empty() || texts.back().find('\0') != std::string::npos)
-      return wrong(option, fmt::format("{}: entry {} of {} is no text, or an empty one", doc_->name, k,
-                                       option.name));
+      return wrong(option, fmt::format("{}: entry {} of {} is no text, or an empty one", doc_->name,
+                                       k, option.name));
   }
   keep(option, std::move(texts));
 }

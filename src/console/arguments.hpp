@@ -59,9 +59,9 @@ class Arguments {
   struct Choice {
     std::size_t index = 0;
   };
-  using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice,
-                             VectorField, ScalarField, Course, std::vector<Vec2>,
-                             std::vector<std::string>>;
+  using Value =
+      std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice, VectorField,
+                   ScalarField, Course, std::vector<Vec2>, std::vector<std::string>>;
   struct Slot {
     std::optional<Value> value;
     bool bad = false;

@@ -49,16 +49,16 @@ constexpr FunctionDoc contact_sheet_doc{
     .name = "contact_sheet",
     .sentence = "Puts pictures that were written before on one, each with a title.",
     .options = sheet_options,
-    .example = "-- contact_sheet { \"all.png\", pictures = { \"one.png\", \"two.png\" }, columns = "
-               "2 }"};
+    .example =
+        "-- contact_sheet { \"all.png\", pictures = { \"one.png\", \"two.png\" }, columns = "
+        "2 }"};
 
 // The files and what stands below them.
 std::vector<SheetPicture> pictures_of(const Session& session, Arguments& arguments) {
   const std::vector<std::string> titles = arguments.texts("titles");
   std::vector<SheetPicture> pictures;
   for (const std::string& name : arguments.texts("pictures"))
-    pictures.push_back(
-        {session.output_path(name), std::filesystem::path(name).stem().string()});
+    pictures.push_back({session.output_path(name), std::filesystem::path(name).stem().string()});
   if (!arguments.has("titles") || pictures.empty()) return pictures;
   if (titles.size() != pictures.size())
     arguments.problems.add(fmt::format("contact_sheet: there are {} titles for {} pictures",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "console/measure_binding.hpp"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <fmt/format.h>
@@ -116,7 +116,8 @@ int pieces(lua_State* L) {
 // The column or row of the node nearest to `x` spacings from the lower left corner.
 int nearest(double x, int count, const char* axis) {
   if (!(x >= 0.0 && x <= count))
-    throw Error(ErrorKind::refused, fmt::format("at: the place lies beyond the plate along {}", axis),
+    throw Error(ErrorKind::refused,
+                fmt::format("at: the place lies beyond the plate along {}", axis),
                 "the origin is its lower left corner");
   return std::min(static_cast<int>(x), count - 1);
 }

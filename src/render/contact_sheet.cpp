@@ -82,7 +82,8 @@ std::string fitting(cairo_t* cairo, std::string title, double width) {
   return title + "…";
 }
 
-void draw_title(cairo_t* cairo, const Measures& cell, double x, double y, const std::string& title) {
+void draw_title(cairo_t* cairo, const Measures& cell, double x, double y,
+                const std::string& title) {
   set_colour(cairo, title_colour);
   const std::string text = fitting(cairo, title, cell.width);
   cairo_move_to(cairo, std::round(x + 0.5 * (cell.width - width_of(cairo, text))),

@@ -24,8 +24,8 @@ struct SheetLayout {
 inline constexpr int most_of_sheet = 16384;
 
 // Pictures from left to right and from the top, each shrunk or grown to fit its cell, its title
-// below it (shortened where it does not fit). Throws Error (refused) when there is none or the sheet would
-// be larger than most_of_sheet, Error (files) when one cannot be read.
+// below it (shortened where it does not fit). Throws Error (refused) when there is none or the
+// sheet would be larger than most_of_sheet, Error (files) when one cannot be read.
 Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout& layout);
 
 }  // namespace hackle

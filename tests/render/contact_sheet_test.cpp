@@ -30,8 +30,7 @@ int red_at(const Image& image, int x, int y) {
 // How many pixels of a row are bright; the rim of a scaled picture may bleed by half a pixel.
 int painted(const Image& image, int y) {
   int count = 0;
-  for (int x = 0; x < image.width; ++x)
-    count += red_at(image, x, y) > 128 ? 1 : 0;
+  for (int x = 0; x < image.width; ++x) count += red_at(image, x, y) > 128 ? 1 : 0;
   return count;
 }
 

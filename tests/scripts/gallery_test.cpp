@@ -26,9 +26,9 @@ TEST(Gallery, QuenchMakesAnArrayOfCracks) {
 TEST(Gallery, HeterogeneousGlassBranchesWithoutSymmetry) {
   test::WatchedScript script("gallery/heterogeneous.lua");
   EXPECT_GE(script("runs[1].s:cracks().bands"), 4);
-  EXPECT_TRUE(script.holds(
-      "runs[1].s:cracks { from = {0, 0}, to = {100*mm, 20*mm} }.nodes ~= "
-      "runs[1].s:cracks { from = {0, 20*mm}, to = {100*mm, 40*mm} }.nodes"));
+  EXPECT_TRUE(
+      script.holds("runs[1].s:cracks { from = {0, 0}, to = {100*mm, 20*mm} }.nodes ~= "
+                   "runs[1].s:cracks { from = {0, 20*mm}, to = {100*mm, 40*mm} }.nodes"));
 }
 
 TEST(Gallery, TheRingFliesApart) {
@@ -49,16 +49,16 @@ TEST(Gallery, TwoHolesDrawCracks) {
   EXPECT_GT(script("runs[1].s:cracks { from = {24*mm, 0}, to = {36*mm, 120*mm} }.bottom"), 55 * mm);
 }
 
-// The cusp lies at 50 mm: what is above 47 mm breaks first.
+// The cusp lies at 50.5 mm; where the crack leaves the glass, at about {25, 7.5} mm.
 TEST(Gallery, OwnPictureBreaksFromItsCusp) {
   test::WatchedScript script(
       "gallery/own_picture.lua", {},
       "interval = 1*us function log(s) if not start then local c = s:cracks() "
       "if c.nodes > 0 then start = c.bottom end end end");
   EXPECT_GT(script("start"), 40 * mm);
-  EXPECT_GE(script("runs[1].s:cracks { from = {0, 5*mm}, to = {60*mm, 40*mm} }.bands"), 1);
-  EXPECT_GE(script("#runs[1].s:pieces()"), 2);
-  EXPECT_GT(script("runs[1].s:pieces()[2]"), 5000);
+  EXPECT_LT(script("runs[1].s:cracks { from = {22*mm, 0}, to = {28*mm, 40*mm} }.bottom"), 9 * mm);
+  EXPECT_GT(script("runs[1].s:cracks { from = {0, 20*mm}, to = {60*mm, 40*mm} }.right"), 38 * mm)
+      << "a branch to the right";
 }
 
 }  // namespace

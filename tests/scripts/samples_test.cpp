@@ -56,7 +56,8 @@ TEST(Samples, HoleCracksAtItsSides) {
                              "then two = s.time end end");
   EXPECT_NEAR(script("runs[1].first"), 20 * us, 2 * us);
   EXPECT_LE(script("two"), 40 * us + interval);
-  for (const std::string side : {"{0, 0}, to = {10*mm, 100*mm}", "{30*mm, 0}, to = {40*mm, 100*mm}"}) {
+  for (const std::string side :
+       {"{0, 0}, to = {10*mm, 100*mm}", "{30*mm, 0}, to = {40*mm, 100*mm}"}) {
     const std::string part = "runs[1].s:cracks { from = " + side + " }";
     EXPECT_GT(script(part + ".nodes"), 20) << side;
     EXPECT_LE(script(part + ".top"), 52 * mm) << side;
@@ -77,8 +78,10 @@ TEST(Samples, HoleAndCrackJoin) {
     end)");
   EXPECT_TRUE(script.holds("started"));
   EXPECT_LE(script("joined"), 42 * us + 2 * us);
-  EXPECT_GE(script("#runs[1].s:pieces()"), 2);
-  EXPECT_GT(script("runs[1].s:pieces()[2]"), 50000) << "in two, not a chip and the rest";
+  EXPECT_EQ(script.columns_without_crack(0.25 * mm, 49.25 * mm), 0) << "left of the hole";
+  EXPECT_EQ(script.columns_without_crack(70.75 * mm, 99.75 * mm), 0) << "right of it";
+  EXPECT_LE(script("runs[1].s:cracks().top"), 156 * mm) << "no fork";
+  EXPECT_GE(script("runs[1].s:cracks().bottom"), 144 * mm);
 }
 
 }  // namespace

@@ -55,8 +55,7 @@ TEST(Scenes, HaveATest) {
   for (const auto& file : fs::directory_iterator(root / "tests" / "scripts"))
     tests += read_text(file.path());
   ASSERT_GE(scenes().size(), 20U);
-  for (const std::string& name : scenes())
-    EXPECT_TRUE(contains(tests, "\"" + name + "\"")) << name;
+  for (const std::string& name : scenes()) EXPECT_TRUE(contains(tests, "\"" + name + "\"")) << name;
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace hackle::test {
 
 // Between s:run and the simulation stands a watcher that cuts the run into intervals, which changes
 // no bit of it, and notes what it sees after each. Movies and run files are left out; pictures are
-// painted. In Lua, `runs[k]` is the k-th simulation: s, first (time of the first broken bond), fork,
-// fork_place, joined (time of the second piece); nil where that never happened. What the script
-// prints is in `printed`.
+// painted. In Lua, `runs[k]` is the k-th simulation: s, first (time of the first broken bond),
+// fork, fork_place, joined (time of the second piece); nil where that never happened. What the
+// script prints is in `printed`.
 inline const std::string watcher = R"(
 interval, runs, printed = 0.5*us, {}, ""
 local simulate_really = simulate
@@ -70,6 +70,17 @@ class WatchedScript {
     return console_.evaluate("not not (" + expression + ")").at(0) == "true";
   }
   std::string hash() { return console_.evaluate("runs[1].s.hash").at(0); }
+  // Columns of nodes 0.5 mm apart, from the one at `first` to that at `last`, in m, that no crack
+  // of the first simulation meets.
+  int columns_without_crack(double first, double last) {
+    int count = 0;
+    for (double x = first; x <= last + 1e-6; x += 0.5e-3)
+      count += (*this)("runs[1].s:cracks { from = {" + std::to_string(x - 1e-4) + ", 0}, to = {" +
+                       std::to_string(x + 1e-4) + ", 1} }.nodes") == 0.0
+                   ? 1
+                   : 0;
+    return count;
+  }
   std::string printed() { return console_.evaluate("printed").at(0); }
   std::size_t pictures() const {
     std::size_t count = 0;
