@@ -3,6 +3,7 @@
 --
 -- The lower edge of a plate is cooled by 300 K within a skin that fades over 1 mm; strength scatters a little,
 -- or all cracks would be alike.
+-- Expected: ten cracks or more leave the cold skin; none goes through the plate.
 --
 --   hackle run scripts/gallery/quench.lua
 

@@ -2,6 +2,7 @@
 --
 -- Mott's fragmenting ring: every part starts outwards at the same speed; where the glass is weakest it breaks
 -- first and relieves its neighbours.
+-- Expected: ten large fragments or more.
 --
 --   hackle run scripts/gallery/ring.lua
 

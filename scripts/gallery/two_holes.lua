@@ -2,6 +2,7 @@
 --
 -- A plate with two notches at different heights and two holes, pulled slowly at its ends. Each crack bends
 -- towards the hole near its way.
+-- Expected: the cracks run into the holes, and a bridge of them between the two holes.
 --
 --   hackle run scripts/gallery/two_holes.lua
 

@@ -215,6 +215,8 @@ void Arguments::read_value(lua_State* L, int index, const Option& option) {
       return take_integer(L, index, option);
     case OptionType::text:
       return take_text(L, index, option);
+    case OptionType::texts:
+      return take_texts(L, index, option);
     case OptionType::flag:
       return take_flag(L, index, option);
     case OptionType::point:
@@ -269,6 +271,24 @@ void Arguments::take_text(lua_State* L, int index, const Option& option) {
   if (text.find('\0') != std::string_view::npos)
     return wrong(option, fmt::format("{}: {} holds a zero byte", doc_->name, option.name));
   keep(option, std::string(text));
+}
+
+void Arguments::take_texts(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
+  const lua_Unsigned count = lua_rawlen(L, index);
+  if (!option.range.holds(static_cast<double>(count)) || entries(L, index) != count)
+    return wrong(option,
+                 fmt::format("{}: {} is not {}", doc_->name, option.name, expectation(option)));
+  std::vector<std::string> texts;
+  for (lua_Unsigned k = 1; k <= count; ++k) {
+    const bool is_text = lua_rawgeti(L, index, static_cast<lua_Integer>(k)) == LUA_TSTRING;
+    if (is_text) texts.emplace_back(text_at(L, -1));
+    lua_pop(L, 1);
+    if (!is_text || texts.back().empty() || texts.back().find('\0') != std::string::npos)
+      return wrong(option, fmt::format("{}: entry {} of {} is no text, or an empty one", doc_->name,
+                                       k, option.name));
+  }
+  keep(option, std::move(texts));
 }
 
 void Arguments::take_flag(lua_State* L, int index, const Option& option) {
@@ -453,6 +473,10 @@ Vec2 Arguments::point(std::string_view name) const {
 
 Vec2 Arguments::pair(std::string_view name, const Vec2& fallback) const {
   return value_or(name, fallback);
+}
+
+std::vector<std::string> Arguments::texts(std::string_view name) const {
+  return value_or(name, std::vector<std::string>{});
 }
 
 std::vector<Vec2> Arguments::points(std::string_view name) const {

@@ -36,6 +36,7 @@ class Arguments {
   double number(std::string_view name, double fallback = 0.0) const;
   std::int64_t integer(std::string_view name, std::int64_t fallback = 0) const;
   std::string text(std::string_view name, std::string_view fallback = {}) const;
+  std::vector<std::string> texts(std::string_view name) const;
   bool flag(std::string_view name, bool fallback = false) const;
   Vec2 point(std::string_view name) const;
   Vec2 pair(std::string_view name, const Vec2& fallback = {0, 0}) const;
@@ -58,8 +59,9 @@ class Arguments {
   struct Choice {
     std::size_t index = 0;
   };
-  using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice,
-                             VectorField, ScalarField, Course, std::vector<Vec2>>;
+  using Value =
+      std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice, VectorField,
+                   ScalarField, Course, std::vector<Vec2>, std::vector<std::string>>;
   struct Slot {
     std::optional<Value> value;
     bool bad = false;
@@ -86,6 +88,7 @@ class Arguments {
   void take_number(lua_State* L, int index, const Option& option);
   void take_integer(lua_State* L, int index, const Option& option);
   void take_text(lua_State* L, int index, const Option& option);
+  void take_texts(lua_State* L, int index, const Option& option);
   void take_flag(lua_State* L, int index, const Option& option);
   void take_point(lua_State* L, int index, const Option& option);
   void take_pair(lua_State* L, int index, const Option& option);

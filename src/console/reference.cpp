@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "console/contact_sheet_binding.hpp"
 #include "console/help_binding.hpp"
 #include "console/load_binding.hpp"
 #include "console/material_binding.hpp"
@@ -26,6 +27,8 @@ std::string_view type_word(const Option& option) {
       return "integer";
     case OptionType::text:
       return "text";
+    case OptionType::texts:
+      return "list of texts";
     case OptionType::flag:
       return "flag";
     case OptionType::point:
@@ -116,8 +119,9 @@ std::vector<const TypeDoc*> all_types() {
 
 std::vector<Function> all_functions() {
   std::vector<Function> list;
-  for (const auto functions : {material_functions(), plate_functions(), course_functions(),
-                               simulation_functions(), options_functions(), help_functions()})
+  for (const auto functions :
+       {material_functions(), plate_functions(), course_functions(), simulation_functions(),
+        contact_sheet_functions(), options_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());
   return list;
 }

@@ -46,6 +46,8 @@ std::string expectation(const Option& option) {
       return "a whole number" + (option.unit.empty() ? "" : fmt::format(" of {}", option.unit));
     case OptionType::text:
       return "a text in quotes";
+    case OptionType::texts:
+      return fmt::format("a list of {} or more texts in quotes", option.range.least);
     case OptionType::flag:
       return "true or false";
     case OptionType::point:

@@ -16,6 +16,7 @@ enum class OptionType {
   number,        // finite
   integer,       // whole number
   text,          // not empty
+  texts,         // a list of those, as many as the range says
   flag,          // true or false
   point,         // {x, y}, two finite numbers; a place or a vector
   pair,          // {a, b}, two finite numbers, each in the range

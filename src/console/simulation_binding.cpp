@@ -13,6 +13,7 @@
 #include "base/units.hpp"
 #include "console/arguments.hpp"
 #include "console/load_binding.hpp"
+#include "console/measure_binding.hpp"
 #include "console/plate_binding.hpp"
 #include "console/relax_binding.hpp"
 #include "console/simulation_docs.hpp"
@@ -261,7 +262,8 @@ constexpr std::array fields{
 std::vector<Function> all_methods() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
-       {std::span<const Function>(methods), load_methods_of_simulation(), relax_methods()})
+       {std::span<const Function>(methods), load_methods_of_simulation(), relax_methods(),
+        measure_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

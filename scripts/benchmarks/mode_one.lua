@@ -1,0 +1,54 @@
+-- mode_one.lua: a crack opened from both sides runs straight, at a speed below c_R.
+--
+-- A square of 100 mm with a crack to its middle; its loaded edges move apart at 0.1 m/s each
+-- (the mode I job of Peridynamics.jl: E 32 GPa, rho 2500 kg/m3, G0 100 J/m2, horizon 3.015 spacings, 300 us).
+-- Its acceptance: between 10 and 35 mm beyond the middle the tip moves at 0.4 to 1.0 c_R, off the axis by
+-- 2 spacings at most, back by one at most; 60 nodes a side instead of 45 change the speed by less than 20 %.
+-- The tip is here the farthest node that has lost more than 0.35 of its bonds, seen every microsecond.
+-- Expected: all four hold.
+--
+--   hackle run scripts/benchmarks/mode_one.lua
+
+local o = options { nodes = 60, coarse = 45, speed = 0.1 }
+
+local function solve(nodes, picture)
+  local dx = 100*mm/nodes
+  local p = plate { width = 100*mm, height = 100*mm,
+                    material = material { name = "mode I", E = 32*GPa, rho = 2500, nu = 0.33, G0 = 100 } }
+  p:crack { from = {0, 50*mm}, to = {50*mm, 50*mm} }
+  for edge, speed in pairs { top = o.speed, bottom = -o.speed } do
+    p:move { edge = edge, depth = dx, velocity = {0, speed}, axis = "y" }:nofail { edge = edge, depth = 4*dx }
+  end
+  local s = simulate(p, { spacing = dx, horizon = 3.015*dx })
+  local run = { dx = dx, back = 0, tip = 0, off = 0, from = nil, to = nil }
+  while s.time < 300*us do
+    s:run(1*us)
+    local c = s:cracks { from = {51*mm, 10*mm}, to = {100*mm, 90*mm} }
+    local tip = c.nodes > 0 and c.right or 0
+    run.back = math.max(run.back, run.tip - tip)
+    run.tip = tip
+    if not run.from and tip >= 60*mm then run.from = { x = tip, t = s.time } end
+    if not run.to and tip >= 85*mm then
+      run.to = { x = tip, t = s.time }
+      local near = s:cracks { from = {51*mm, 10*mm}, to = {85*mm, 90*mm} }
+      run.off = math.max(near.top - 50*mm, 50*mm - near.bottom)
+      if picture then s:frame { picture, width = 800 } end
+    end
+  end
+  assert(run.to, "the crack does not run through")
+  run.v = (run.to.x - run.from.x)/(run.to.t - run.from.t)
+  return run, s
+end
+
+local fine, s = solve(o.nodes, "mode_one.png")
+local coarse = solve(o.coarse)
+local c_R = math.sqrt(32*GPa/(2*(1 + 1/3))/2500)*(0.862 + 1.14/3)/(1 + 1/3)
+local function say(what, value, holds)
+  print(string.format("%-34s %-12s %s", what, value, holds and "holds" or "FAILS"))
+end
+say("0.4 < v/c_R < 1.0", string.format("%.2f", fine.v/c_R), fine.v > 0.4*c_R and fine.v < c_R)
+say("off the axis, spacings (<= 2)", string.format("%.1f", fine.off/fine.dx), fine.off <= 2*fine.dx)
+say("back, spacings (<= 1)", string.format("%.1f", fine.back/fine.dx), fine.back <= 1.001*fine.dx)
+say("45 to 60 nodes, change of v (< 0.2)", string.format("%.3f", math.abs(1 - coarse.v/fine.v)),
+    math.abs(1 - coarse.v/fine.v) < 0.2)
+print(s:report())

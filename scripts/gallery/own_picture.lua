@@ -1,0 +1,29 @@
+-- own_picture.lua: your own PNG breaks. Its bright pixels are glass; a force draws its left and right halves apart.
+--
+-- The heart was drawn for Hackle, from the curve (x^2 + y^2 - 1)^3 = x^2 y^3. The glass is not the same everywhere,
+-- so that no two pictures of different seeds are alike.
+-- Expected: it breaks from its cusp downwards; the crack forks several times, and one branch is through by 50 us.
+--
+--   hackle run scripts/gallery/own_picture.lua
+--   hackle run scripts/gallery/own_picture.lua -- my.png
+--   hackle run scripts/gallery/own_picture.lua --set glass=dark --set width=80*mm -- my.png
+
+local o = options { picture = "../../assets/pictures/heart.png", glass = "light",
+                    width = 60*mm, height = 60*mm, pull = 1.2e9, seed = 5, spacing = 0.25*mm, time = 50*us }
+local given = ...
+local picture = o.picture
+if given then -- relative to where you are, not to this script
+  picture = given:sub(1, 1) == "/" and given or (os.getenv("PWD") or ".") .. "/" .. given
+end
+
+local p = plate { width = o.width, height = o.height, material = "duran50" }
+p:mask       { picture, remove = o.glass == "light" and "dark" or "light" }
+p:strength   { modulus = 15, correlation = 1.5*mm, seed = math.tointeger(o.seed) }
+p:body_force { force = function(x) return x > o.width/2 and o.pull or -o.pull, 0 end }
+
+local s = simulate(p, { spacing = o.spacing })
+s:movie { "own_picture.mp4", every = 0.25*us, width = 800 }
+s:run(o.time)
+s:frame { "own_picture.png", width = 800 }
+print(#s:pieces() .. " pieces")
+print(s:report())

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "measure/cracks.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "solver/pieces.hpp"
+
+namespace hackle {
+namespace {
+
+bool holds(const Box& box, const Vec2& point) {
+  return (point.array() >= box.least.array()).all() && (point.array() <= box.most.array()).all();
+}
+
+void widen(Cracks& found, const Vec2& place) {
+  if (found.nodes++ == 0) found.box = {place, place};
+  found.box = {found.box.least.cwiseMin(place), found.box.most.cwiseMax(place)};
+}
+
+}  // namespace
+
+Cracks cracks(Field damage, const Grid& grid, const Box& area) {
+  Cracks found;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const Vec2 place = grid.position(i, j);
+      float& value = damage.values[grid.index(i, j)];
+      if (!holds(area, place))
+        value = 0.0F;
+      else if (value > on_crack)
+        widen(found, place);
+    }
+  found.bands = most_bands(damage, grid);
+  found.fork = fork_place(damage, grid);
+  return found;
+}
+
+std::vector<int> piece_sizes(const Simulation& simulation) {
+  NodeVectors mobile(simulation.state().layout);
+  std::ranges::fill(mobile.x, 1.0);
+  std::ranges::fill(mobile.y, 1.0);
+  const Pieces pieces(simulation.lattice(), simulation.state(), mobile, Threads(1));
+  std::vector<int> sizes;
+  for (const Piece& piece : pieces.list()) sizes.push_back(piece.nodes);
+  std::ranges::sort(sizes, std::greater<>());
+  return sizes;
+}
+
+}  // namespace hackle

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Where the cracks of a plate, or of an area of it, have come to, and what still hangs together.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "measure/fork.hpp"
+#include "scene/shape.hpp"
+
+namespace hackle {
+
+// The nodes on a crack that lie in an area.
+struct Cracks {
+  std::int64_t nodes = 0;
+  Box box{};                   // m, from the least of their places to the largest; when nodes > 0
+  int bands = 0;               // the most cracks side by side in one column of nodes
+  std::optional<double> fork;  // m, the first column from the left with two or more
+};
+
+Cracks cracks(Field damage, const Grid& grid, const Box& area);
+
+// Nodes of each part whose bonds hold it together, the largest first; a node without bonds is none.
+std::vector<int> piece_sizes(const Simulation& simulation);
+
+}  // namespace hackle

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include "console/scripts.hpp"
+
+namespace hackle {
+namespace {
+
+using testing::HasSubstr;
+
+// Nodes at 1, 3, ... mm; the cut at mid-height lies between those at 19 and 21 mm. Within a horizon
+// of its end at 50 mm, nodes have lost less.
+TEST(MeasureBinding, FindsCracksInAnArea) {
+  EXPECT_EQ(test::message_of(test::scene + R"(
+    local c = s:cracks()
+    assert(c.nodes > 40 and c.nodes <= 50 and c.bands == 1 and c.fork == nil)
+    assert(math.abs(c.left - 1*mm) < 1e-9 and c.right > 41.5*mm and c.right < 49.5*mm)
+    assert(math.abs(c.bottom - 19*mm) < 1e-9 and math.abs(c.top - 21*mm) < 1e-9)
+    local half = s:cracks { from = {0, 20*mm}, to = {20*mm, 40*mm} }
+    assert(half.nodes == 10 and math.abs(half.bottom - 21*mm) < 1e-9)
+    local none = s:cracks { from = {60*mm, 0}, to = {100*mm, 40*mm} }
+    assert(none.nodes == 0 and none.bands == 0 and none.left == nil)
+  )"),
+            "");
+}
+
+TEST(MeasureBinding, CracksSideBySideAreAFork) {
+  EXPECT_EQ(test::message_of(R"(
+    local p = plate { width = 100*mm, height = 80*mm, material = "duran50" }
+    p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }
+    p:crack { from = {20*mm, 60*mm}, to = {50*mm, 60*mm} }
+    local c = simulate(p, { spacing = 2*mm }):cracks()
+    assert(c.bands == 2 and c.fork > 20*mm and c.fork < 28*mm)
+  )"),
+            "");
+}
+
+TEST(MeasureBinding, CountsPiecesTheLargestFirst) {
+  EXPECT_EQ(test::message_of(test::scene + R"(
+    assert(#s:pieces() == 1 and s:pieces()[1] == 1000)
+    p:crack { from = {20*mm, 0}, to = {20*mm, 40*mm} }
+    local list = simulate(p, { spacing = 2*mm }):pieces()
+    assert(#list == 3 and list[1] == 800 and list[2] == 100 and list[3] == 100)
+  )"),
+            "");
+}
+
+TEST(MeasureBinding, TellsWhatANodeDoes) {
+  EXPECT_EQ(test::message_of(R"(
+    local p = plate { width = 20*mm, height = 10*mm, material = "duran50" }
+    p:start { displacement = function(x, y) return 1e-3*x, -1e-3*y end }
+    local s = simulate(p, { spacing = 1*mm })
+    local corner, middle = s:at({0, 0}), s:at({20*mm, 10*mm})
+    assert(math.abs(corner.x - 0.5*mm) < 1e-12 and math.abs(corner.ux - 0.5e-6) < 1e-15)
+    assert(math.abs(middle.y - 9.5*mm) < 1e-12 and math.abs(middle.uy + 9.5e-6) < 1e-15)
+    assert(corner.damage == 0)
+  )"),
+            "");
+}
+
+TEST(MeasureBinding, RefusesBadInput) {
+  struct Bad {
+    const char* call;
+    const char* message;
+  };
+  for (const Bad& bad : {
+           Bad{"cracks { from = {0, 0} }", "given together"},
+           {"cracks { from = {1, 0}, to = {0, 1} }", "the area is empty"},
+           {"cracks { form = {0, 0} }", "did you mean 'from'?"},
+           {"cracks(3)", "expected options in braces"},
+           {"pieces(2)", "one value too many"},
+           {"at()", "place is missing"},
+           {"at({1, 0})", "beyond the plate along x"},
+           {"at({0, -1*mm})", "beyond the plate along y"},
+           {"at({0, 0/0})", "finite"},
+       })
+    EXPECT_THAT(test::message_of(test::scene + "s:" + bad.call), HasSubstr(bad.message))
+        << bad.call;
+}
+
+}  // namespace
+}  // namespace hackle

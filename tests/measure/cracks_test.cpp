@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "measure/cracks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+// Nodes at (0.5, 0.5), (1.5, 0.5), ... m.
+constexpr int nx = 8, ny = 6;
+const Grid grid{nx, ny, 1.0, {4.0, 3.0}};
+const Box everywhere{{0, 0}, {8, 6}};
+
+Field none() {
+  return {"damage", "", 1, std::vector<float>(grid.nodes())};
+}
+
+TEST(Cracks, AnIntactPlateHasNone) {
+  Field damage = none();
+  damage.values[grid.index(3, 3)] = on_crack;
+  const Cracks found = cracks(damage, grid, everywhere);
+  EXPECT_EQ(found.nodes, 0);
+  EXPECT_EQ(found.bands, 0);
+  EXPECT_FALSE(found.fork);
+}
+
+TEST(Cracks, BoxBandsAndForkAreThoseOfTheArea) {
+  Field damage = none();
+  for (int i = 1; i <= 5; ++i) damage.values[grid.index(i, 1)] = 0.5F;
+  for (int i = 4; i <= 6; ++i) damage.values[grid.index(i, 4)] = 0.5F;
+  const Cracks all = cracks(damage, grid, everywhere);
+  EXPECT_EQ(all.nodes, 8);
+  EXPECT_EQ(all.box.least, Vec2(1.5, 1.5));
+  EXPECT_EQ(all.box.most, Vec2(6.5, 4.5));
+  EXPECT_EQ(all.bands, 2);
+  EXPECT_DOUBLE_EQ(all.fork.value(), 4.5);
+  const Cracks lower = cracks(damage, grid, {{2, 0}, {8, 3}});
+  EXPECT_EQ(lower.nodes, 4);
+  EXPECT_EQ(lower.box.least, Vec2(2.5, 1.5));
+  EXPECT_EQ(lower.box.most, Vec2(5.5, 1.5));
+  EXPECT_EQ(lower.bands, 1);
+  EXPECT_FALSE(lower.fork);
+}
+
+TEST(Pieces, AreListedTheLargestFirst) {
+  Plate plate = test::bare_plate(30, 20);
+  plate.cracks.push_back({{5e-3, 0.0}, {5e-3, plate.height}});
+  EXPECT_EQ(piece_sizes(Simulation(plate, test::numerics(), {1})), (std::vector<int>{400, 200}));
+}
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What is to be seen in the pictures of the gallery.
+#include "scripts/watched_script.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr double mm = 1e-3;
+
+// A crack is what has left the cold skin of 1 mm.
+TEST(Gallery, QuenchMakesAnArrayOfCracks) {
+  test::WatchedScript script("gallery/quench.lua", {{"spacing", "0.2*mm"}});
+  EXPECT_TRUE(script.holds(R"((function()
+    local c = runs[1].s:cracks()
+    local count, inside = 0, false
+    for x = 0.1*mm, 50*mm, 0.2*mm do
+      local on = runs[1].s:cracks { from = {x - 0.05*mm, 1*mm}, to = {x + 0.05*mm, 2*mm} }.nodes > 0
+      if on and not inside then count = count + 1 end
+      inside = on
+    end
+    return count >= 10 and c.top < 9*mm
+  end)())"));
+}
+
+// A scene without scatter is symmetric to the bit: broken bonds above and below would be alike.
+TEST(Gallery, HeterogeneousGlassBranchesWithoutSymmetry) {
+  test::WatchedScript script("gallery/heterogeneous.lua");
+  EXPECT_GE(script("runs[1].s:cracks().bands"), 4);
+  EXPECT_TRUE(
+      script.holds("runs[1].s:cracks { from = {0, 0}, to = {100*mm, 20*mm} }.nodes ~= "
+                   "runs[1].s:cracks { from = {0, 20*mm}, to = {100*mm, 40*mm} }.nodes"));
+}
+
+TEST(Gallery, TheRingFliesApart) {
+  test::WatchedScript script("gallery/ring.lua", {}, "interval = 2*us");
+  EXPECT_TRUE(script.holds(R"((function()
+    local large = 0
+    for _, nodes in ipairs(runs[1].s:pieces()) do if nodes > 50 then large = large + 1 end end
+    return large >= 10
+  end)())"));
+  EXPECT_EQ(script.pictures(), 1U);
+}
+
+// The holes lie between 13 and 23 and between 37 and 47 mm; the cracks cut into both and join.
+TEST(Gallery, TwoHolesDrawCracks) {
+  test::WatchedScript script("gallery/two_holes.lua", {}, "interval = 5*us");
+  EXPECT_GT(script("runs[1].s:cracks { from = {24*mm, 50*mm}, to = {36*mm, 70*mm} }.nodes"), 24);
+  EXPECT_LT(script("runs[1].s:cracks { from = {24*mm, 0}, to = {36*mm, 120*mm} }.top"), 65 * mm);
+  EXPECT_GT(script("runs[1].s:cracks { from = {24*mm, 0}, to = {36*mm, 120*mm} }.bottom"), 55 * mm);
+}
+
+// The cusp lies at 50.5 mm; where the crack leaves the glass, at about {25, 7.5} mm.
+TEST(Gallery, OwnPictureBreaksFromItsCusp) {
+  test::WatchedScript script(
+      "gallery/own_picture.lua", {},
+      "interval = 1*us function log(s) if not start then local c = s:cracks() "
+      "if c.nodes > 0 then start = c.bottom end end end");
+  EXPECT_GT(script("start"), 40 * mm);
+  EXPECT_LT(script("runs[1].s:cracks { from = {22*mm, 0}, to = {28*mm, 40*mm} }.bottom"), 9 * mm);
+  EXPECT_GT(script("runs[1].s:cracks { from = {0, 20*mm}, to = {60*mm, 40*mm} }.right"), 38 * mm)
+      << "a branch to the right";
+}
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Every ready scene has a header with its expected result, a line in scripts/README.md and a test.
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/files.hpp"
+
+namespace hackle {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = HACKLE_SOURCE_FOLDER;
+
+// "samples/hole.lua" and the rest.
+std::vector<std::string> scenes() {
+  std::vector<std::string> names;
+  for (const char* folder : {"samples", "benchmarks", "gallery"})
+    for (const auto& file : fs::directory_iterator(root / "scripts" / folder))
+      if (file.path().extension() == ".lua")
+        names.push_back(std::string(folder) + "/" + file.path().filename().string());
+  return names;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// The comment lines at the top of a script.
+std::string header_of(const std::string& text) {
+  std::smatch found;
+  return std::regex_search(text, found, std::regex("^(--[^\n]*\n)+")) ? found.str() : "";
+}
+
+TEST(Scenes, SayWhatTheyAreAndWhatToExpect) {
+  for (const std::string& name : scenes()) {
+    const std::string header = header_of(read_text(root / "scripts" / name));
+    EXPECT_TRUE(header.starts_with("-- " + fs::path(name).filename().string() + ": ")) << name;
+    EXPECT_TRUE(contains(header, "-- Expected: ")) << name;
+    EXPECT_TRUE(contains(header, "hackle run scripts/" + name)) << name;
+  }
+}
+
+TEST(Scenes, StandInTheReadme) {
+  const std::string readme = read_text(root / "scripts" / "README.md");
+  for (const std::string& name : scenes()) EXPECT_TRUE(contains(readme, "(" + name + ")")) << name;
+}
+
+TEST(Scenes, HaveATest) {
+  std::string tests;
+  for (const auto& file : fs::directory_iterator(root / "tests" / "scripts"))
+    tests += read_text(file.path());
+  ASSERT_GE(scenes().size(), 20U);
+  for (const std::string& name : scenes()) EXPECT_TRUE(contains(tests, "\"" + name + "\"")) << name;
+}
+
+}  // namespace
+}  // namespace hackle
