@@ -61,5 +61,15 @@ TEST(Gallery, OwnPictureBreaksFromItsCusp) {
       << "a branch to the right";
 }
 
+// The nodes within 3 mm of where the disc hit are dust or nearly.
+TEST(Gallery, ADiscShattersAPlate) {
+  test::WatchedScript script("gallery/shatter.lua", {}, "interval = 2*us");
+  EXPECT_EQ(script("runs[1].s:cracks { from = {0, 29*mm}, to = {3*mm, 31*mm} }.nodes"), 12 * 8);
+  for (const char* far : {"right", "top"})
+    EXPECT_GT(script(std::string("runs[1].s:cracks().") + far), 59 * mm) << far;
+  EXPECT_GT(script("#runs[1].s:pieces()"), 5);
+  EXPECT_GT(script("runs[1].s.energy.broken"), 100);
+}
+
 }  // namespace
 }  // namespace hackle
