@@ -85,7 +85,7 @@ Box area_of(Arguments& arguments) {
     arguments.problems.add("cracks: from and to are given together or not at all");
   constexpr double all = std::numeric_limits<double>::infinity();
   if (!arguments.has("from") || !arguments.has("to")) return {{-all, -all}, {all, all}};
-  const Box area{arguments.point("from"), arguments.point("to")};
+  Box area{arguments.point("from"), arguments.point("to")};
   if ((area.least.array() >= area.most.array()).any())
     arguments.problems.add("cracks: the area is empty", "from is its lower left corner");
   return area;

@@ -124,9 +124,11 @@ Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout
   cairo_select_font_face(cairo.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo.get(), cell.font);
-  for (int k = 0; k < count; ++k)
-    draw_cell(cairo.get(), cell, cell.gap + (k % columns) * (cell.width + cell.gap),
-              cell.gap + (k / columns) * cell.pitch, pictures[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < count; ++k) {
+    const int column = k % columns, row = k / columns;
+    draw_cell(cairo.get(), cell, cell.gap + column * (cell.width + cell.gap),
+              cell.gap + row * cell.pitch, pictures[static_cast<std::size_t>(k)]);
+  }
   cairo_surface_flush(surface.get());
   return sheet;
 }
