@@ -152,6 +152,7 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
 
 void Run::set_loads(Loads loads) {
   parts_->refuse_while_running();
+  const Mark busy(parts_->running);  // functions of place are asked now
   parts_->simulation.set_loads(std::move(loads));
 }
 
