@@ -12,7 +12,7 @@
 
 namespace hackle {
 
-inline constexpr double most_points = 100000;
+inline constexpr double most_points = 10000;
 
 inline constexpr std::array shape_options{
     Option{.name = "centre",

@@ -5,6 +5,9 @@
 #include <map>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/error.hpp"
 #include "base/stopwatch.hpp"
 
 namespace hackle {
@@ -30,6 +33,8 @@ std::vector<std::size_t> places_of(const Nodes& nodes, const Grid& grid,
   return at;
 }
 
+constexpr std::int64_t most_tabulated = 100'000'000;
+
 // A displacement is that of the end of a step, a velocity that of its middle.
 double shift_of(Support::Kind kind) {
   return kind == Support::Kind::displacement ? 1.0 : 0.5;
@@ -39,6 +44,12 @@ double shift_of(Support::Kind kind) {
 
 void Amplitude::tabulate(std::int64_t begin, std::int64_t end, double dt) {
   if (!course_.is_function() || begin >= end) return;
+  if (end - begin > most_tabulated)
+    throw Error(ErrorKind::refused,
+                fmt::format("run: a function of time would be asked for {:.3g} steps beforehand, "
+                            "{:.0e} are the most",
+                            static_cast<double>(end - begin), static_cast<double>(most_tabulated)),
+                "run in pieces, or give a table of times and factors");
   first_ = begin;
   table_.clear();
   table_.reserve(static_cast<std::size_t>(end - begin));

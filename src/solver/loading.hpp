@@ -22,7 +22,8 @@ class Amplitude {
   Amplitude(Course course, double shift) : course_(std::move(course)), shift_(shift) {}
 
   bool is_constant() const { return course_.is_constant(); }
-  // Asks a function for the steps begin <= n < end, so that at() need not.
+  // Asks a function for the steps begin <= n < end, so that at() need not. Throws Error (refused)
+  // for more than 1e8 of them.
   void tabulate(std::int64_t begin, std::int64_t end, double dt);
   double at(std::int64_t step, double dt) const;
 

@@ -23,6 +23,7 @@ namespace hackle {
 namespace {
 
 constexpr std::int64_t steps_between_checks = 64;
+constexpr double most_steps = 1e15;  // whole numbers up to there are exact
 
 const Plate& checked(const Plate& plate, const Numerics& numerics, InstructionSet set) {
   Problems problems;
@@ -243,7 +244,12 @@ void Simulation::run(double duration, std::span<Observer* const> observers) {
                 fmt::format("run: the duration is {} s, it must be at least 0 s", duration));
   const double end = end_time_ + duration;
   // A whole number of steps must not become one more by rounding.
-  const auto last_step = static_cast<std::int64_t>(std::ceil(end / dt_ - 1e-9));
+  const double steps = std::ceil(end / dt_ - 1e-9);
+  if (!(steps <= most_steps))
+    throw Error(ErrorKind::refused,
+                fmt::format("run: the duration is {}, which is more than {:.0e} steps of {}",
+                            quantity(duration, "s"), most_steps, quantity(dt_, "s")));
+  const auto last_step = static_cast<std::int64_t>(steps);
   loading_.tabulate(state_.step, last_step + 1);
   heat_.tabulate(state_.step, last_step + 1);
   end_time_ = end;

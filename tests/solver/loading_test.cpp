@@ -72,6 +72,19 @@ TEST(Loading, TheLedgerOfARampIsOfSecondOrderInTheStep) {
   EXPECT_GT(coarse / fine, 3.0);
 }
 
+TEST(Loading, RefusesARunTooLongToCountOrToTabulate) {
+  Plate plate = test::bare_plate(20, 10);
+  Simulation simulation(plate, test::numerics(), {1});
+  EXPECT_THROW(simulation.run(1e300), Error);
+  EXPECT_THROW(simulation.run(1e9), Error);
+  plate.loads.body_forces.push_back({{}, {1.0, 0.0}, Course([](double) { return 1.0; }, "one")});
+  Simulation loaded(plate, test::numerics(), {1});
+  EXPECT_THROW(loaded.run(100.0), Error);
+  for (const Simulation* one : {&simulation, &loaded}) EXPECT_EQ(one->state().step, 0);
+  simulation.run(1e-6);  // the time asked for in vain is forgotten
+  EXPECT_NEAR(simulation.time(), 1e-6, simulation.dt());
+}
+
 TEST(Loading, AsksAFunctionBeforeTheRunOnly) {
   int calls = 0;
   bool running = false;
