@@ -2,6 +2,7 @@
 // Run files are read back with the plain HDF5 library.
 #include "store/run_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
@@ -61,6 +62,30 @@ TEST(RunFile, HoldsWhatWasSimulated) {
     EXPECT_EQ(stored[3 * node + 2], 0.0);
     EXPECT_EQ(stored_phi[node], phi.values[node]);
   }
+}
+
+TEST(RunFile, NamesTheMaterialOfEveryNodeWhereTheyDiffer) {
+  Plate plate = test::bare_plate(30, 20);
+  Material soft = test::duran50();
+  soft.E *= 0.5;
+  plate.inclusions.push_back({rectangle({1e-3, 1e-3}, {3e-3, 3e-3}), soft});
+  plate.cutouts.push_back({rectangle({8e-3, 2e-3}, {10e-3, 4e-3}), ""});
+  const fs::path path = fresh_folder() / "a.h5";
+  const Simulation simulation(plate, test::numerics(), {1});
+  RunFile file(path, simulation, {"a.lua", ""});
+  file.add(simulation);
+  file.finish();
+  const std::vector<double> material = RunFileReader(path).numbers("material");
+  ASSERT_EQ(material.size(), 600U);
+  for (std::size_t node = 0; node < 600; ++node)
+    EXPECT_EQ(material[node], simulation.lattice().material[node]);
+  EXPECT_EQ(std::ranges::count(material, 1.0), 16);
+  EXPECT_EQ(std::ranges::count(material, 255.0), 16);
+
+  const fs::path plain = fresh_folder() / "b.h5";
+  const Simulation same = moving_plate();
+  RunFile(plain, same, {"b.lua", ""}).finish();
+  EXPECT_TRUE(RunFileReader(plain).numbers("material").empty());
 }
 
 TEST(RunFile, DescribesItself) {

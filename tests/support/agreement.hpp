@@ -14,6 +14,7 @@ inline double relative_difference(const Simulation& exact, const Simulation& oth
   double difference = 0.0, size = 0.0;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
+      if (exact.lattice().is_void(i, j)) continue;
       const Vec2 u = exact.displacement(i, j);
       difference += (other.displacement(i, j) - u).squaredNorm();
       size += u.squaredNorm();
