@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that Hackle needs and builds a release.
 #
-#   scripts/setup.sh [PRESET [TARGET]]      default: release, everything
+#   scripts/setup.sh [PRESET [TARGET]]      default: release, all that the preset builds
 #
 # Does nothing that is already done. Works as root, through sudo, or, when every package is there, as anybody.
 set -euo pipefail
 cd "$(dirname -- "${BASH_SOURCE[0]}")/.."
 preset=${1:-release}
-target=${2:-all}
+target=${2:-}
 
 packages=(
   g++ cmake ninja-build pkg-config git
@@ -54,4 +54,4 @@ if [ ${#missing[@]} -gt 0 ]; then
 fi
 
 cmake --preset "$preset"
-cmake --build --preset "$preset" --target "$target"
+cmake --build --preset "$preset" ${target:+--target "$target"}

@@ -86,15 +86,15 @@ TEST(Quasistatic, BitsDependNotOnThreads) {
 
 // With a dead load there is no rest once the crack has run through.
 TEST(Quasistatic, SaysThatThePlateComesApart) {
-  Plate plate = opened(0.0);
+  Plate plate = opened(0.0, 20, 24);
   plate.loads.supports.pop_back();
-  plate.loads.tractions = {{Edge::bottom, {0.0, -40e6}}};
+  plate.loads.tractions = {{Edge::bottom, {0.0, -80e6}}};
   plate.loads.tractions[0].course = ramp(duration);
   Simulation simulation(plate, test::numerics(), {1});
-  const QuasistaticResult result = simulation.load_slowly({duration, 5});
+  const QuasistaticResult result = simulation.load_slowly({duration, 2});
   EXPECT_FALSE(result.bears);
   EXPECT_THAT(result.why, testing::HasSubstr("relax"));
-  EXPECT_LT(result.passes.size(), 6U);
+  EXPECT_LE(result.passes.size(), 2U);
   EXPECT_GT(result.broken, 100);
   simulation.run(1e-6);  // it flies apart
   EXPECT_GT(energy(simulation).kinetic, 0.0);
