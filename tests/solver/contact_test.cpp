@@ -34,19 +34,19 @@ Plate shattering() {
   return plate;
 }
 
-struct Reference {
+struct AllPairs {
   std::vector<Vec2> acceleration;  // m/s2, by Grid::index
   double energy = 0.0;             // J/m
 };
 
 // The law as contact_forces.hpp states it, for every pair of nodes that lack a bond.
-Reference reference(const Simulation& simulation) {
+AllPairs all_pairs(const Simulation& simulation) {
   const Lattice& lattice = simulation.lattice();
   const Grid& grid = lattice.grid;
   const Contact contact = *simulation.plate().contact;
   const auto degree = degrees(grid, lattice.family, simulation.state().bonds);
   const double dx = grid.dx, delta = lattice.family.m() * dx, volume = dx * dx;
-  Reference sum{std::vector<Vec2>(grid.nodes(), Vec2(0, 0)), 0.0};
+  AllPairs sum{std::vector<Vec2>(grid.nodes(), Vec2(0, 0)), 0.0};
   const auto node = [&](std::size_t n) {
     return std::pair(static_cast<int>(n) % grid.nx, static_cast<int>(n) / grid.nx);
   };
@@ -70,7 +70,7 @@ Reference reference(const Simulation& simulation) {
 }
 
 void expect_agreement(const Simulation& simulation) {
-  const Reference wanted = reference(simulation);
+  const AllPairs wanted = all_pairs(simulation);
   ContactForces contact(*simulation.plate().contact, simulation.lattice(), simulation.dt());
   contact.begin(simulation.lattice(), simulation.state());
   contact.update(simulation.lattice(), simulation.state());
