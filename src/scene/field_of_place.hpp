@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <type_traits>
 #include <utility>
 
 #include "scene/vec2.hpp"
@@ -23,7 +24,14 @@ class FieldOfPlace {
   T at(const Vec2& point) const { return function_ ? function_(point) : constant_; }
 
  private:
-  T constant_{};
+  static T zero() {
+    if constexpr (std::is_arithmetic_v<T>)
+      return T(0);
+    else
+      return T::Zero();  // Eigen leaves T{} as it finds it
+  }
+
+  T constant_ = zero();
   std::function<T(const Vec2&)> function_;
 };
 
