@@ -22,6 +22,10 @@ Prompt::Reader line_reader(bool person) {
       [editor](const std::string& prompt, std::string& line) { return editor->read(prompt, line); };
 }
 
+void print_note(const std::string& note) {
+  fmt::print(stderr, "note: {}\n", note);
+}
+
 void print_value(const std::string& value) {
   fmt::print("{}\n", value);
   std::fflush(stdout);
@@ -36,7 +40,7 @@ int command_prompt() {
     settings.talk = talk(false);
     Console console(settings);
     const bool person = isatty(STDIN_FILENO) != 0;
-    Prompt prompt(console, line_reader(person), {print_value, tell});
+    Prompt prompt(console, line_reader(person), {print_value, tell, print_note});
     const int first_error = prompt.run();
     // A person has seen the errors; a program that feeds lines reads them from the code.
     const int code = person ? console.exit_code().value_or(0) : first_error;

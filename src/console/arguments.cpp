@@ -235,6 +235,8 @@ void Arguments::read_value(lua_State* L, int index, const Option& option) {
       return take_scalar_field(L, index, option);
     case OptionType::course:
       return take_course(L, index, option);
+    case OptionType::function:
+      return take_function(L, index, option);
   }
 }
 
@@ -398,6 +400,11 @@ void Arguments::take_scalar_field(lua_State* L, int index, const Option& option)
        }));
 }
 
+void Arguments::take_function(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TFUNCTION) return wrong_type(L, index, option);
+  keep(option, LuaFunction(L, index, full_name(option)));
+}
+
 void Arguments::take_course(lua_State* L, int index, const Option& option) {
   if (lua_type(L, index) == LUA_TFUNCTION) {
     const LuaFunction function(L, index, full_name(option));
@@ -497,6 +504,10 @@ ScalarField Arguments::scalar_field(std::string_view name) const {
 
 Course Arguments::course(std::string_view name) const {
   return value_or(name, Course{});
+}
+
+LuaFunction Arguments::function(std::string_view name) const {
+  return std::get<LuaFunction>(at(name).value.value());
 }
 
 }  // namespace hackle

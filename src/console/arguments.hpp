@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "console/lua_function.hpp"
 #include "console/schema.hpp"
 #include "scene/course.hpp"
 #include "scene/field_of_place.hpp"
@@ -45,6 +46,8 @@ class Arguments {
   VectorField vector_field(std::string_view name) const;
   ScalarField scalar_field(std::string_view name) const;
   Course course(std::string_view name) const;
+  // Of an option that has() one.
+  LuaFunction function(std::string_view name) const;
   // The text itself of a choice.
   std::string text_of_choice(std::string_view name, std::string_view fallback) const;
   // The enumerator whose place in its type is that of the text among the choices.
@@ -61,7 +64,7 @@ class Arguments {
   };
   using Value =
       std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice, VectorField,
-                   ScalarField, Course, std::vector<Vec2>, std::vector<std::string>>;
+                   ScalarField, Course, LuaFunction, std::vector<Vec2>, std::vector<std::string>>;
   struct Slot {
     std::optional<Value> value;
     bool bad = false;
@@ -97,6 +100,7 @@ class Arguments {
   void take_material(lua_State* L, int index, const Option& option);
   void take_vector_field(lua_State* L, int index, const Option& option);
   void take_scalar_field(lua_State* L, int index, const Option& option);
+  void take_function(lua_State* L, int index, const Option& option);
   void take_course(lua_State* L, int index, const Option& option);
   // "traction: stress"
   std::string full_name(const Option& option) const;

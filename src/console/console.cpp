@@ -17,6 +17,7 @@
 #include "console/reference.hpp"
 #include "console/simulation_binding.hpp"
 #include "console/units_binding.hpp"
+#include "console/value_text.hpp"
 
 namespace hackle {
 namespace {
@@ -58,7 +59,7 @@ int to_texts(lua_State* L) {
   const int count = lua_gettop(L);
   luaL_checkstack(L, 2, "too many values");
   for (int i = 1; i <= count; ++i) {
-    luaL_tolstring(L, i, nullptr);
+    push_text(L, value_text(L, i));
     lua_replace(L, i);
   }
   return count;
@@ -173,6 +174,10 @@ std::vector<std::string> Console::evaluate(const std::string& text) {
   std::vector<std::string> values;
   const int count = lua_gettop(L);
   if (count == 0) return values;
+  if (!lua_isnil(L, 1)) {
+    lua_pushvalue(L, 1);
+    lua_setglobal(L, "_");
+  }
   lua_pushcfunction(L, to_texts);
   lua_insert(L, 1);
   parts_->call(count, LUA_MULTRET);

@@ -28,7 +28,8 @@ class Console {
 
   // For the prompt. Whether more lines are needed to make sense of the text.
   bool is_incomplete(const std::string& text) const;
-  // Runs an expression or statements; the values it gives, as text. Closes nothing. Throws Error.
+  // Runs an expression or statements; the values it gives, as text (see value_text.hpp). The first
+  // of them, if it is not nil, is then `_`. Closes nothing. Throws Error.
   std::vector<std::string> evaluate(const std::string& text);
 
   // Closes every simulation. Throws Error when a file could not be completed.

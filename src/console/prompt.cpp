@@ -47,11 +47,19 @@ void Prompt::evaluate(const std::string& chunk) {
   clear_interrupt();
   try {
     for (const std::string& value : console_.evaluate(chunk)) voice_.value(value);
+    explain_local(chunk);
   } catch (const Error& error) {
     voice_.error(error);
     if (first_code_ == 0) first_code_ = static_cast<int>(error.kind());
   }
   clear_interrupt();
+}
+
+// What everybody stumbles over once who pastes a line of a script.
+void Prompt::explain_local(const std::string& chunk) {
+  if (local_is_explained_ || !chunk.starts_with("local ")) return;
+  local_is_explained_ = true;
+  voice_.note("a local ends with the line that it stands in; leave out 'local' to keep it");
 }
 
 LineEnd read_plain_line(const std::string&, std::string& line) {

@@ -15,10 +15,11 @@ class Prompt {
  public:
   // Where lines come from; the argument is the prompt to show.
   using Reader = std::function<LineEnd(const std::string& prompt, std::string& line)>;
-  // What becomes of values and errors.
+  // What becomes of values, errors and advice.
   struct Voice {
     std::function<void(const std::string&)> value;
     std::function<void(const Error&)> error;
+    std::function<void(const std::string&)> note;
   };
 
   Prompt(Console& console, Reader reader, Voice voice);
@@ -30,11 +31,13 @@ class Prompt {
  private:
   bool read_chunk(std::string& chunk);
   void evaluate(const std::string& chunk);
+  void explain_local(const std::string& chunk);
 
   Console& console_;
   Reader reader_;
   Voice voice_;
   int first_code_ = 0;
+  bool local_is_explained_ = false;
 };
 
 // Lines of stdin without any prompt.

@@ -47,6 +47,8 @@ std::string_view type_word(const Option& option) {
       return "number or function";
     case OptionType::course:
       return "times or function";
+    case OptionType::function:
+      return "function";
   }
   return "?";
 }

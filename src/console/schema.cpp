@@ -66,6 +66,8 @@ std::string expectation(const Option& option) {
       return "a number" + in_unit + ", or a function of x and y";
     case OptionType::course:
       return "{{t, factor}, ...}, as ramp, pulse and step_at make it, or a function of t";
+    case OptionType::function:
+      return "a function";
   }
   return "?";
 }

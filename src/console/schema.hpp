@@ -26,6 +26,7 @@ enum class OptionType {
   vector_field,  // {x, y}, or a function of x and y that returns two numbers
   scalar_field,  // a number, or a function of x and y that returns one
   course,        // {{t, factor}, ...} in time, or a function of t
+  function,      // of Lua
 };
 
 // A range of numbers, each end included or not.

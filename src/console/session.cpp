@@ -20,8 +20,11 @@ std::filesystem::path Session::output_path(const std::filesystem::path& name) co
 }
 
 std::shared_ptr<Run> Session::simulate(Plate plate, Numerics numerics) {
-  auto run =
-      std::make_shared<Run>(std::move(plate), numerics, settings.execution, settings.talk, origin);
+  return adopt(
+      std::make_shared<Run>(std::move(plate), numerics, settings.execution, settings.talk, origin));
+}
+
+std::shared_ptr<Run> Session::adopt(std::shared_ptr<Run> run) {
   entries_.push_back({run, std::nullopt});
   return run;
 }

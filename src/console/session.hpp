@@ -34,6 +34,8 @@ class Session {
 
   // Throws what Run throws.
   std::shared_ptr<Run> simulate(Plate plate, Numerics numerics);
+  // Takes on a run made from another.
+  std::shared_ptr<Run> adopt(std::shared_ptr<Run> run);
   // Closes a run that nobody can reach any more and keeps its summary alone. A failure is kept for
   // close_all().
   void retire(const Run* run) noexcept;

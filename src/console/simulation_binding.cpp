@@ -17,6 +17,7 @@
 #include "console/plate_binding.hpp"
 #include "console/relax_binding.hpp"
 #include "console/simulation_docs.hpp"
+#include "console/steering_binding.hpp"
 
 namespace hackle {
 namespace {
@@ -263,7 +264,7 @@ std::vector<Function> all_methods() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
        {std::span<const Function>(methods), load_methods_of_simulation(), relax_methods(),
-        measure_methods()})
+        measure_methods(), steering_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

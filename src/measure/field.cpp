@@ -33,6 +33,20 @@ Field damage(const Simulation& simulation) {
   return field;
 }
 
+double damage_of(const Simulation& simulation, int i, int j) {
+  const Lattice& lattice = simulation.lattice();
+  const Grid& grid = lattice.grid;
+  const BondBits& bonds = simulation.state().bonds;
+  const NodeLayout layout = grid.layout();
+  int left = 0;
+  lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+    left += bonds.holds(layout.at(i, j), bit) ? 1 : 0;
+    left += grid.contains(i - a, j - b) && bonds.holds(layout.at(i - a, j - b), bit) ? 1 : 0;
+  });
+  const int born = lattice.born[grid.index(i, j)];
+  return born == 0 ? 0.0 : static_cast<double>(born - left) / born;
+}
+
 Field displacement(const Simulation& simulation) {
   return vector_field(simulation, "displacement", "m", [&](int i, int j) -> Vec2 {
     if (simulation.lattice().is_void(i, j)) return {0, 0};

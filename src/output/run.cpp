@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <optional>
 #include <utility>
 
@@ -50,17 +51,46 @@ class ProgressObserver : public Observer {
   double start_, end_;
 };
 
-// True as long as it lives.
+// What a run is doing when a function of the script is called.
+enum class Activity { none, stepping, watched };
+
+// Holds as long as it lives.
 class Mark {
  public:
-  explicit Mark(bool& mark) : mark_(mark) { mark_ = true; }
-  ~Mark() { mark_ = false; }
+  Mark(Activity& activity, Activity now) : activity_(activity), before_(activity) {
+    activity_ = now;
+  }
+  ~Mark() { activity_ = before_; }
   Mark(const Mark&) = delete;
   Mark& operator=(const Mark&) = delete;
 
  private:
-  bool& mark_;
+  Activity& activity_;
+  Activity before_;
 };
+
+// A watcher, who may do more than functions of time.
+class Watched : public Observer {
+ public:
+  Watched(std::shared_ptr<Observer> watcher, Activity& activity)
+      : watcher_(std::move(watcher)), activity_(activity) {}
+
+  bool due(const Simulation& simulation) override { return watcher_->due(simulation); }
+  void observe(const Simulation& simulation) override {
+    const Mark mark(activity_, Activity::watched);
+    watcher_->observe(simulation);
+  }
+
+ private:
+  std::shared_ptr<Observer> watcher_;
+  Activity& activity_;
+};
+
+bool same_lattice(const Lattice& one, const Lattice& other) {
+  return one.grid.layout() == other.grid.layout() && one.grid.dx == other.grid.dx &&
+         one.bonds == other.bonds && one.born == other.born && one.material == other.material &&
+         one.strength == other.strength;
+}
 
 }  // namespace
 
@@ -70,25 +100,31 @@ struct Run::Parts {
         origin(std::move(origin_)),
         simulation(std::move(plate), numerics, execution),
         setup_seconds(life.seconds()) {}
+  explicit Parts(const Parts& other)
+      : talk(other.talk), origin(other.origin), simulation(other.simulation) {}
 
   double unused = 0.0;
   Stopwatch life{unused};
   Talk talk;
   Origin origin;
   Simulation simulation;
-  double setup_seconds;
+  double setup_seconds = 0.0;
   double frame_render_seconds = 0.0;
   double frame_store_seconds = 0.0;
   std::vector<std::unique_ptr<Output>> outputs;
   std::vector<fs::path> promised;  // by movie() and record()
   std::vector<fs::path> pictures;  // written by frame()
   bool closed = false;
-  bool running = false;  // a function of a script may be called in the middle of run()
+  std::vector<std::shared_ptr<Observer>> watchers;
+  Activity activity = Activity::none;
 
   void refuse_while_running() const {
-    if (running)
+    if (activity == Activity::stepping)
       throw Error(ErrorKind::refused, "the simulation is running",
                   "functions of time may not run it or change it");
+    if (activity == Activity::watched)
+      throw Error(ErrorKind::refused, "the simulation is running",
+                  "between two steps its loads may be changed, or s:stop() ends the run");
   }
 
   // Refuses a path that cannot be written or that another output of this run writes.
@@ -121,12 +157,14 @@ void Run::movie(const fs::path& path, const MovieOptions& options) {
   if (!(options.fps >= 1.0 && options.fps <= 240.0))
     throw Error(ErrorKind::refused,
                 fmt::format("movie: fps is {}, it must lie between 1 and 240", options.fps));
+  parts_->refuse_while_running();
   auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation);
   parts_->promise("movie", path);
   parts_->outputs.push_back(std::move(output));
 }
 
 void Run::record(const fs::path& path, const RecordOptions& options) {
+  parts_->refuse_while_running();
   auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin);
   parts_->promise("record", path);
   parts_->outputs.push_back(std::move(output));
@@ -151,9 +189,36 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
 }
 
 void Run::set_loads(Loads loads) {
-  parts_->refuse_while_running();
-  const Mark busy(parts_->running);  // functions of place are asked now
+  if (parts_->activity != Activity::watched) parts_->refuse_while_running();
+  const Mark busy(parts_->activity, Activity::stepping);  // functions of place are asked now
   parts_->simulation.set_loads(std::move(loads));
+}
+
+void Run::watch(std::shared_ptr<Observer> watcher) {
+  parts_->refuse_while_running();
+  parts_->watchers.push_back(std::move(watcher));
+}
+
+void Run::stop() {
+  parts_->simulation.stop();
+}
+
+Run::Run(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {
+}
+
+std::shared_ptr<Run> Run::fork() const {
+  return std::shared_ptr<Run>(new Run(std::make_unique<Parts>(*parts_)));
+}
+
+void Run::rewind(const Run& other) {
+  parts_->refuse_while_running();
+  if (!same_lattice(parts_->simulation.lattice(), other.simulation().lattice()))
+    throw Error(ErrorKind::refused, "rewind: that is a simulation of another plate or lattice",
+                "go back to what s:fork() has kept");
+  if (!parts_->outputs.empty() && !parts_->closed)
+    throw Error(ErrorKind::refused, "rewind: its movies and records would go back in time",
+                "complete them with s:close(), or go on with the other simulation");
+  if (&other != this) parts_->simulation = other.simulation();
 }
 
 void Run::check_open(const char* who) const {
@@ -169,7 +234,10 @@ void Run::run(double duration) {
   ProgressObserver progress(parts_->talk, simulation.time(), simulation.end_time() + duration);
   std::vector<Observer*> observers{&progress};
   for (const auto& output : parts_->outputs) observers.push_back(output.get());
-  const Mark busy(parts_->running);
+  std::deque<Watched> watched;
+  for (const auto& watcher : parts_->watchers)
+    observers.push_back(&watched.emplace_back(watcher, parts_->activity));
+  const Mark busy(parts_->activity, Activity::stepping);
   simulation.run(duration, observers);
 }
 
@@ -181,7 +249,7 @@ void Run::step(std::int64_t count) {
 
 RelaxResult Run::relax(double tolerance) {
   check_open("relax");
-  const Mark busy(parts_->running);
+  const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);
   return parts_->simulation.relax(
       {tolerance, [&](double fraction, int iterations) {
@@ -193,7 +261,7 @@ RelaxResult Run::relax(double tolerance) {
 
 QuasistaticResult Run::load_slowly(double duration, int increments, double tolerance) {
   check_open("quasistatic");
-  const Mark busy(parts_->running);
+  const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);
   std::vector<Observer*> observers;
   for (const auto& output : parts_->outputs) observers.push_back(output.get());
@@ -206,7 +274,9 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
 }
 
 void Run::close() {
+  parts_->refuse_while_running();
   parts_->closed = true;
+  parts_->watchers.clear();  // whose functions may hold on to this run
   std::optional<Error> first;
   for (const auto& output : parts_->outputs) {
     try {

@@ -48,8 +48,20 @@ class Run {
   // Writes a PNG of the state as it is now.
   void frame(const std::filesystem::path& path, const PictureOptions& options);
 
-  // Other loads from now on; see Simulation::set_loads.
+  // Other loads from now on; see Simulation::set_loads. Also between two steps of a run.
   void set_loads(Loads loads);
+
+  // Looks on between the steps of every run from now on. It may change loads, write pictures and
+  // stop the run, but not run it or close it.
+  void watch(std::shared_ptr<Observer> watcher);
+  // To be called by a watcher: the run ends after this step.
+  void stop();
+
+  // The same state under the same loads, to go another way; it writes no files yet.
+  std::shared_ptr<Run> fork() const;
+  // Goes back, or over, to the state and the loads of another run of the same plate and lattice.
+  // Throws Error (refused) for any other, and when a movie or a record is not complete.
+  void rewind(const Run& other);
 
   void run(double duration);      // s; see Simulation::run; shows progress on stderr
   void step(std::int64_t count);  // exactly so many steps
@@ -68,6 +80,7 @@ class Run {
 
  private:
   struct Parts;
+  explicit Run(std::unique_ptr<Parts> parts);
   void check_open(const char* who) const;
   std::unique_ptr<Parts> parts_;
 };

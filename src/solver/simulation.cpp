@@ -151,7 +151,7 @@ void Simulation::set_loads(Loads loads) {
   check(plate, problems);
   problems.throw_if_any();
   Loading loading(plate, lattice_, dt_);
-  loading.tabulate(state_.step, state_.step + 1);
+  loading.tabulate(state_.step, std::max(state_.step, last_step_) + 1);
   ThermalStrain heat(plate, lattice_, dt_);
   heat.update(lattice_, state_.step);
   loading.begin(lattice_, state_);
@@ -253,7 +253,14 @@ void Simulation::run(double duration, std::span<Observer* const> observers) {
   loading_.tabulate(state_.step, last_step + 1);
   heat_.tabulate(state_.step, last_step + 1);
   end_time_ = end;
-  advance_to(last_step, observers);
+  last_step_ = last_step;
+  stop_ = false;
+  try {
+    advance_to(last_step, observers);
+  } catch (...) {
+    end_time_ = time();  // what was not reached is not owed
+    throw;
+  }
 }
 
 void Simulation::let_look(std::span<Observer* const> observers) const {
@@ -273,12 +280,12 @@ void Simulation::advance_to(std::int64_t last_step, std::span<Observer* const> o
     }
     if (state_.step % steps_between_checks == 0) check_finite();
     let_look(observers);
-    if (interrupted()) {
-      end_time_ = time();
+    if (stop_) break;
+    if (interrupted())
       throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}, at {}",
                                                       state_.step, quantity(time(), "s")));
-    }
   }
+  if (stop_) end_time_ = time();
   check_finite();
 }
 
@@ -358,6 +365,11 @@ std::vector<Vec2> Simulation::velocities() const {
 
 bool Simulation::holds(int i, int j, int column, int row) const {
   return hackle::holds(lattice_.grid, lattice_.family, state_.bonds, i, j, column, row);
+}
+
+const std::vector<Loss>& Simulation::losses() const {
+  return std::visit([](const auto& engine) -> const std::vector<Loss>& { return engine.losses(); },
+                    engine_);
 }
 
 const PathCounts& Simulation::path_counts() const {

@@ -54,6 +54,9 @@ class Simulation {
   // has diverged.
   void run(double duration, std::span<Observer* const> observers = {});
 
+  // Called by an observer: run() ends after this step, as if no more had been asked for.
+  void stop() { stop_ = true; }
+
   // Brings the plate to rest where everything that acts at the present time is in balance, without
   // breaking a bond: what runs on from there starts from a plate under load. The work of loads and
   // supports becomes that of loading it slowly, so that the ledger of energy is closed. Throws
@@ -71,7 +74,8 @@ class Simulation {
   QuasistaticResult load_slowly(const QuasistaticOptions& options,
                                 std::span<Observer* const> observers = {});
 
-  // Other loads from now on. Throws Error (refused) with every problem found.
+  // Other loads from now on; an observer may change them between two steps. Throws Error (refused)
+  // with every problem found.
   void set_loads(Loads loads);
 
   // Goes on from another state of the same lattice: a kept one, which gives the same bits, or one
@@ -98,6 +102,8 @@ class Simulation {
   std::vector<Vec2> velocities() const;   // m/s, now, by Grid::index
   // Whether the bond of node (i, j) to (i + column, j + row) holds.
   bool holds(int i, int j, int column, int row) const;
+  // The bonds that broke in the last step.
+  const std::vector<Loss>& losses() const;
   // Tile-steps so far by the path they took.
   const PathCounts& path_counts() const;
   // When a run in f32 went over to f64, s: its displacements had grown too large.
@@ -142,6 +148,8 @@ class Simulation {
   Loading loading_;
   ThermalStrain heat_;
   double end_time_ = 0.0;
+  std::int64_t last_step_ = 0;  // of the run that is under way, or was
+  bool stop_ = false;
   double solve_seconds_ = 0.0;
   StepSeconds step_seconds_;
   std::optional<double> widened_at_;

@@ -50,6 +50,8 @@ Values nonsense(OptionType type) {
       return no_pairs;
     case OptionType::scalar_field:
       return {"'a'", "{}", "0/0", "1/0", "true"};
+    case OptionType::function:
+      return {"5", "'print'", "{}", "true"};
     case OptionType::course:
       return {"5",          "'a'",        "{}",
               "{5}",        "{{0}}",      "{{0, 'a'}}",
