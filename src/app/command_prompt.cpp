@@ -9,17 +9,24 @@
 #include "app/exit_code.hpp"
 #include "app/voice.hpp"
 #include "base/version.hpp"
+#include "console/line_reader.hpp"
 #include "console/prompt.hpp"
 
 namespace hackle {
 namespace {
 
 Prompt::Reader line_reader(bool person) {
-  if (!person) return read_plain_line;
+  if (!person) {
+    const auto reader = std::make_shared<LineReader>();
+    return [reader](const std::string&, std::string& line, const Idle& idle) {
+      return reader->read(line, idle);
+    };
+  }
   fmt::print("Hackle {}  -  help() tells more, Ctrl-D leaves\n", version());
   const auto editor = std::make_shared<LineEditor>(history_file());
-  return
-      [editor](const std::string& prompt, std::string& line) { return editor->read(prompt, line); };
+  return [editor](const std::string& prompt, std::string& line, const Idle& idle) {
+    return editor->read(prompt, line, idle);
+  };
 }
 
 void print_note(const std::string& note) {
@@ -43,6 +50,7 @@ int command_prompt() {
     Prompt prompt(console, line_reader(person), {print_value, tell, print_note});
     const int first_error = prompt.run();
     // A person has seen the errors; a program that feeds lines reads them from the code.
+    if (!person) console.finish_work();
     const int code = person ? console.exit_code().value_or(0) : first_error;
     const int closing = exit_code_of([&] {
       console.close_all();

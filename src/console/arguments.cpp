@@ -132,7 +132,7 @@ Arguments Arguments::from_table(lua_State* L, int index, const FunctionDoc& doc)
     arguments.read_value(L, index, *positional);
   else if (lua_type(L, index) == LUA_TTABLE)
     arguments.read_table(L, lua_absindex(L, index));
-  else
+  else if (!lua_isnone(L, index) || std::ranges::any_of(doc.options, &Option::required))
     throw Error(
         ErrorKind::refused,
         fmt::format("{}: expected options in braces, got {}", doc.name, description(L, index)),

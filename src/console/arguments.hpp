@@ -25,7 +25,8 @@ namespace hackle {
 // as its fallback.
 class Arguments {
  public:
-  // From the table at `index`. Also takes a text there for the option marked positional.
+  // From the table at `index`. Also takes a text there for the option marked positional, and
+  // nothing when nothing is required.
   static Arguments from_table(lua_State* L, int index, const FunctionDoc& doc);
   // From the values at `index` and after it, in the order of the options.
   static Arguments from_values(lua_State* L, int index, const FunctionDoc& doc);

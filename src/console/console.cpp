@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/files.hpp"
 #include "console/guard.hpp"
 #include "console/interrupt_hook.hpp"
@@ -34,12 +36,18 @@ bool load(lua_State* L, std::string_view text, const std::string& chunk) {
   return luaL_loadbufferx(L, text.data(), text.size(), chunk.c_str(), "t") == LUA_OK;
 }
 
-// [-0, +1] The text as an expression if it is one, or else as statements. False with the message.
-bool load_line(lua_State* L, std::string_view text) {
+// What lua shows for `=x` is what it shows for `x`.
+Transcript::Chunk chunk_of(std::string_view text) {
   if (text.starts_with('=')) text.remove_prefix(1);
-  if (load(L, "return " + std::string(text), prompt_chunk)) return true;
-  lua_pop(L, 1);
-  return load(L, text, prompt_chunk);
+  return {.text = std::string(text)};
+}
+
+// [-0, +1] The text as an expression if it is one, or else as statements. False with the message.
+bool load_line(lua_State* L, Transcript::Chunk& chunk) {
+  chunk.is_expression = load(L, "return " + chunk.text, prompt_chunk);
+  chunk.is_statement = load(L, chunk.text, prompt_chunk);
+  lua_remove(L, chunk.is_expression ? -1 : -2);
+  return chunk.is_expression || chunk.is_statement;
 }
 
 void set_arguments(lua_State* L, const std::string& name,
@@ -76,6 +84,20 @@ void look_for_modules_in(lua_State* L, const std::filesystem::path& folder) {
   lua_pop(L, 1);
 }
 
+// As long as it lives, what is printed makes room first.
+class Interlude {
+ public:
+  Interlude(Session& session, const MakeRoom& make_room) : session_(session) {
+    session_.make_room = make_room;
+  }
+  ~Interlude() { session_.make_room = nullptr; }
+  Interlude(const Interlude&) = delete;
+  Interlude& operator=(const Interlude&) = delete;
+
+ private:
+  Session& session_;
+};
+
 // What `work` threw, or nothing.
 std::optional<Error> failure_of(const std::function<void()>& work) {
   try {
@@ -107,7 +129,7 @@ struct Console::Parts {
     open_type(L, type_name<ScriptedRun>, simulation_type());
     open_functions(L, all_functions());
     open_exit(L);
-    if (session.settings.print_to_stderr) print_to_stderr(L);
+    open_print(L);
   }
 
   // Runs the function under `arguments` values on the stack; os.exit is not a failure.
@@ -116,6 +138,21 @@ struct Console::Parts {
     const auto failure = failure_of([&] { protected_call(L, arguments, results); });
     watch_interrupts(L);
     if (failure && !session.exit_code) throw Error(*failure);
+  }
+
+  // What load_line has pushed.
+  void carry_out(const Transcript::Chunk& chunk) {
+    using Outcome = Transcript::Outcome;
+    session.begin_line(chunk);
+    try {
+      call(0, LUA_MULTRET);
+    } catch (const Error& error) {
+      const bool interrupted = error.kind() == ErrorKind::interrupted;
+      session.end_line(chunk, interrupted ? Outcome::interrupted : Outcome::failed);
+      throw;
+    }
+    const bool has_value = lua_gettop(L) > 0 && !lua_isnil(L, 1);
+    session.end_line(chunk, has_value ? Outcome::value : Outcome::nothing);
   }
 
   void run_chunk(const std::string& text, const std::string& chunk,
@@ -127,6 +164,7 @@ struct Console::Parts {
     for (const std::string& argument : arguments) push_text(L, argument);
     call(static_cast<int>(arguments.size()), 0);
     if (!session.exit_code) session.check_overrides_used();
+    if (!session.exit_code) session.finish_work();
   }
 
   Session session;
@@ -157,7 +195,8 @@ void Console::run_text(const std::string& text, const std::string& name,
 
 bool Console::is_incomplete(const std::string& text) const {
   lua_State* L = parts_->L;
-  const bool complete = load_line(L, text);
+  Transcript::Chunk chunk = chunk_of(text);
+  const bool complete = load_line(L, chunk);
   constexpr std::string_view end = "<eof>";
   const std::string_view message = complete ? "" : lua_tostring(L, -1);
   const bool incomplete = !complete && message.ends_with(end);
@@ -168,19 +207,18 @@ bool Console::is_incomplete(const std::string& text) const {
 std::vector<std::string> Console::evaluate(const std::string& text) {
   lua_State* L = parts_->L;
   lua_settop(L, 0);
-  if (!load_line(L, text)) throw take_error(L);
-  parts_->session.origin.script_text += text + "\n";
-  parts_->call(0, LUA_MULTRET);
-  std::vector<std::string> values;
+  Transcript::Chunk chunk = chunk_of(text);
+  if (!load_line(L, chunk)) throw take_error(L);
+  parts_->carry_out(chunk);
   const int count = lua_gettop(L);
-  if (count == 0) return values;
-  if (!lua_isnil(L, 1)) {
+  if (count > 0 && !lua_isnil(L, 1)) {
     lua_pushvalue(L, 1);
     lua_setglobal(L, "_");
   }
   lua_pushcfunction(L, to_texts);
   lua_insert(L, 1);
   parts_->call(count, LUA_MULTRET);
+  std::vector<std::string> values;
   for (int i = 1; i <= lua_gettop(L); ++i) {
     std::size_t size = 0;
     const char* value = lua_tolstring(L, i, &size);
@@ -188,6 +226,26 @@ std::vector<std::string> Console::evaluate(const std::string& text) {
   }
   lua_settop(L, 0);
   return values;
+}
+
+bool Console::is_working() const {
+  return parts_->session.is_working();
+}
+
+std::vector<std::string> Console::work(double seconds, const MakeRoom& make_room) {
+  const Interlude interlude(parts_->session, make_room);
+  std::vector<std::string> news;
+  for (const int number : parts_->session.work(seconds))
+    news.push_back(fmt::format("simulation {} has arrived", number));
+  return news;
+}
+
+void Console::pause_work() {
+  parts_->session.pause_work();
+}
+
+void Console::finish_work() {
+  parts_->session.finish_work();
 }
 
 void Console::close_all() {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "console/idle.hpp"
 #include "console/session.hpp"
 
 namespace hackle {
@@ -31,6 +32,15 @@ class Console {
   // Runs an expression or statements; the values it gives, as text (see value_text.hpp). The first
   // of them, if it is not nil, is then `_`. Closes nothing. Throws Error.
   std::vector<std::string> evaluate(const std::string& text);
+
+  // Whether a run that was started in the background wants to go on; lets it do so for about so
+  // many seconds. What a script prints meanwhile comes after make_room(). Returns what a person
+  // should know: which have arrived. Throws the Error of one that has failed.
+  bool is_working() const;
+  std::vector<std::string> work(double seconds, const MakeRoom& make_room);
+  // What was started stands still; or arrives, with its progress shown.
+  void pause_work();
+  void finish_work();
 
   // Closes every simulation. Throws Error when a file could not be completed.
   void close_all();

@@ -6,10 +6,12 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cwchar>
 #include <string_view>
 #include <utility>
 
 #include <histedit.h>
+#include <unistd.h>
 
 namespace hackle {
 namespace {
@@ -28,6 +30,7 @@ struct LineEditor::Parts {
     el_set(editor, EL_PROMPT, show_prompt);
     el_set(editor, EL_EDITOR, "emacs");
     el_set(editor, EL_HIST, history, lines);
+    el_set(editor, EL_GETCFN, next_key);
     bind_keys();
     el_source(editor, nullptr);  // ~/.editrc of the user
     el_set(editor, EL_SETTY, "-d", "-isig", nullptr);
@@ -54,6 +57,8 @@ struct LineEditor::Parts {
   }
   static char* show_prompt(EditLine* editor) { return of(editor).prompt.data(); }
   static unsigned char clear(EditLine* editor, int) {
+    const LineInfo* typed = el_line(editor);
+    of(editor).dropped.assign(typed->buffer, typed->lastchar);
     of(editor).cleared = true;
     return CC_EOF;
   }
@@ -62,6 +67,37 @@ struct LineEditor::Parts {
     std::raise(SIGTSTP);
     el_set(editor, EL_PREP_TERM, 1);
     return CC_REDISPLAY;
+  }
+
+  // libedit's own, but that others have their turn before a key is pressed.
+  static int next_key(EditLine* editor, wchar_t* key) {
+    const Parts& parts = of(editor);
+    bool has_spoken = false;
+    const auto make_room = [&] {
+      if (!std::exchange(has_spoken, true)) std::fputs("\r\033[K", stdout);
+      std::fflush(stdout);
+    };
+    const auto idle = [&](const MakeRoom& room) {
+      const bool more = parts.idle(room);
+      std::fflush(stdout);
+      if (std::exchange(has_spoken, false)) el_set(editor, EL_REFRESH);
+      return more;
+    };
+    if (parts.idle) idle_until_input(idle, make_room);
+    return read_character(key);
+  }
+
+  // 1, or 0 at the end of the input.
+  static int read_character(wchar_t* character) {
+    std::mbstate_t state{};
+    char byte = 0;
+    while (::read(STDIN_FILENO, &byte, 1) == 1) {
+      const std::size_t length = std::mbrtowc(character, &byte, 1, &state);
+      constexpr auto incomplete = static_cast<std::size_t>(-2);
+      if (length <= 1) return 1;
+      if (length != incomplete) state = {};  // no character: dropped
+    }
+    return 0;
   }
 
   void remember(const std::string& line) {
@@ -75,7 +111,9 @@ struct LineEditor::Parts {
 
   std::filesystem::path file;
   std::string prompt;
+  std::string dropped;
   bool cleared = false;
+  Idle idle;
   EditLine* editor = el_init("hackle", stdin, stdout, stderr);
   History* lines = history_init();
 };
@@ -86,13 +124,15 @@ LineEditor::LineEditor(std::filesystem::path history)
 
 LineEditor::~LineEditor() = default;
 
-LineEnd LineEditor::read(const std::string& prompt, std::string& line) {
+LineEnd LineEditor::read(const std::string& prompt, std::string& line, const Idle& idle) {
   parts_->prompt = prompt;
+  parts_->idle = idle;
   parts_->cleared = false;
   int count = 0;
   const char* text = el_gets(parts_->editor, &count);
   if (parts_->cleared) {
     std::fputs("^C\n", stdout);
+    line = parts_->dropped;
     return LineEnd::cleared;
   }
   if (text == nullptr || count <= 0) {

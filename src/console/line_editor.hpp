@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "console/idle.hpp"
+
 namespace hackle {
 
 enum class LineEnd { entered, cleared, end_of_input };
@@ -16,9 +18,10 @@ class LineEditor {
   explicit LineEditor(std::filesystem::path history);
   ~LineEditor();
 
-  // One line without its end. `cleared`: Ctrl-C was pressed; `end_of_input`: Ctrl-D on an empty
-  // line, or the terminal is gone.
-  LineEnd read(const std::string& prompt, std::string& line);
+  // One line without its end. `cleared`: Ctrl-C was pressed on what `line` then has;
+  // `end_of_input`: Ctrl-D on an empty line, or the terminal is gone. Between keys `idle` has its
+  // turn.
+  LineEnd read(const std::string& prompt, std::string& line, const Idle& idle);
 
  private:
   struct Parts;

@@ -57,16 +57,6 @@ constexpr FunctionDoc at_doc{
     .options = at_options,
     .example = "print(s:at({50*mm, 30*mm}).uy)"};
 
-void set_number(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
-void set_integer(lua_State* L, const char* name, std::int64_t value) {
-  lua_pushinteger(L, value);
-  lua_setfield(L, -2, name);
-}
-
 void push_cracks(lua_State* L, const Cracks& found) {
   lua_createtable(L, 0, 7);
   set_integer(L, "nodes", found.nodes);
@@ -93,7 +83,6 @@ Box area_of(Arguments& arguments) {
 
 int find_cracks(lua_State* L) {
   const Simulation& simulation = self<ScriptedRun>(L, cracks_doc).simulation();
-  if (lua_gettop(L) == 1) lua_newtable(L);
   Arguments arguments = Arguments::from_table(L, 2, cracks_doc);
   const Box area = area_of(arguments);
   arguments.problems.throw_if_any();

@@ -22,7 +22,8 @@ const TypeDoc& type_of_closure(lua_State* L) {
   for (const Property& field : type.fields) names.push_back(field.name);
   const auto near = nearest(name, names);
   throw Error(ErrorKind::refused, fmt::format("{} has no '{}'", type.name, name.substr(0, 40)),
-              near ? fmt::format("did you mean '{}'?", *near) : "it has " + comma_list(names));
+              near ? fmt::format("did you mean '{}'?", *near)
+                   : fmt::format("help '{}' tells what it has", type.name));
 }
 
 int index(lua_State* L) {
@@ -81,6 +82,16 @@ void refuse_self(const FunctionDoc& doc) {
 
 void push_text(lua_State* L, std::string_view text) {
   lua_pushlstring(L, text.data(), text.size());
+}
+
+void set_number(lua_State* L, const char* name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
+void set_integer(lua_State* L, const char* name, std::int64_t value) {
+  lua_pushinteger(L, value);
+  lua_setfield(L, -2, name);
 }
 
 }  // namespace hackle

@@ -20,17 +20,20 @@ int exit_script(lua_State* L) {
   throw Error(ErrorKind::interrupted, "os.exit");
 }
 
-// As Lua's print, on stderr.
 int print(lua_State* L) {
+  const Session& session = session_of(L);
+  std::FILE* stream = session.settings.print_to_stderr ? stderr : stdout;
   const int count = lua_gettop(L);
+  if (session.make_room) session.make_room();
   for (int i = 1; i <= count; ++i) {
     std::size_t size = 0;
     const char* text = luaL_tolstring(L, i, &size);
-    if (i > 1) std::fputc('\t', stderr);
-    std::fwrite(text, 1, size, stderr);
+    if (i > 1) std::fputc('\t', stream);
+    std::fwrite(text, 1, size, stream);
     lua_pop(L, 1);
   }
-  std::fputc('\n', stderr);
+  std::fputc('\n', stream);
+  std::fflush(stream);
   return 0;
 }
 
@@ -43,9 +46,10 @@ void open_exit(lua_State* L) {
   lua_pop(L, 1);
 }
 
-void print_to_stderr(lua_State* L) {
+void open_print(lua_State* L) {
   lua_pushcfunction(L, print);
   lua_setglobal(L, "print");
+  if (!session_of(L).settings.print_to_stderr) return;
   luaL_loadstring(L, "io.output(io.stderr)");
   protected_call(L, 0, 0);
 }

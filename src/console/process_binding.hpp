@@ -9,7 +9,7 @@ namespace hackle {
 // os.exit ends the script, not the process, so that every simulation is closed first.
 void open_exit(lua_State* L);
 
-// print and io.write go to stderr.
-void print_to_stderr(lua_State* L);
+// print makes room on the screen first. Where the session says so, print and io.write go to stderr.
+void open_print(lua_State* L);
 
 }  // namespace hackle

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "console/prompt.hpp"
 
-#include <iostream>
 #include <utility>
 
 #include "base/interrupt.hpp"
@@ -30,8 +29,10 @@ bool Prompt::read_chunk(std::string& chunk) {
   chunk.clear();
   std::string line;
   for (;;) {
-    const LineEnd end = reader_(chunk.empty() ? first_prompt : next_prompt, line);
+    const LineEnd end = reader_(chunk.empty() ? first_prompt : next_prompt, line,
+                                [this](const MakeRoom& make_room) { return work(make_room); });
     if (end == LineEnd::cleared) {
+      if (chunk.empty() && line.empty()) pause_work();
       chunk.clear();
       continue;
     }
@@ -49,10 +50,35 @@ void Prompt::evaluate(const std::string& chunk) {
     for (const std::string& value : console_.evaluate(chunk)) voice_.value(value);
     explain_local(chunk);
   } catch (const Error& error) {
-    voice_.error(error);
-    if (first_code_ == 0) first_code_ = static_cast<int>(error.kind());
+    tell(error);
   }
   clear_interrupt();
+}
+
+void Prompt::tell(const Error& error) {
+  voice_.error(error);
+  if (first_code_ == 0) first_code_ = static_cast<int>(error.kind());
+}
+
+// Short enough that a person who types notices nothing. Returns whether there is more to do.
+bool Prompt::work(const MakeRoom& make_room) {
+  constexpr double moment = 0.02;  // s
+  try {
+    for (const std::string& news : console_.work(moment, make_room)) {
+      make_room();
+      voice_.note(news);
+    }
+  } catch (const Error& error) {
+    make_room();
+    tell(error);
+  }
+  return console_.is_working();
+}
+
+void Prompt::pause_work() {
+  if (!console_.is_working()) return;
+  console_.pause_work();
+  voice_.note("paused; s:resume() goes on");
 }
 
 // What everybody stumbles over once who pastes a line of a script.
@@ -60,10 +86,6 @@ void Prompt::explain_local(const std::string& chunk) {
   if (local_is_explained_ || !chunk.starts_with("local ")) return;
   local_is_explained_ = true;
   voice_.note("a local ends with the line that it stands in; leave out 'local' to keep it");
-}
-
-LineEnd read_plain_line(const std::string&, std::string& line) {
-  return std::getline(std::cin, line) ? LineEnd::entered : LineEnd::end_of_input;
 }
 
 }  // namespace hackle

@@ -13,8 +13,9 @@ namespace hackle {
 
 class Prompt {
  public:
-  // Where lines come from; the argument is the prompt to show.
-  using Reader = std::function<LineEnd(const std::string& prompt, std::string& line)>;
+  // Where lines come from: shows the prompt and has `idle` work while it waits.
+  using Reader =
+      std::function<LineEnd(const std::string& prompt, std::string& line, const Idle& idle)>;
   // What becomes of values, errors and advice.
   struct Voice {
     std::function<void(const std::string&)> value;
@@ -31,6 +32,9 @@ class Prompt {
  private:
   bool read_chunk(std::string& chunk);
   void evaluate(const std::string& chunk);
+  bool work(const MakeRoom& make_room);
+  void pause_work();
+  void tell(const Error& error);
   void explain_local(const std::string& chunk);
 
   Console& console_;
@@ -39,8 +43,5 @@ class Prompt {
   int first_code_ = 0;
   bool local_is_explained_ = false;
 };
-
-// Lines of stdin without any prompt.
-LineEnd read_plain_line(const std::string& prompt, std::string& line);
 
 }  // namespace hackle

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "console/background_binding.hpp"
 #include "console/contact_sheet_binding.hpp"
 #include "console/help_binding.hpp"
 #include "console/load_binding.hpp"
@@ -123,7 +124,7 @@ std::vector<Function> all_functions() {
   std::vector<Function> list;
   for (const auto functions :
        {material_functions(), plate_functions(), course_functions(), simulation_functions(),
-        contact_sheet_functions(), options_functions(), help_functions()})
+        background_functions(), contact_sheet_functions(), options_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());
   return list;
 }

@@ -55,19 +55,8 @@ constexpr FunctionDoc quasistatic_doc{
         "1*mm }) "
         "s:quasistatic { duration = 1*us }"};
 
-void set_number(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
-void set_integer(lua_State* L, const char* name, std::int64_t value) {
-  lua_pushinteger(L, value);
-  lua_setfield(L, -2, name);
-}
-
 int relax(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, relax_doc);
-  if (lua_gettop(L) == 1) lua_newtable(L);
   const Arguments arguments = Arguments::from_table(L, 2, relax_doc);
   arguments.problems.throw_if_any();
   const RelaxResult result = scripted.run().relax(arguments.number("tolerance", 1e-8));

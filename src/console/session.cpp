@@ -2,13 +2,22 @@
 #include "console/session.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "base/version.hpp"
 
 namespace hackle {
+namespace {
+
+bool works(const std::shared_ptr<Run>& run) {
+  return run && run->under_way() && !run->paused();
+}
+
+}  // namespace
 
 Session::Session(ConsoleSettings with) : settings(std::move(with)) {
 }
@@ -25,8 +34,90 @@ std::shared_ptr<Run> Session::simulate(Plate plate, Numerics numerics) {
 }
 
 std::shared_ptr<Run> Session::adopt(std::shared_ptr<Run> run) {
-  entries_.push_back({run, std::nullopt});
+  entries_.push_back({run, std::nullopt, run->simulation().state().step, false});
   return run;
+}
+
+int Session::number_of(const Run& run) const {
+  const auto entry = std::ranges::find(entries_, &run, [](const Entry& e) { return e.run.get(); });
+  return static_cast<int>(entry - entries_.begin()) + 1;
+}
+
+bool Session::is_working() const {
+  return std::ranges::any_of(entries_, works, &Entry::run);
+}
+
+// Functions of a script that are called meanwhile may make simulations and let go of them.
+std::vector<std::shared_ptr<Run>> Session::open_runs() const {
+  std::vector<std::shared_ptr<Run>> runs;
+  for (const Entry& entry : entries_)
+    if (entry.run) runs.push_back(entry.run);
+  return runs;
+}
+
+std::vector<int> Session::work(double seconds) {
+  std::vector<std::shared_ptr<Run>> runs = open_runs();
+  std::erase_if(runs, std::not_fn(works));
+  std::vector<int> arrived;
+  for (const auto& run : runs) {
+    const int number = number_of(*run);
+    try {
+      run->go_on(seconds / static_cast<double>(runs.size()));
+    } catch (const Error&) {
+      entries_[static_cast<std::size_t>(number) - 1].has_failed = true;
+      throw;
+    }
+    if (!run->under_way()) arrived.push_back(number);
+  }
+  return arrived;
+}
+
+void Session::finish_work() {
+  for (const auto& run : open_runs())
+    if (run->under_way()) run->wait();
+}
+
+void Session::pause_work() {
+  for (const auto& run : open_runs())
+    if (works(run)) run->pause();
+}
+
+void Session::begin_line(const Transcript::Chunk& chunk) {
+  has_prompt_ = true;
+  for (Entry& entry : entries_) {
+    if (!entry.run) continue;
+    const Simulation& simulation = entry.run->simulation();
+    if (simulation.state().step != entry.noted_step || entry.has_failed)
+      transcript_.went_on(number_of(*entry.run), simulation.state().step, simulation.time(),
+                          entry.has_failed);
+    entry.has_failed = false;
+  }
+  origin.script_text = transcript_.text() + chunk.text + "\n";
+}
+
+void Session::end_line(const Transcript::Chunk& chunk, Transcript::Outcome outcome) {
+  for (Entry& entry : entries_) {
+    if (!entry.run) continue;
+    const std::optional<std::int64_t> interrupt = entry.run->take_interrupt();
+    if (interrupt && outcome == Transcript::Outcome::interrupted)
+      transcript_.interrupted(number_of(*entry.run), *interrupt);
+    entry.noted_step = entry.run->simulation().state().step;
+  }
+  transcript_.typed(chunk, outcome);
+}
+
+std::string Session::script() const {
+  if (!has_prompt_) return origin.script_text;
+  std::string text = fmt::format(
+      "-- Typed at the prompt of Hackle {}. Does the same again, to the bit.\n", version());
+  text += transcript_.text();
+  for (const auto& run : open_runs()) {
+    const int number = number_of(*run);
+    if (run->under_way()) text += fmt::format("simulations()[{}]:stop()\n", number);
+    text += fmt::format("-- simulation {}: {} steps, hash {}\n", number,
+                        run->simulation().state().step, run->simulation().state().hash());
+  }
+  return text;
 }
 
 void Session::retire(const Run* run) noexcept {

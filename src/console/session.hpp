@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "console/idle.hpp"
 #include "console/materials.hpp"
+#include "console/transcript.hpp"
 #include "output/run.hpp"
 
 namespace hackle {
@@ -36,6 +38,8 @@ class Session {
   std::shared_ptr<Run> simulate(Plate plate, Numerics numerics);
   // Takes on a run made from another.
   std::shared_ptr<Run> adopt(std::shared_ptr<Run> run);
+  // Simulations count from 1 in the order they were made.
+  int number_of(const Run& run) const;
   // Closes a run that nobody can reach any more and keeps its summary alone. A failure is kept for
   // close_all().
   void retire(const Run* run) noexcept;
@@ -43,6 +47,21 @@ class Session {
   void close_all();
   // Of every simulation, in the order they were made.
   std::vector<Summary> summaries() const;
+
+  // Whether anything that runs beside the prompt is under way and not paused.
+  bool is_working() const;
+  // Lets it go on for about so many seconds of wall time. Returns the numbers of those that have
+  // arrived. Throws the Error of one that has failed.
+  std::vector<int> work(double seconds);
+  // Lets everything arrive, paused or not; shows progress.
+  void finish_work();
+  void pause_work();
+
+  // Before and after a line of the prompt is carried out, for the transcript.
+  void begin_line(const Transcript::Chunk& chunk);
+  void end_line(const Transcript::Chunk& chunk, Transcript::Outcome outcome);
+  // What was typed so far, to be typed no more; of a script that runs, the script.
+  std::string script() const;
 
   // The library, read when first asked for. Throws Error (files).
   const Materials& materials();
@@ -54,15 +73,21 @@ class Session {
   Origin origin;
   std::set<std::string> declared_options;  // by options { ... }
   std::optional<int> exit_code;            // asked for with os.exit
+  MakeRoom make_room;                      // before anything is printed, or none
 
  private:
   struct Entry {
     std::shared_ptr<Run> run;  // null once retired
     std::optional<Summary> summary;
+    std::int64_t noted_step = 0;  // the transcript has come this far
+    bool has_failed = false;      // since then, beside the prompt
   };
   void close(Run& run) noexcept;
+  std::vector<std::shared_ptr<Run>> open_runs() const;
 
   std::vector<Entry> entries_;
+  Transcript transcript_;
+  bool has_prompt_ = false;
   std::vector<Problem> closing_problems_;
   ErrorKind closing_kind_ = ErrorKind::files;
   std::optional<Materials> materials_;

@@ -12,6 +12,7 @@
 #include "base/machine.hpp"
 #include "base/units.hpp"
 #include "console/arguments.hpp"
+#include "console/background_binding.hpp"
 #include "console/load_binding.hpp"
 #include "console/measure_binding.hpp"
 #include "console/plate_binding.hpp"
@@ -63,21 +64,17 @@ int simulate(lua_State* L) {
   check(plate, arguments.problems);
   check_numerics(plate, numerics, arguments);
   arguments.problems.throw_if_any();
-  // Simulations that the script has let go of give back their memory before the next is built.
-  lua_gc(L, LUA_GCCOLLECT);
+  collect_simulations(L);
   push_object(L, ScriptedRun(session.simulate(plate, numerics), session));
+  remember_simulation(L, -1);
   return 1;
-}
-
-void check_still_writable(const ScriptedRun& scripted) {
-  for (const std::filesystem::path& path : scripted.promised) check_writable(path);
 }
 
 int run(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, run_doc);
   const Arguments arguments = Arguments::from_values(L, 2, run_doc);
   arguments.problems.throw_if_any();
-  check_still_writable(scripted);
+  scripted.check_still_writable();
   scripted.run().run(arguments.number("duration"));
   return 0;
 }
@@ -86,7 +83,7 @@ int step(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, step_doc);
   const Arguments arguments = Arguments::from_values(L, 2, step_doc);
   arguments.problems.throw_if_any();
-  check_still_writable(scripted);
+  scripted.check_still_writable();
   scripted.run().step(arguments.integer("count", 1));
   return 0;
 }
@@ -218,11 +215,6 @@ int push_hash(lua_State* L) {
   return 1;
 }
 
-void set_number(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
 int push_energy(lua_State* L) {
   const Energy ledger = energy(simulation_of(L));
   lua_createtable(L, 0, 7);
@@ -239,8 +231,7 @@ int push_energy(lua_State* L) {
 int push_damage(lua_State* L) {
   const DamageCount count = count_damage(simulation_of(L));
   lua_createtable(L, 0, 2);
-  lua_pushinteger(L, count.broken_bonds);
-  lua_setfield(L, -2, "broken_bonds");
+  set_integer(L, "broken_bonds", count.broken_bonds);
   set_number(L, "most", count.most);
   return 1;
 }
@@ -264,12 +255,16 @@ std::vector<Function> all_methods() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
        {std::span<const Function>(methods), load_methods_of_simulation(), relax_methods(),
-        measure_methods(), steering_methods()})
+        measure_methods(), steering_methods(), background_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
 }  // namespace
+
+void ScriptedRun::check_still_writable() const {
+  for (const std::filesystem::path& path : promised) check_writable(path);
+}
 
 const TypeDoc& simulation_type() {
   static const std::vector<Function> all = all_methods();

@@ -26,6 +26,8 @@ class ScriptedRun {
 
   // Files that movie() and record() will write.
   std::vector<std::filesystem::path> promised;
+  // Throws Error (files) when one of them cannot be written any more.
+  void check_still_writable() const;
 
  private:
   std::shared_ptr<Run> run_;

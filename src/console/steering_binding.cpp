@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "console/arguments.hpp"
+#include "console/background_binding.hpp"
 #include "console/region_options.hpp"
 #include "console/simulation_binding.hpp"
 #include "console/watcher.hpp"
@@ -17,30 +18,32 @@ namespace {
 enum class Event { every, breaks, damage };
 constexpr auto event_names = std::to_array<std::string_view>({"every", "break", "damage"});
 
-constexpr auto on_options =
-    joined(std::array{Option{.name = "event",
-                             .type = OptionType::choice,
-                             .required = true,
-                             .positional = true,
-                             .choices = event_names,
-                             .sentence = "every: again and again; break: once, when the next bond "
-                                         "breaks; damage: once, when a crack reaches an area."},
-                      Option{.name = "call",
-                             .type = OptionType::function,
-                             .required = true,
-                             .sentence = "Called with the time between two steps; it may change "
-                                         "loads, write pictures, and stop the run."},
-                      Option{.name = "every",
-                             .unit = "s",
-                             .range = above(0.0),
-                             .alternative = true,
-                             .sentence = "Simulated time from call to call, for every."},
-                      Option{.name = "above",
-                             .range = between(0.0, 1.0),
-                             .fallback = "0.35",
-                             .sentence = "Damage that a node of the area must exceed, for damage; "
-                                         "0.35 is the side of a crack."}},
-           region_options);
+constexpr auto on_options = joined(
+    std::array{
+        Option{.name = "event",
+               .type = OptionType::choice,
+               .required = true,
+               .positional = true,
+               .choices = event_names,
+               .sentence =
+                   "What to wait for. every: again and again; break: once, when the next bond "
+                   "breaks; damage: once, when a crack reaches an area."},
+        Option{.name = "call",
+               .type = OptionType::function,
+               .required = true,
+               .sentence = "Called with the time between two steps; it may change "
+                           "loads, write pictures, and stop the run."},
+        Option{.name = "every",
+               .unit = "s",
+               .range = above(0.0),
+               .alternative = true,
+               .sentence = "Simulated time from call to call, for every."},
+        Option{.name = "above",
+               .range = between(0.0, 1.0),
+               .fallback = "0.35",
+               .sentence = "Damage that a node of the area must exceed, for damage; "
+                           "0.35 is the side of a crack."}},
+    region_options);
 
 constexpr FunctionDoc on_doc{
     .name = "on",
@@ -55,7 +58,8 @@ constexpr FunctionDoc stop_doc{
     .name = "stop",
     .owner = "s",
     .call = Call::values,
-    .sentence = "Called by a function given to s:on: the run ends after this step.",
+    .sentence =
+        "The run that is under way ends here; in a function given to s:on, after this step.",
     .example = "s:on { \"break\", call = function() s:stop() end }"};
 constexpr FunctionDoc fork_doc{.name = "fork",
                                .owner = "s",
@@ -113,8 +117,9 @@ int fork(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, fork_doc);
   Arguments::from_values(L, 2, fork_doc).problems.throw_if_any();
   Session& session = session_of(L);
-  lua_gc(L, LUA_GCCOLLECT);
+  collect_simulations(L);
   push_object(L, ScriptedRun(session.adopt(scripted.run().fork()), session));
+  remember_simulation(L, -1);
   return 1;
 }
 

@@ -2,9 +2,11 @@
 #include "output/run.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -86,6 +88,51 @@ class Watched : public Observer {
   Activity& activity_;
 };
 
+// Breaks off when the time is up, but not before the first step, or after so many steps.
+class Break : public Observer {
+ public:
+  explicit Break(Simulation& simulation)
+      : simulation_(simulation), start_(simulation.state().step) {}
+  void after_seconds(double seconds) {
+    end_ = Clock::now() +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  }
+  void after_step(std::int64_t step) { last_ = step; }
+
+  bool due(const Simulation& simulation) override {
+    const std::int64_t step = simulation.state().step;
+    if ((step > start_ && Clock::now() >= end_) || step >= last_) simulation_.break_off();
+    return false;
+  }
+  void observe(const Simulation&) override {}
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Simulation& simulation_;
+  std::int64_t start_;
+  Clock::time_point end_ = Clock::time_point::max();
+  std::int64_t last_ = std::numeric_limits<std::int64_t>::max();
+};
+
+// Ctrl-C once more, for a script that does what was done at the prompt.
+class Interrupt : public Observer {
+ public:
+  explicit Interrupt(std::int64_t step) : step_(step) {}
+
+  bool due(const Simulation& simulation) override {
+    return !done_ && simulation.state().step >= step_;
+  }
+  void observe(const Simulation& simulation) override {
+    done_ = true;
+    throw Error(ErrorKind::interrupted,
+                fmt::format("interrupted after step {}", simulation.state().step));
+  }
+
+ private:
+  std::int64_t step_;
+  bool done_ = false;
+};
+
 bool same_lattice(const Lattice& one, const Lattice& other) {
   return one.grid.layout() == other.grid.layout() && one.grid.dx == other.grid.dx &&
          one.bonds == other.bonds && one.born == other.born && one.material == other.material &&
@@ -117,6 +164,26 @@ struct Run::Parts {
   bool closed = false;
   std::vector<std::shared_ptr<Observer>> watchers;
   Activity activity = Activity::none;
+  bool paused = false;
+  std::optional<std::int64_t> interrupted_at;
+
+  // Everyone who looks on, and `others`, while the simulation goes where it aims.
+  void go_on(std::vector<Observer*> observers) {
+    for (const auto& output : outputs) observers.push_back(output.get());
+    std::deque<Watched> watched;
+    for (const auto& watcher : watchers)
+      observers.push_back(&watched.emplace_back(watcher, activity));
+    const Mark busy(activity, Activity::stepping);
+    try {
+      simulation.go_on(observers);
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::interrupted)
+        interrupted_at = simulation.state().step;
+      else
+        simulation.stop();
+      throw;
+    }
+  }
 
   void refuse_while_running() const {
     if (activity == Activity::stepping)
@@ -200,18 +267,21 @@ void Run::watch(std::shared_ptr<Observer> watcher) {
 }
 
 void Run::stop() {
-  parts_->simulation.stop();
+  if (under_way()) parts_->simulation.stop();
 }
 
 Run::Run(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {
 }
 
 std::shared_ptr<Run> Run::fork() const {
-  return std::shared_ptr<Run>(new Run(std::make_unique<Parts>(*parts_)));
+  const std::shared_ptr<Run> run(new Run(std::make_unique<Parts>(*parts_)));
+  run->stop();
+  return run;
 }
 
 void Run::rewind(const Run& other) {
   parts_->refuse_while_running();
+  check_arrived("rewind");
   if (!same_lattice(parts_->simulation.lattice(), other.simulation().lattice()))
     throw Error(ErrorKind::refused, "rewind: that is a simulation of another plate or lattice",
                 "go back to what s:fork() has kept");
@@ -228,20 +298,80 @@ void Run::check_open(const char* who) const {
                 fmt::format("{}: the simulation is closed and its files are complete", who));
 }
 
+void Run::check_arrived(const char* who) const {
+  if (under_way())
+    throw Error(ErrorKind::refused,
+                fmt::format("{}: a run is under way until {}", who,
+                            quantity(parts_->simulation.end_time(), "s")),
+                "s:wait() lets it arrive, s:stop() ends it");
+}
+
 void Run::run(double duration) {
+  start(duration);
+  try {
+    wait();
+  } catch (const Error&) {
+    parts_->simulation.stop();  // what was not reached is not owed
+    throw;
+  }
+}
+
+void Run::start(double duration) {
   check_open("run");
+  resume();
+  const Mark busy(parts_->activity, Activity::stepping);  // functions of time are asked now
+  parts_->simulation.aim(duration);
+}
+
+void Run::go_on(double seconds) {
+  if (parts_->paused || !under_way()) return;
+  Break end(parts_->simulation);
+  end.after_seconds(seconds);
+  parts_->go_on({&end});
+}
+
+void Run::wait(std::optional<std::int64_t> steps) {
+  parts_->refuse_while_running();
+  resume();
   Simulation& simulation = parts_->simulation;
-  ProgressObserver progress(parts_->talk, simulation.time(), simulation.end_time() + duration);
-  std::vector<Observer*> observers{&progress};
-  for (const auto& output : parts_->outputs) observers.push_back(output.get());
-  std::deque<Watched> watched;
-  for (const auto& watcher : parts_->watchers)
-    observers.push_back(&watched.emplace_back(watcher, parts_->activity));
-  const Mark busy(parts_->activity, Activity::stepping);
-  simulation.run(duration, observers);
+  ProgressObserver progress(parts_->talk, simulation.time(), simulation.end_time());
+  Break end(simulation);
+  if (steps) end.after_step(*steps);
+  try {
+    parts_->go_on({&progress, &end});
+  } catch (const Error&) {
+    pause();  // after an interrupt
+    throw;
+  }
+}
+
+bool Run::under_way() const {
+  return !parts_->simulation.has_arrived();
+}
+
+void Run::pause() {
+  parts_->paused = true;
+}
+
+void Run::resume() {
+  parts_->paused = false;
+}
+
+bool Run::paused() const {
+  return parts_->paused;
+}
+
+void Run::interrupt_at(std::int64_t step) {
+  watch(std::make_shared<Interrupt>(step));
+}
+
+std::optional<std::int64_t> Run::take_interrupt() {
+  return std::exchange(parts_->interrupted_at, std::nullopt);
 }
 
 void Run::step(std::int64_t count) {
+  check_open("step");
+  check_arrived("step");
   const Simulation& simulation = parts_->simulation;
   run(static_cast<double>(simulation.state().step + count) * simulation.dt() -
       simulation.end_time());
@@ -249,6 +379,7 @@ void Run::step(std::int64_t count) {
 
 RelaxResult Run::relax(double tolerance) {
   check_open("relax");
+  check_arrived("relax");
   const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);
   return parts_->simulation.relax(
@@ -261,6 +392,7 @@ RelaxResult Run::relax(double tolerance) {
 
 QuasistaticResult Run::load_slowly(double duration, int increments, double tolerance) {
   check_open("quasistatic");
+  check_arrived("quasistatic");
   const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);
   std::vector<Observer*> observers;
@@ -275,6 +407,7 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
 
 void Run::close() {
   parts_->refuse_while_running();
+  stop();
   parts_->closed = true;
   parts_->watchers.clear();  // whose functions may hold on to this run
   std::optional<Error> first;

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,10 +55,11 @@ class Run {
   // Looks on between the steps of every run from now on. It may change loads, write pictures and
   // stop the run, but not run it or close it.
   void watch(std::shared_ptr<Observer> watcher);
-  // To be called by a watcher: the run ends after this step.
+  // The run that is under way ends here, or, called by a watcher, after this step.
   void stop();
 
-  // The same state under the same loads, to go another way; it writes no files yet.
+  // The same state under the same loads, to go another way; nothing is under way in it, and it
+  // writes no files yet.
   std::shared_ptr<Run> fork() const;
   // Goes back, or over, to the state and the loads of another run of the same plate and lattice.
   // Throws Error (refused) for any other, and when a movie or a record is not complete.
@@ -65,6 +67,24 @@ class Run {
 
   void run(double duration);      // s; see Simulation::run; shows progress on stderr
   void step(std::int64_t count);  // exactly so many steps
+
+  // run() bit by bit, beside other work: start() asks for `duration` seconds more, go_on() goes on
+  // for about so many seconds of wall time. Each throws what run() throws; after an error, but not
+  // after an interrupt, nothing is under way any more.
+  void start(double duration);
+  void go_on(double seconds);
+  // Until it has arrived, showing progress, or until so many steps have been taken in all.
+  void wait(std::optional<std::int64_t> steps = std::nullopt);
+  // Whether it has been started and has not arrived; paused or not.
+  bool under_way() const;
+  // go_on() does nothing from now on until resume(); wait() resumes.
+  void pause();
+  void resume();
+  bool paused() const;
+  // The next run is interrupted after so many steps in all, as if by Ctrl-C.
+  void interrupt_at(std::int64_t step);
+  // The step after which Ctrl-C last interrupted it; asked once.
+  std::optional<std::int64_t> take_interrupt();
   // See Simulation::relax and load_slowly; both show progress on stderr. Outputs see the state
   // after each increment, when they are due.
   RelaxResult relax(double tolerance);
@@ -82,6 +102,7 @@ class Run {
   struct Parts;
   explicit Run(std::unique_ptr<Parts> parts);
   void check_open(const char* who) const;
+  void check_arrived(const char* who) const;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -113,7 +113,7 @@ void Simulation::restore(State state) {
   if (state.precision() != state_.precision())
     engine_ = engine_for(state.precision(), lattice_, options(), threads_);
   state_ = std::move(state);
-  end_time_ = time();
+  stop();
   prepare();
 }
 
@@ -153,6 +153,7 @@ void Simulation::set_loads(Loads loads) {
   Loading loading(plate, lattice_, dt_);
   loading.tabulate(state_.step, std::max(state_.step, last_step_) + 1);
   ThermalStrain heat(plate, lattice_, dt_);
+  heat.tabulate(state_.step, std::max(state_.step, last_step_) + 1);
   heat.update(lattice_, state_.step);
   loading.begin(lattice_, state_);
   const bool rebuild = heat.empty() != heat_.empty();
@@ -238,7 +239,7 @@ void Simulation::count_external_work() {
       engine_);
 }
 
-void Simulation::run(double duration, std::span<Observer* const> observers) {
+void Simulation::aim(double duration) {
   if (!(duration >= 0.0) || !std::isfinite(duration))
     throw Error(ErrorKind::refused,
                 fmt::format("run: the duration is {} s, it must be at least 0 s", duration));
@@ -254,13 +255,21 @@ void Simulation::run(double duration, std::span<Observer* const> observers) {
   heat_.tabulate(state_.step, last_step + 1);
   end_time_ = end;
   last_step_ = last_step;
-  stop_ = false;
+}
+
+void Simulation::run(double duration, std::span<Observer* const> observers) {
+  aim(duration);
   try {
-    advance_to(last_step, observers);
+    go_on(observers);
   } catch (...) {
-    end_time_ = time();  // what was not reached is not owed
+    stop();  // what was not reached is not owed
     throw;
   }
+}
+
+void Simulation::stop() {
+  end_time_ = time();
+  last_step_ = state_.step;
 }
 
 void Simulation::let_look(std::span<Observer* const> observers) const {
@@ -271,22 +280,25 @@ void Simulation::let_look(std::span<Observer* const> observers) const {
   }
 }
 
-void Simulation::advance_to(std::int64_t last_step, std::span<Observer* const> observers) {
+void Simulation::go_on(std::span<Observer* const> observers) {
+  break_off_ = false;
   let_look(observers);
-  while (state_.step < last_step) {
+  while (!has_arrived() && !break_off_) {
     {
       const Stopwatch watch(solve_seconds_);
       step();
     }
-    if (state_.step % steps_between_checks == 0) check_finite();
-    let_look(observers);
-    if (stop_) break;
-    if (interrupted())
-      throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}, at {}",
-                                                      state_.step, quantity(time(), "s")));
+    look_after_step(observers);
   }
-  if (stop_) end_time_ = time();
   check_finite();
+}
+
+void Simulation::look_after_step(std::span<Observer* const> observers) {
+  if (state_.step % steps_between_checks == 0) check_finite();
+  let_look(observers);
+  if (interrupted())
+    throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}, at {}", state_.step,
+                                                    quantity(time(), "s")));
 }
 
 void Simulation::check_finite() const {

@@ -54,8 +54,15 @@ class Simulation {
   // has diverged.
   void run(double duration, std::span<Observer* const> observers = {});
 
-  // Called by an observer: run() ends after this step, as if no more had been asked for.
-  void stop() { stop_ = true; }
+  // run() in pieces: aim() says how much further it is to go, go_on() goes there unless an observer
+  // breaks off, to be called again then. Each throws what run() throws; what was aimed at stays.
+  void aim(double duration);
+  void go_on(std::span<Observer* const> observers = {});
+  bool has_arrived() const { return state_.step >= last_step_; }
+  // To be called by an observer: go_on() comes back after this step.
+  void break_off() { break_off_ = true; }
+  // As if no more had been asked for than there is; for an observer: after this step.
+  void stop();
 
   // Brings the plate to rest where everything that acts at the present time is in balance, without
   // breaking a bond: what runs on from there starts from a plate under load. The work of loads and
@@ -134,11 +141,11 @@ class Simulation {
   void keep_f32_exact();
   void check_statics() const;
   Equilibrium find_rest(const RelaxOptions& options);
+  void look_after_step(std::span<Observer* const> observers);
   void load_to(std::int64_t step, const QuasistaticOptions& options, QuasistaticResult& result);
   void let_look(std::span<Observer* const> observers) const;
   void put(const NodeVectors& u);
   void come_to_rest();
-  void advance_to(std::int64_t last_step, std::span<Observer* const> observers);
 
   Plate plate_;
   Numerics numerics_;
@@ -149,7 +156,7 @@ class Simulation {
   ThermalStrain heat_;
   double end_time_ = 0.0;
   std::int64_t last_step_ = 0;  // of the run that is under way, or was
-  bool stop_ = false;
+  bool break_off_ = false;
   double solve_seconds_ = 0.0;
   StepSeconds step_seconds_;
   std::optional<double> widened_at_;

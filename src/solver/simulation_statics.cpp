@@ -117,7 +117,7 @@ void Simulation::load_to(std::int64_t step, const QuasistaticOptions& options,
     result.why = error.what();
   }
   come_to_rest();
-  end_time_ = time();
+  stop();
 }
 
 }  // namespace hackle

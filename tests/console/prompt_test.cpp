@@ -18,7 +18,7 @@ struct Talker {
   int talk() {
     Console console(test::quiet());
     std::size_t next = 0;
-    const auto read = [&](const std::string& prompt, std::string& line) {
+    const auto read = [&](const std::string& prompt, std::string& line, const Idle&) {
       prompts.push_back(prompt);
       if (next == lines.size()) return LineEnd::end_of_input;
       line = lines[next++];
