@@ -13,9 +13,12 @@
 #include <fmt/format.h>
 
 #include "app/command_bench.hpp"
+#include "app/command_check.hpp"
 #include "app/command_info.hpp"
+#include "app/command_new.hpp"
 #include "app/command_prompt.hpp"
 #include "app/command_run.hpp"
+#include "app/exit_code.hpp"
 #include "app/libraries.hpp"
 #include "app/voice.hpp"
 #include "base/text.hpp"
@@ -24,7 +27,7 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 3> commands{"run", "bench", "info"};
+constexpr std::array<std::string_view, 5> commands{"run", "check", "new", "bench", "info"};
 constexpr int most_threads = 1024;
 
 // Everything the command line can say.
@@ -32,6 +35,7 @@ struct Request {
   RunRequest run;
   BenchRequest bench;
   std::vector<std::string> settings;
+  std::string new_name;
   bool info_as_json = false;
 };
 
@@ -76,18 +80,34 @@ void describe_execution(CLI::App& command, Execution& execution) {
       ->check(CLI::IsMember(names));
 }
 
-void describe_run(CLI::App& app, Request& request) {
-  CLI::App* run = app.add_subcommand("run", "Run a script");
-  run->add_option("FILE", request.run.script, "The script")->required();
-  run->add_option("-o,--output", request.run.output_folder,
+void describe_script(CLI::App& command, Request& request) {
+  command.add_option("FILE", request.run.script, "The script")->required();
+  command
+      .add_option("-o,--output", request.run.output_folder,
                   "Folder for the files it writes (out/<name of the script>)")
       ->type_name("DIR");
-  run->add_option("--set", request.settings, "Override an option of the script; repeatable")
+  command.add_option("--set", request.settings, "Override an option of the script; repeatable")
       ->type_name("key=value")
       ->check(check_setting, "")
       ->take_all()
       ->allow_extra_args(false);
-  describe_execution(*run, request.run.execution);
+  describe_execution(command, request.run.execution);
+}
+
+void describe_check(CLI::App& app, Request& request) {
+  CLI::App* check =
+      app.add_subcommand("check", "Tell what a script would take, and whether anything can break");
+  describe_script(*check, request);
+}
+
+void describe_new(CLI::App& app, Request& request) {
+  CLI::App* command = app.add_subcommand("new", "Write a script to begin with");
+  command->add_option("NAME", request.new_name, "Of the script")->required();
+}
+
+void describe_run(CLI::App& app, Request& request) {
+  CLI::App* run = app.add_subcommand("run", "Run a script");
+  describe_script(*run, request);
   run->add_flag("--json", request.run.json, "Print one JSON object with the results on stdout");
   run->add_flag("-q,--quiet", request.run.quiet, "Say nothing but errors");
   run->footer("What follows -- is given to the script, in `arg` and `...`.");
@@ -116,6 +136,8 @@ void describe(CLI::App& app, Request& request) {
   app.set_version_flag("--version", version_text);
   app.require_subcommand(0, 1);
   describe_run(app, request);
+  describe_check(app, request);
+  describe_new(app, request);
   describe_bench(app, request);
   CLI::App* info = app.add_subcommand("info", "Show version, libraries and machine");
   info->add_flag("--json", request.info_as_json, "As one JSON object");
@@ -139,9 +161,19 @@ int execute(const CLI::App& app, Request& request) {
     request.run.overrides[setting.substr(0, equals)] = setting.substr(equals + 1);
   }
   if (app.got_subcommand("run")) return command_run(request.run);
+  if (app.got_subcommand("check")) return command_check(request.run);
+  if (app.got_subcommand("new")) return command_new(request.new_name);
   if (app.got_subcommand("bench")) return command_bench(request.bench);
   if (app.got_subcommand("info")) return command_info(request.info_as_json);
   return command_prompt();
+}
+
+// After the help of a command that was given a script: what else that understands.
+int tell_options(const RunRequest& request) {
+  return exit_code_of([&] {
+    fmt::print("\n{}", options_text(request));
+    return 0;
+  });
 }
 
 }  // namespace
@@ -167,7 +199,8 @@ int run_program(std::vector<std::string> words) {
     std::vector<std::string> reversed(words.rbegin(), words.rend());
     app.parse(reversed);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    const int code = app.exit(help);
+    return request.run.script.empty() ? code : tell_options(request.run);
   } catch (const CLI::ParseError& error) {
     return refuse(app, error, first);
   }

@@ -10,7 +10,6 @@
 #include "console/console.hpp"
 
 namespace hackle {
-namespace {
 
 ConsoleSettings settings_of(const RunRequest& request) {
   ConsoleSettings settings;
@@ -21,6 +20,8 @@ ConsoleSettings settings_of(const RunRequest& request) {
   settings.print_to_stderr = request.json;
   return settings;
 }
+
+namespace {
 
 void print_json(const Console& console, const RunRequest& request) {
   fmt::print("{}\n", json_of(console.simulations(), request.script.string()).dump());

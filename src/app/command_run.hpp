@@ -9,7 +9,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "output/summary.hpp"
+#include "console/session.hpp"
 
 namespace hackle {
 
@@ -22,6 +22,8 @@ struct RunRequest {
   bool json = false;
   bool quiet = false;
 };
+
+ConsoleSettings settings_of(const RunRequest& request);
 
 // Returns the exit code. On stdout: what the script prints; with --json nothing but the one object,
 // and that only when the script came to its end or was interrupted.

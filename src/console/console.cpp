@@ -256,6 +256,14 @@ std::vector<Summary> Console::simulations() const {
   return parts_->session.summaries();
 }
 
+std::vector<Rehearsal> Console::rehearsals() const {
+  return parts_->session.rehearsals();
+}
+
+const std::map<std::string, std::string>& Console::options() const {
+  return parts_->session.declared_options;
+}
+
 std::optional<int> Console::exit_code() const {
   return parts_->session.exit_code;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,6 +48,10 @@ class Console {
 
   // Of every simulation so far, in the order they were made.
   std::vector<Summary> simulations() const;
+  // The same, of a script that is checked.
+  std::vector<Rehearsal> rehearsals() const;
+  // Name and default of what the script has declared with options { ... } so far.
+  const std::map<std::string, std::string>& options() const;
   // What the script gave to os.exit.
   std::optional<int> exit_code() const;
 

@@ -79,6 +79,7 @@ int make_contact_sheet(lua_State* L) {
   layout.width = static_cast<int>(arguments.integer("width", layout.width));
   const auto path = session.output_path(arguments.text("file"));
   check_writable(path);
+  if (session.settings.purpose != Purpose::results) return 0;
   const Image sheet = contact_sheet(pictures, layout);
   make_folder_of(path);
   write_png(sheet, path);

@@ -14,6 +14,7 @@
 #include "console/arguments.hpp"
 #include "console/session.hpp"
 #include "console/units_binding.hpp"
+#include "console/value_text.hpp"
 
 namespace hackle {
 namespace {
@@ -43,14 +44,16 @@ void check_defaults(lua_State* L, Problems& problems) {
 // Ordered: the order of a Lua table changes from process to process.
 std::set<std::string> declare(lua_State* L, Session& session) {
   std::set<std::string> names;
-  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) names.emplace(lua_tostring(L, -2));
-  session.declared_options.insert(names.begin(), names.end());
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
+    names.emplace(lua_tostring(L, -2));
+    session.declared_options.emplace(lua_tostring(L, -2), value_text(L, -1));
+  }
   return names;
 }
 
 void check_known(const Session& session, Problems& problems) {
-  const std::vector<std::string_view> known(session.declared_options.begin(),
-                                            session.declared_options.end());
+  std::vector<std::string_view> known;
+  for (const auto& [name, fallback] : session.declared_options) known.push_back(name);
   for (const auto& [key, value] : session.settings.overrides)
     if (!session.declared_options.contains(key))
       problems.add(fmt::format("--set {}={}: the script has no option '{}'{}", key, value, key,
@@ -112,6 +115,7 @@ int options(lua_State* L) {
   check_defaults(L, problems);
   problems.throw_if_any();
   const std::set<std::string> names = declare(L, session);
+  if (session.settings.purpose == Purpose::options) session.leave(0);
   check_known(session, problems);
   lua_newtable(L);
   const int result = lua_gettop(L);

@@ -16,8 +16,7 @@ int exit_script(lua_State* L) {
     code = lua_toboolean(L, 1) != 0 ? 0 : 1;
   else if (!lua_isnoneornil(L, 1))
     code = static_cast<int>(luaL_checkinteger(L, 1));
-  session_of(L).exit_code = code;
-  throw Error(ErrorKind::interrupted, "os.exit");
+  session_of(L).leave(code);
 }
 
 int print(lua_State* L) {

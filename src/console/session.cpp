@@ -34,7 +34,8 @@ std::shared_ptr<Run> Session::simulate(Plate plate, Numerics numerics) {
 }
 
 std::shared_ptr<Run> Session::adopt(std::shared_ptr<Run> run) {
-  entries_.push_back({run, std::nullopt, run->simulation().state().step, false});
+  if (settings.purpose == Purpose::check) run->rehearse();
+  entries_.push_back({run, std::nullopt, std::nullopt, run->simulation().state().step, false});
   return run;
 }
 
@@ -126,6 +127,7 @@ void Session::retire(const Run* run) noexcept {
   close(*entry->run);
   try {
     entry->summary = entry->run->summary();
+    if (settings.purpose == Purpose::check) entry->rehearsal = entry->run->rehearsal();
   } catch (const std::exception& error) {
     closing_problems_.push_back({error.what(), {}});
   }
@@ -159,9 +161,22 @@ std::vector<Summary> Session::summaries() const {
   return list;
 }
 
+std::vector<Rehearsal> Session::rehearsals() const {
+  std::vector<Rehearsal> list;
+  for (const Entry& entry : entries_)
+    if (entry.run || entry.rehearsal)
+      list.push_back(entry.run ? entry.run->rehearsal() : *entry.rehearsal);
+  return list;
+}
+
 const Materials& Session::materials() {
   if (!materials_) materials_.emplace(data_file("assets/materials.lua"));
   return *materials_;
+}
+
+void Session::leave(int code) {
+  exit_code = code;
+  throw Error(ErrorKind::interrupted, "os.exit");
 }
 
 void Session::check_overrides_used() const {

@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,12 @@
 
 namespace hackle {
 
+// What a script is run for: its results, to see whether it makes sense and what it would take, or
+// to learn which options it has.
+enum class Purpose { results, check, options };
+
 struct ConsoleSettings {
+  Purpose purpose = Purpose::results;
   std::filesystem::path output_folder;           // "": out/<name of the script>
   std::map<std::string, std::string> overrides;  // --set key=value
   Execution execution;
@@ -47,6 +51,8 @@ class Session {
   void close_all();
   // Of every simulation, in the order they were made.
   std::vector<Summary> summaries() const;
+  // The same for a script that is checked.
+  std::vector<Rehearsal> rehearsals() const;
 
   // Whether anything that runs beside the prompt is under way and not paused.
   bool is_working() const;
@@ -66,12 +72,15 @@ class Session {
   // The library, read when first asked for. Throws Error (files).
   const Materials& materials();
 
+  // Ends the script, which is no failure: throws.
+  [[noreturn]] void leave(int code);
+
   // Throws Error (refused) when --set was given and no options { ... } took it.
   void check_overrides_used() const;
 
   ConsoleSettings settings;
   Origin origin;
-  std::set<std::string> declared_options;  // by options { ... }
+  std::map<std::string, std::string> declared_options;  // and their defaults, by options { ... }
   std::optional<int> exit_code;            // asked for with os.exit
   MakeRoom make_room;                      // before anything is printed, or none
 
@@ -79,6 +88,7 @@ class Session {
   struct Entry {
     std::shared_ptr<Run> run;  // null once retired
     std::optional<Summary> summary;
+    std::optional<Rehearsal> rehearsal;
     std::int64_t noted_step = 0;  // the transcript has come this far
     bool has_failed = false;      // since then, beside the prompt
   };

@@ -57,6 +57,7 @@ void check_numerics(const Plate& plate, Numerics numerics, Arguments& arguments)
 
 int simulate(lua_State* L) {
   Session& session = session_of(L);
+  if (session.settings.purpose == Purpose::options) session.leave(0);  // it has none
   session.check_overrides_used();
   const Plate& plate = plate_at(L, 1);
   Arguments arguments = Arguments::from_table(L, 2, simulate_doc);

@@ -26,6 +26,9 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
+// Of a script that is only checked; more would take weeks.
+constexpr std::int64_t most_rehearsed = 1'000'000'000;
+
 // Shows how far a run has come.
 class ProgressObserver : public Observer {
  public:
@@ -166,9 +169,27 @@ struct Run::Parts {
   Activity activity = Activity::none;
   bool paused = false;
   std::optional<std::int64_t> interrupted_at;
+  bool rehearsing = false;
+  std::int64_t rehearsed_steps = 0;
+
+  // Time passes, and nothing else does.
+  void arrive() {
+    State state = simulation.state();
+    const auto end =
+        static_cast<std::int64_t>(std::ceil(simulation.end_time() / simulation.dt() - 1e-9));
+    rehearsed_steps += end - state.step;
+    if (rehearsed_steps > most_rehearsed)
+      throw Error(ErrorKind::refused,
+                  fmt::format("check: more than {} steps are asked for and there is no end",
+                              grouped(most_rehearsed)),
+                  "the script may wait for what only happens when it is run");
+    state.step = end;
+    simulation.restore(std::move(state));
+  }
 
   // Everyone who looks on, and `others`, while the simulation goes where it aims.
   void go_on(std::vector<Observer*> observers) {
+    if (rehearsing) return arrive();
     for (const auto& output : outputs) observers.push_back(output.get());
     std::deque<Watched> watched;
     for (const auto& watcher : watchers)
@@ -227,6 +248,7 @@ void Run::movie(const fs::path& path, const MovieOptions& options) {
   parts_->refuse_while_running();
   auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation);
   parts_->promise("movie", path);
+  if (parts_->rehearsing) return;
   parts_->outputs.push_back(std::move(output));
 }
 
@@ -234,6 +256,7 @@ void Run::record(const fs::path& path, const RecordOptions& options) {
   parts_->refuse_while_running();
   auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin);
   parts_->promise("record", path);
+  if (parts_->rehearsing) return;
   parts_->outputs.push_back(std::move(output));
 }
 
@@ -241,6 +264,7 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
   check("frame", options);
   check_writable(path);
   parts_->simulation.check_finite();
+  if (parts_->rehearsing) return;
   Image image;
   {
     const Stopwatch watch(parts_->frame_render_seconds);
@@ -380,6 +404,7 @@ void Run::step(std::int64_t count) {
 RelaxResult Run::relax(double tolerance) {
   check_open("relax");
   check_arrived("relax");
+  if (parts_->rehearsing) return {};
   const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);
   return parts_->simulation.relax(
@@ -393,6 +418,7 @@ RelaxResult Run::relax(double tolerance) {
 QuasistaticResult Run::load_slowly(double duration, int increments, double tolerance) {
   check_open("quasistatic");
   check_arrived("quasistatic");
+  if (parts_->rehearsing) return {};
   const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);
   std::vector<Observer*> observers;
@@ -419,6 +445,14 @@ void Run::close() {
     }
   }
   if (first) throw Error(*first);
+}
+
+void Run::rehearse() {
+  parts_->rehearsing = true;
+}
+
+Rehearsal Run::rehearsal() const {
+  return hackle::rehearse(parts_->simulation, parts_->rehearsed_steps);
 }
 
 const Simulation& Run::simulation() const {

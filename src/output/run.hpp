@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "output/rehearsal.hpp"
 #include "output/summary.hpp"
 #include "solver/simulation.hpp"
 #include "store/run_file.hpp"
@@ -92,6 +93,11 @@ class Run {
   // Completes movies and run files. Also done after an interrupt or a failure, so that they stay
   // valid. Can be called more than once; afterwards only frame(), report() and reading are allowed.
   void close();
+
+  // From now on nothing is computed and no file is written: what is asked for is checked, and runs
+  // arrive at once, with the plate as it was. rehearsal() says what they would take.
+  void rehearse();
+  Rehearsal rehearsal() const;
 
   const Simulation& simulation() const;
   Summary summary() const;

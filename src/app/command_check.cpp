@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_check.hpp"
+
+#include <fmt/format.h>
+
+#include "app/exit_code.hpp"
+#include "base/interrupt.hpp"
+#include "console/console.hpp"
+
+namespace hackle {
+namespace {
+
+ConsoleSettings settings_for(Purpose purpose, const RunRequest& request) {
+  ConsoleSettings settings = settings_of(request);
+  settings.purpose = purpose;
+  settings.talk = Talk::quiet;
+  return settings;
+}
+
+}  // namespace
+
+int command_check(const RunRequest& request) {
+  const InterruptHandler handler;
+  return exit_code_of([&] {
+    Console console(settings_for(Purpose::check, request));
+    console.run_file(request.script, request.arguments);
+    int number = 0;
+    for (const Rehearsal& rehearsal : console.rehearsals())
+      fmt::print("simulation {}\n{}\n", ++number, describe(rehearsal));
+    if (number == 0) fmt::print("the script makes no simulation\n");
+    return console.exit_code().value_or(0);
+  });
+}
+
+std::string options_text(const RunRequest& request) {
+  Console console(settings_for(Purpose::options, request));
+  console.run_file(request.script, request.arguments);
+  const std::string name = request.script.filename().string();
+  if (console.options().empty()) return fmt::format("{} has no options for --set.\n", name);
+  std::string text = fmt::format("Options of {}, for --set:\n", name);
+  for (const auto& [option, fallback] : console.options())
+    text += fmt::format("  {} = {}\n", option, fallback);
+  return text;
+}
+
+}  // namespace hackle

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "output/rehearsal.hpp"
+
+#include <fmt/format.h>
+
+#include "base/stopwatch.hpp"
+#include "base/units.hpp"
+#include "lattice/numerics.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr std::int64_t most_nodes_tried = 4'000'000;
+constexpr double trial_seconds = 0.2;
+constexpr double drift = 1e-7;  // spacings a step
+
+// Tiles that stand still cost nothing, and there are none such in a plate that breaks.
+State in_motion(const Simulation& simulation) {
+  State state = simulation.state();
+  const Lattice& lattice = simulation.lattice();
+  for (int j = 0; j < lattice.grid.ny; ++j)
+    for (int i = 0; i < lattice.grid.nx; ++i)
+      if (!lattice.is_void(i, j)) state.set_v(i, j, {drift, drift});
+  return state;
+}
+
+double try_steps(const Simulation& simulation) {
+  if (static_cast<std::int64_t>(simulation.lattice().grid.nodes()) > most_nodes_tried) return 0.0;
+  Simulation trial = simulation;
+  trial.restore(in_motion(simulation));
+  trial.step();  // fills the caches
+  double seconds = 0.0;
+  int steps = 0;
+  while (seconds < trial_seconds) {
+    const Stopwatch watch(seconds);
+    trial.step();
+    ++steps;
+  }
+  return seconds / steps;
+}
+
+std::string wall_time(const Rehearsal& rehearsal) {
+  if (rehearsal.step_seconds <= 0.0) return "not tried";
+  return fmt::format("about {:.3g} s to solve, {:.3g} ms a step",
+                     rehearsal.step_seconds * static_cast<double>(rehearsal.steps),
+                     1e3 * rehearsal.step_seconds);
+}
+
+}  // namespace
+
+Rehearsal rehearse(const Simulation& simulation, std::int64_t steps) {
+  Rehearsal found;
+  found.nodes = static_cast<std::int64_t>(simulation.lattice().grid.nodes());
+  found.bonds = simulation.lattice().bonds_born();
+  found.memory = memory_needed(simulation.plate(), simulation.numerics());
+  found.dt = simulation.dt();
+  found.dt_limit = simulation.lattice().step_limit;
+  found.steps = steps;
+  found.time = static_cast<double>(steps) * simulation.dt();
+  found.step_seconds = try_steps(simulation);
+  found.forecast =
+      forecast(simulation.plate(), found.time, simulation.numerics().horizon_or_default());
+  return found;
+}
+
+std::string describe(const Rehearsal& rehearsal) {
+  return fmt::format(
+      "  lattice  {} nodes, {} bonds, {}\n"
+      "  time     {} in {} steps of {} (limit {})\n"
+      "  wall     {}\n"
+      "  breaks?  {}",
+      grouped(rehearsal.nodes), grouped(rehearsal.bonds), quantity(rehearsal.memory, "B"),
+      quantity(rehearsal.time, "s"), grouped(rehearsal.steps), quantity(rehearsal.dt, "s"),
+      quantity(rehearsal.dt_limit, "s"), wall_time(rehearsal), describe(rehearsal.forecast));
+}
+
+}  // namespace hackle
