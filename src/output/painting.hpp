@@ -2,6 +2,7 @@
 // What picture the options of a user ask for.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "output/run.hpp"
@@ -9,10 +10,28 @@
 
 namespace hackle {
 
-// Throws Error (refused) with every problem of the options; `output` names who asks.
-void check(const char* output, const PictureOptions& options);
+// Throws Error (refused) with every problem of the options on that lattice; `output` names who
+// asks.
+void check(const char* output, const PictureOptions& options, const Grid& grid);
+
+// The cells that the options look at.
+Window window_of(const PictureOptions& options, const Grid& grid);
 
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation);
+
+// A picture without texts and bars, stretched to fill these px.
+struct Extent {
+  int width = 0, height = 0;
+};
+
+// A picture of the state as it is. The options have been checked; `bare` overrides their width.
+// Throws Error (run_failed) when the state is not finite, and what PlatePainter throws.
+Image paint(const Simulation& simulation, const PictureOptions& options,
+            const std::optional<Extent>& bare = {});
+
+// The width in px of the largest picture with texts that fits into these px, at most `most.width`;
+// 0 when the smallest does not.
+int widest_picture(const PictureOptions& options, const Grid& grid, const Extent& most);
 
 // The field by its name, one of field_names; nan where there is no material.
 Field field_of(const std::string& name, const Simulation& simulation);

@@ -241,7 +241,7 @@ Run::Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin 
 Run::~Run() = default;
 
 void Run::movie(const fs::path& path, const MovieOptions& options) {
-  check("movie", options.picture);
+  check("movie", options.picture, parts_->simulation.lattice().grid);
   if (!(options.fps >= 1.0 && options.fps <= 240.0))
     throw Error(ErrorKind::refused,
                 fmt::format("movie: fps is {}, it must lie between 1 and 240", options.fps));
@@ -261,16 +261,13 @@ void Run::record(const fs::path& path, const RecordOptions& options) {
 }
 
 void Run::frame(const fs::path& path, const PictureOptions& options) {
-  check("frame", options);
+  check("frame", options, parts_->simulation.lattice().grid);
   check_writable(path);
-  parts_->simulation.check_finite();
   if (parts_->rehearsing) return;
   Image image;
   {
     const Stopwatch watch(parts_->frame_render_seconds);
-    PlatePainter painter(style_of(options, parts_->simulation));
-    image = painter.paint(field_of(options.field, parts_->simulation), parts_->simulation.time(),
-                          impactors(parts_->simulation));
+    image = paint(parts_->simulation, options);
   }
   const Stopwatch watch(parts_->frame_store_seconds);
   make_folder_of(path);

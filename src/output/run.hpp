@@ -18,10 +18,17 @@
 
 namespace hackle {
 
+// What a picture looks at: a window of the plate's shape, rounded to whole cells of the lattice.
+struct Zoom {
+  Vec2 centre{0, 0};        // m; the window must show some of the plate
+  double half_width = 0.0;  // m, from one spacing to the plate's width
+};
+
 // How a picture is made.
 struct PictureOptions {
   std::string field = "damage";  // one of field_names
   int width = 1280;              // px, even, 320..7680; the height follows from the plate
+  std::optional<Zoom> zoom;      // the whole plate if not given
 };
 
 struct MovieOptions {

@@ -19,6 +19,12 @@ double cell_size(const Grid& grid, double width, double height) {
 
 }  // namespace
 
+Grid part(const Grid& grid, const Window& window) {
+  const Vec2 corner(window.left - 0.5 * grid.nx, window.bottom - 0.5 * grid.ny);
+  const Vec2 middle = corner + 0.5 * Vec2(window.nx, window.ny);
+  return {window.nx, window.ny, grid.dx, grid.centre + grid.dx * middle};
+}
+
 Layout make_layout(const Grid& grid, int width) {
   Layout layout;
   layout.width = width;
@@ -47,6 +53,16 @@ Layout make_layout(const Grid& grid, int width) {
   const int scale_x = layout.bar.right() + 3 * margin / 2;
   layout.scale = {scale_x, legend, width - side - scale_x, legend_height};
   layout.height = even(legend + legend_height + 0.6 * margin);
+  return layout;
+}
+
+Layout bare_layout(int width, int height) {
+  Layout layout;
+  layout.width = width;
+  layout.height = height;
+  layout.caption = {0, 0, width, 0};
+  layout.plate = {0, 0, width, height};
+  layout.bar = layout.scale = {0, height, width, 0};
   return layout;
 }
 

@@ -14,11 +14,20 @@ struct Rectangle {
   int bottom() const { return y + height; }
 };
 
+// A part of a lattice, in whole cells; it may reach beyond the lattice.
+struct Window {
+  int left = 0, bottom = 0;  // column and row of its lower left cell
+  int nx = 1, ny = 1;        // cells along x and y, at least 1
+};
+
+// The window as a lattice of its own, in the same place.
+Grid part(const Grid& grid, const Window& window);
+
 // From top to bottom: the caption (title left, time right), the plate, the legend (colour bar left,
 // scale bar right). The parts never overlap.
 struct Layout {
-  int width = 0;            // px, even
-  int height = 0;           // px, even
+  int width = 0;            // px, even unless bare
+  int height = 0;           // px, even unless bare
   double font = 0.0;        // px, of the captions
   double small_font = 0.0;  // px, of the ticks
   Rectangle caption;
@@ -31,6 +40,9 @@ struct Layout {
 // all look alike. A tall plate is made smaller until the plate is at most as high as the picture is
 // wide.
 Layout make_layout(const Grid& grid, int width);
+
+// The plate alone fills the picture: width x height px, even or not, whatever its shape.
+Layout bare_layout(int width, int height);
 
 // The largest of 1, 2, 5 times a power of ten that is at most `most` (> 0): neat lengths and ticks.
 double neat_at_most(double most);

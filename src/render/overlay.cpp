@@ -49,8 +49,12 @@ class Canvas {
     cairo_clip(cairo_.get());
   }
   // Seen through a little, with a bright rim.
-  void disc(double x, double y, double radius, Colour c) {
-    cairo_arc(cairo_.get(), x, y, radius, 0.0, 2.0 * std::numbers::pi);
+  void disc(double x, double y, double radius_x, double radius_y, Colour c) {
+    cairo_save(cairo_.get());
+    cairo_translate(cairo_.get(), x, y);
+    cairo_scale(cairo_.get(), radius_x, radius_y);
+    cairo_arc(cairo_.get(), 0.0, 0.0, 1.0, 0.0, 2.0 * std::numbers::pi);
+    cairo_restore(cairo_.get());
     cairo_set_source_rgba(cairo_.get(), c.red / 255.0, c.green / 255.0, c.blue / 255.0, 0.55);
     cairo_fill_preserve(cairo_.get());
     colour(c);
@@ -162,12 +166,13 @@ void draw_discs(Image& image, const Layout& layout, const Grid& grid,
   Canvas canvas(image);
   const double top = layout.caption.bottom(), below = layout.bar.y - 0.5 * layout.font;
   canvas.clip(top, below - top, image.width);
-  const double scale = layout.plate.width / (grid.nx * grid.dx);  // px/m
+  const double across = layout.plate.width / (grid.nx * grid.dx);  // px/m
+  const double up = layout.plate.height / (grid.ny * grid.dx);
   for (const Circle& disc : discs) {
-    const Vec2 place = (disc.centre - grid.centre) * scale;
-    canvas.disc(layout.plate.x + 0.5 * layout.plate.width + place.x(),
-                layout.plate.y + 0.5 * layout.plate.height - place.y(), disc.radius * scale,
-                disc_colour);
+    const Vec2 place = disc.centre - grid.centre;
+    canvas.disc(layout.plate.x + 0.5 * layout.plate.width + place.x() * across,
+                layout.plate.y + 0.5 * layout.plate.height - place.y() * up, disc.radius * across,
+                disc.radius * up, disc_colour);
   }
 }
 

@@ -28,7 +28,7 @@ void draw_frame(Image& image, const Layout& layout, const ColourMap& map, const 
 // The time, in s, at the right end of the caption.
 void draw_time(Image& image, const Layout& layout, double time);
 
-// Discs, between the caption and the legend.
+// Discs, between the caption and the legend. `grid` is what is seen of the lattice.
 void draw_discs(Image& image, const Layout& layout, const Grid& grid,
                 const std::vector<Circle>& discs);
 

@@ -48,12 +48,22 @@ void check(const Grid& grid) {
                           grid.nx, grid.ny, most));
 }
 
+Window window_of(const PictureStyle& style) {
+  return style.window.value_or(Window{0, 0, style.grid.nx, style.grid.ny});
+}
+
+Layout layout_of(const PictureStyle& style, const Grid& seen) {
+  if (style.bare_height > 0) return bare_layout(style.width, style.bare_height);
+  return make_layout(seen, style.width);
+}
+
 }  // namespace
 
 struct PlatePainter::Parts {
   explicit Parts(PictureStyle style_)
       : style(std::move(style_)),
-        layout(make_layout(style.grid, style.width)),
+        seen(part(style.grid, window_of(style))),
+        layout(layout_of(style, seen)),
         map(load_colour_map(style.colour_map)),
         context(layout.width, layout.height),
         gl(load_gl_functions()),
@@ -69,8 +79,7 @@ struct PlatePainter::Parts {
     program.use();
     gl.Uniform1i(program.uniform("field"), field_unit);
     gl.Uniform1i(program.uniform("colour_map"), colour_map_unit);
-    gl.Uniform2f(program.uniform("cells"), static_cast<float>(style.grid.nx),
-                 static_cast<float>(style.grid.ny));
+    set_window(window_of(style));
     gl.Uniform2f(program.uniform("range"), static_cast<float>(style.least),
                  static_cast<float>(style.most));
     gl.Uniform4f(program.uniform("background"), background_colour.red / 255.0F,
@@ -82,6 +91,13 @@ struct PlatePainter::Parts {
   }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
+
+  void set_window(const Window& window) {
+    gl.Uniform2f(program.uniform("origin"), static_cast<float>(window.left),
+                 static_cast<float>(window.bottom));
+    gl.Uniform2f(program.uniform("cells"), static_cast<float>(window.nx),
+                 static_cast<float>(window.ny));
+  }
 
   void draw_field(const Field& field) {
     gl.ActiveTexture(GL_TEXTURE0 + field_unit);
@@ -105,11 +121,12 @@ struct PlatePainter::Parts {
     text.unit = field.unit;
     text.least = style.least;
     text.most = style.most;
-    text.metres_per_pixel = style.grid.nx * style.grid.dx / layout.plate.width;
+    text.metres_per_pixel = seen.nx * seen.dx / layout.plate.width;
     return text;
   }
 
   PictureStyle style;
+  Grid seen;
   Layout layout;
   ColourMap map;
   GlContext context;  // before everything that lives in it
@@ -134,9 +151,11 @@ Image PlatePainter::paint(const Field& field, double time, const std::vector<Cir
   parts_->context.make_current();
   parts_->draw_field(field);
   Image image = parts_->context.finish();
-  draw_frame(image, parts_->layout, parts_->map, parts_->text_for(field));
-  draw_time(image, parts_->layout, time);
-  draw_discs(image, parts_->layout, parts_->style.grid, discs);
+  if (parts_->style.bare_height == 0) {
+    draw_frame(image, parts_->layout, parts_->map, parts_->text_for(field));
+    draw_time(image, parts_->layout, time);
+  }
+  draw_discs(image, parts_->layout, parts_->seen, discs);
   return image;
 }
 
