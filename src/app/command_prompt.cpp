@@ -8,6 +8,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/voice.hpp"
+#include "base/machine.hpp"
 #include "base/version.hpp"
 #include "console/line_reader.hpp"
 #include "console/prompt.hpp"
@@ -45,6 +46,7 @@ int command_prompt() {
     ConsoleSettings settings;
     settings.output_folder = "out/prompt";
     settings.talk = talk(false);
+    settings.show_in_terminal = stdout_is_terminal();
     Console console(settings);
     const bool person = isatty(STDIN_FILENO) != 0;
     Prompt prompt(console, line_reader(person), {print_value, tell, print_note});

@@ -7,6 +7,7 @@
 #include "app/exit_code.hpp"
 #include "app/voice.hpp"
 #include "base/interrupt.hpp"
+#include "base/machine.hpp"
 #include "console/console.hpp"
 
 namespace hackle {
@@ -18,6 +19,7 @@ ConsoleSettings settings_of(const RunRequest& request) {
   settings.execution = request.execution;
   settings.talk = talk(request.quiet);
   settings.print_to_stderr = request.json;
+  settings.show_in_terminal = stdout_is_terminal() && !request.json;
   return settings;
 }
 

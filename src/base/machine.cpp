@@ -51,6 +51,10 @@ int available_cores() {
   return std::max(1, CPU_COUNT(&set));
 }
 
+bool stdout_is_terminal() {
+  return isatty(STDOUT_FILENO) != 0;
+}
+
 bool stderr_is_terminal() {
   const char* kind = std::getenv("TERM");
   return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";

@@ -20,6 +20,9 @@ int available_cores();
 // Whether stderr is a terminal that can redraw a line.
 bool stderr_is_terminal();
 
+// Whether what is written to stdout ends in front of a person.
+bool stdout_is_terminal();
+
 // The processor as it names itself.
 std::string processor_name();
 

@@ -81,20 +81,21 @@ std::optional<std::vector<Vec2>> points_at(lua_State* L, int index) {
   return points;
 }
 
-// The numbers of the table {a, b}, or nothing when it is something else.
-std::optional<Vec2> two_numbers(lua_State* L, int index) {
-  Vec2 numbers{0, 0};
+// The numbers of the table {a, b, ...}, or nothing when it is something else.
+template <class Vector>
+std::optional<Vector> numbers_at(lua_State* L, int index) {
+  Vector numbers = Vector::Zero();
   int found = 0, others = 0;
   for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
     const lua_Integer place = lua_isinteger(L, -2) ? lua_tointeger(L, -2) : 0;
-    if ((place == 1 || place == 2) && lua_type(L, -1) == LUA_TNUMBER) {
+    if (place >= 1 && place <= numbers.size() && lua_type(L, -1) == LUA_TNUMBER) {
       numbers[place - 1] = lua_tonumber(L, -1);
       ++found;
     } else {
       ++others;
     }
   }
-  return found == 2 && others == 0 ? std::optional(numbers) : std::nullopt;
+  return found == numbers.size() && others == 0 ? std::optional(numbers) : std::nullopt;
 }
 
 // Of a table, under keys of any kind.
@@ -223,6 +224,8 @@ void Arguments::read_value(lua_State* L, int index, const Option& option) {
       return take_point(L, index, option);
     case OptionType::pair:
       return take_pair(L, index, option);
+    case OptionType::window:
+      return take_window(L, index, option);
     case OptionType::points:
       return take_points(L, index, option);
     case OptionType::choice:
@@ -300,7 +303,7 @@ void Arguments::take_flag(lua_State* L, int index, const Option& option) {
 
 void Arguments::take_point(lua_State* L, int index, const Option& option) {
   if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
-  const std::optional<Vec2> point = two_numbers(L, index);
+  const auto point = numbers_at<Vec2>(L, index);
   if (!point)
     return wrong(option, fmt::format("{}: {} is not a pair of numbers, expected {}", doc_->name,
                                      option.name, expectation(option)));
@@ -322,6 +325,15 @@ void Arguments::take_pair(lua_State* L, int index, const Option& option) {
                             range_text(option)));
 }
 
+void Arguments::take_window(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
+  const auto window = numbers_at<Eigen::Vector3d>(L, index);
+  if (!window || !window->allFinite())
+    return wrong(option, fmt::format("{} is not three finite numbers, expected {}",
+                                     full_name(option), expectation(option)));
+  keep(option, *window);
+}
+
 void Arguments::take_points(lua_State* L, int index, const Option& option) {
   if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
   const lua_Unsigned count = lua_rawlen(L, index);
@@ -335,7 +347,7 @@ void Arguments::take_points(lua_State* L, int index, const Option& option) {
   for (lua_Unsigned k = 1; k <= count; ++k) {
     const bool is_table = lua_rawgeti(L, index, static_cast<lua_Integer>(k)) == LUA_TTABLE;
     const std::optional<Vec2> point =
-        is_table ? two_numbers(L, lua_gettop(L)) : std::optional<Vec2>();
+        is_table ? numbers_at<Vec2>(L, lua_gettop(L)) : std::optional<Vec2>();
     lua_pop(L, 1);
     if (!point || !point->allFinite())
       return wrong(option, fmt::format("{}: point {} of {} is not {{x, y}}, two finite numbers",
@@ -480,6 +492,10 @@ Vec2 Arguments::point(std::string_view name) const {
 
 Vec2 Arguments::pair(std::string_view name, const Vec2& fallback) const {
   return value_or(name, fallback);
+}
+
+Eigen::Vector3d Arguments::window(std::string_view name) const {
+  return value_or(name, Eigen::Vector3d{0.0, 0.0, 0.0});
 }
 
 std::vector<std::string> Arguments::texts(std::string_view name) const {

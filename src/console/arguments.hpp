@@ -42,6 +42,7 @@ class Arguments {
   bool flag(std::string_view name, bool fallback = false) const;
   Vec2 point(std::string_view name) const;
   Vec2 pair(std::string_view name, const Vec2& fallback = {0, 0}) const;
+  Eigen::Vector3d window(std::string_view name) const;  // x, y and half the width
   std::vector<Vec2> points(std::string_view name) const;
   Material material(std::string_view name) const;
   VectorField vector_field(std::string_view name) const;
@@ -63,9 +64,9 @@ class Arguments {
   struct Choice {
     std::size_t index = 0;
   };
-  using Value =
-      std::variant<double, std::int64_t, std::string, bool, Vec2, Material, Choice, VectorField,
-                   ScalarField, Course, LuaFunction, std::vector<Vec2>, std::vector<std::string>>;
+  using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Eigen::Vector3d,
+                             Material, Choice, VectorField, ScalarField, Course, LuaFunction,
+                             std::vector<Vec2>, std::vector<std::string>>;
   struct Slot {
     std::optional<Value> value;
     bool bad = false;
@@ -96,6 +97,7 @@ class Arguments {
   void take_flag(lua_State* L, int index, const Option& option);
   void take_point(lua_State* L, int index, const Option& option);
   void take_pair(lua_State* L, int index, const Option& option);
+  void take_window(lua_State* L, int index, const Option& option);
   void take_points(lua_State* L, int index, const Option& option);
   void take_choice(lua_State* L, int index, const Option& option);
   void take_material(lua_State* L, int index, const Option& option);

@@ -15,6 +15,7 @@
 #include "console/material_binding.hpp"
 #include "console/options_binding.hpp"
 #include "console/plate_binding.hpp"
+#include "console/show_binding.hpp"
 #include "console/simulation_binding.hpp"
 
 namespace hackle {
@@ -36,6 +37,8 @@ std::string_view type_word(const Option& option) {
       return "{x, y}";
     case OptionType::pair:
       return "{a, b}";
+    case OptionType::window:
+      return "{x, y, half}";
     case OptionType::points:
       return "points";
     case OptionType::choice:
@@ -124,7 +127,7 @@ std::vector<Function> all_functions() {
   std::vector<Function> list;
   for (const auto functions :
        {material_functions(), plate_functions(), course_functions(), simulation_functions(),
-        background_functions(), contact_sheet_functions(), options_functions(), help_functions()})
+        background_functions(), show_functions(), contact_sheet_functions(), options_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());
   return list;
 }

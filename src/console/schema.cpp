@@ -54,6 +54,8 @@ std::string expectation(const Option& option) {
       return "{x, y}, two numbers" + in_unit;
     case OptionType::pair:
       return "{a, b}, two numbers" + in_unit;
+    case OptionType::window:
+      return "{x, y, half}, the middle and half the width" + in_unit;
     case OptionType::points:
       return fmt::format("a list of {} or more points {{x, y}}{}", option.range.least, in_unit);
     case OptionType::choice:

@@ -27,7 +27,8 @@ struct ConsoleSettings {
   std::map<std::string, std::string> overrides;  // --set key=value
   Execution execution;
   Talk talk = Talk::plain;
-  bool print_to_stderr = false;  // what the script prints: stdout is for something else
+  bool print_to_stderr = false;   // what the script prints: stdout is for something else
+  bool show_in_terminal = false;  // what show(s) draws: stdout is a terminal; else in files
 };
 
 class Session {
@@ -83,6 +84,7 @@ class Session {
   std::map<std::string, std::string> declared_options;  // and their defaults, by options { ... }
   std::optional<int> exit_code;            // asked for with os.exit
   MakeRoom make_room;                      // before anything is printed, or none
+  int pictures_shown = 0;                  // in files, by show(s)
 
  private:
   struct Entry {

@@ -89,19 +89,12 @@ int step(lua_State* L) {
   return 0;
 }
 
-PictureOptions picture_of(const Arguments& arguments) {
-  PictureOptions picture;
-  picture.field = arguments.text_of_choice("field", picture.field);
-  picture.width = static_cast<int>(arguments.integer("width", picture.width));
-  return picture;
-}
-
 int movie(lua_State* L) {
   ScriptedRun& scripted = self<ScriptedRun>(L, movie_doc);
   const Arguments arguments = Arguments::from_table(L, 2, movie_doc);
   arguments.problems.throw_if_any();
   MovieOptions options;
-  options.picture = picture_of(arguments);
+  options.picture = sized_picture_of(arguments);
   options.every = arguments.number("every");
   options.fps = arguments.number("fps", options.fps);
   const auto path = session_of(L).output_path(arguments.text("file"));
@@ -114,7 +107,8 @@ int frame(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, frame_doc);
   const Arguments arguments = Arguments::from_table(L, 2, frame_doc);
   arguments.problems.throw_if_any();
-  scripted.run().frame(session_of(L).output_path(arguments.text("file")), picture_of(arguments));
+  scripted.run().frame(session_of(L).output_path(arguments.text("file")),
+                       sized_picture_of(arguments));
   return 0;
 }
 

@@ -4,9 +4,9 @@
 
 #include <array>
 
+#include "console/picture_options.hpp"
 #include "console/schema.hpp"
 #include "lattice/numerics.hpp"
-#include "output/run.hpp"
 
 namespace hackle {
 
@@ -108,17 +108,6 @@ inline constexpr Option file_option{.name = "file",
                                     .required = true,
                                     .positional = true,
                                     .sentence = "Its name, in the output folder if relative."};
-inline constexpr Option field_option{.name = "field",
-                                     .type = OptionType::choice,
-                                     .fallback = "damage",
-                                     .choices = field_names,
-                                     .sentence = "What is painted."};
-inline constexpr Option width_option{.name = "width",
-                                     .type = OptionType::integer,
-                                     .unit = "px",
-                                     .range = between(320.0, 7680.0),
-                                     .fallback = "1280",
-                                     .sentence = "Of the picture, even."};
 inline constexpr Option every_option{.name = "every",
                                      .unit = "s",
                                      .range = above(0.0),
@@ -129,6 +118,7 @@ inline constexpr std::array movie_options{
     file_option,
     field_option,
     every_option,
+    zoom_option,
     width_option,
     Option{.name = "fps",
            .range = between(1.0, 240.0),
@@ -143,7 +133,7 @@ inline constexpr FunctionDoc movie_doc{
     .options = movie_options,
     .example = "s:movie { \"crack.mp4\", field = \"damage\", every = 0.25*us }"};
 
-inline constexpr std::array frame_options{file_option, field_option, width_option};
+inline constexpr std::array frame_options{file_option, field_option, zoom_option, width_option};
 
 inline constexpr FunctionDoc frame_doc{.name = "frame",
                                        .owner = "s",

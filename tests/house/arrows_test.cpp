@@ -32,12 +32,22 @@ const std::map<std::string, std::set<std::string>> may_see = {
       "base"}},
 };
 
-// Libraries that only their own room may know.
+// Libraries that only their own room, or a file of it, may know.
 const std::map<std::string, std::set<std::string>> rooms_of_library = {
-    {"lua.hpp", {"console"}}, {"lauxlib.h", {"console"}},  {"GL/", {"render"}},
-    {"cairo", {"render"}},    {"png.h", {"render"}},       {"hdf5.h", {"store"}},
-    {"libav", {"movie"}},     {"libswscale", {"movie"}},   {"oneapi/", {"solver"}},
-    {"CLI/", {"app"}},        {"histedit.h", {"console"}}, {"editline/", {"console"}},
+    {"lua.hpp", {"console"}},
+    {"lauxlib.h", {"console"}},
+    {"GL/", {"render"}},
+    {"cairo", {"render"}},
+    {"png.h", {"render"}},
+    {"hdf5.h", {"store"}},
+    {"libav", {"movie"}},
+    {"libswscale", {"movie"}},
+    {"oneapi/", {"solver"}},
+    {"CLI/", {"app"}},
+    {"histedit.h", {"console"}},
+    {"editline/", {"console"}},
+    {"chafa", {"console/preview.cpp"}},
+    {"glib", {}},
 };
 
 struct Include {
@@ -84,7 +94,7 @@ TEST(House, LibrariesStayInTheirRooms) {
     if (include.file == "app/libraries.cpp") return;  // names the version of each
     for (const auto& [library, rooms] : rooms_of_library) {
       if (!include.target.starts_with(library)) continue;
-      EXPECT_TRUE(rooms.contains(include.room))
+      EXPECT_TRUE(rooms.contains(include.room) || rooms.contains(include.file))
           << "src/" << include.file << " includes " << include.target;
     }
   });

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "console/show_binding.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/units.hpp"
+#include "console/arguments.hpp"
+#include "console/guard.hpp"
+#include "console/picture_options.hpp"
+#include "console/preview.hpp"
+#include "console/simulation_binding.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr std::array show_options{field_option, zoom_option};
+
+constexpr FunctionDoc show_doc{
+    .name = "show",
+    .leading = "s",
+    .sentence =
+        "Shows a simulation as it is in the terminal; where there is none, as show_1.png, "
+        "show_2.png, ... in the output folder.",
+    .options = show_options,
+    .example = "show(s) show(s, { zoom = {60*mm, 20*mm, 10*mm} })"};
+
+// show { s, zoom = ... } means show(s, { zoom = ... }): what stands in the braces is copied, the
+// simulation aside.
+void open_braces(lua_State* L) {
+  if (lua_type(L, 1) != LUA_TTABLE) return;
+  lua_settop(L, 1);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, 2);
+  }
+  lua_rawgeti(L, 1, 1);
+  lua_replace(L, 1);
+  lua_pushnil(L);
+  lua_rawseti(L, 2, 1);
+}
+
+const ScriptedRun& simulation_at(lua_State* L, int index) {
+  if (const ScriptedRun* scripted = object_at<ScriptedRun>(L, index)) return *scripted;
+  throw Error(ErrorKind::refused,
+              fmt::format("show: expected a simulation first, got {}", description(L, index)),
+              fmt::format("as in {}", show_doc.example));
+}
+
+// "damage at 22.5 us, 1 234 bonds broken, 20 mm wide"
+std::string caption(const Simulation& simulation, const PictureOptions& options) {
+  std::string text =
+      fmt::format("{} at {}, {} bonds broken", options.field, quantity(simulation.time(), "s"),
+                  grouped(count_damage(simulation).broken_bonds));
+  if (options.zoom) text += fmt::format(", {} wide", quantity(2.0 * options.zoom->half_width, "m"));
+  return text;
+}
+
+// With texts where there are pixels enough to read them.
+Image paint_for(const Terminal& terminal, const Simulation& simulation, PictureOptions options) {
+  const Grid& grid = simulation.lattice().grid;
+  if (terminal.graphics != Graphics::symbols)
+    options.width = widest_picture(options, grid, room_for_picture(terminal));
+  if (terminal.graphics != Graphics::symbols && options.width > 0)
+    return paint(simulation, options);
+  const Window window = window_of(options, grid);
+  const double shape = static_cast<double>(window.nx) / window.ny;
+  return paint(simulation, options, bare_picture(terminal, shape));
+}
+
+void show_in_terminal(const Session& session, const Simulation& simulation,
+                      const PictureOptions& options) {
+  const Terminal terminal = terminal_of(STDOUT_FILENO);
+  std::string text = text_of(paint_for(terminal, simulation, options), terminal);
+  text += caption(simulation, options) + "\n";
+  // A function called in the middle of a run finds its progress bar here.
+  if (session.settings.talk == Talk::animated) text.insert(0, "\r\033[K");
+  std::fflush(stdout);
+  write_picture(text, terminal, STDOUT_FILENO);
+}
+
+void show_in_file(Session& session, Run& run, const PictureOptions& options) {
+  const auto path = session.output_path(fmt::format("show_{}.png", ++session.pictures_shown));
+  run.frame(path, options);
+  std::FILE* file = session.settings.print_to_stderr ? stderr : stdout;
+  fmt::print(file, "{}: {}\n", caption(run.simulation(), options), path.string());
+  std::fflush(file);
+}
+
+int show(lua_State* L) {
+  open_braces(L);
+  const ScriptedRun& scripted = simulation_at(L, 1);
+  if (lua_isnoneornil(L, 2)) {
+    lua_settop(L, 1);
+    lua_newtable(L);
+  }
+  const Arguments arguments = Arguments::from_table(L, 2, show_doc);
+  arguments.problems.throw_if_any();
+  const PictureOptions options = picture_of(arguments);
+  check("show", options, scripted.simulation().lattice().grid);
+  Session& session = session_of(L);
+  if (session.settings.show_in_terminal)
+    show_in_terminal(session, scripted.simulation(), options);
+  else
+    show_in_file(session, scripted.run(), options);
+  return 0;
+}
+
+constexpr std::array functions{Function{&show_doc, guarded<show>}};
+
+}  // namespace
+
+std::span<const Function> show_functions() {
+  return functions;
+}
+
+}  // namespace hackle

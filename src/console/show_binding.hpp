@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// show(s): the picture of a simulation, in the terminal.
+#pragma once
+
+#include <span>
+
+#include "console/schema.hpp"
+
+namespace hackle {
+
+std::span<const Function> show_functions();
+
+}  // namespace hackle
