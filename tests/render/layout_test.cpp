@@ -58,6 +58,23 @@ TEST(Layout, KeepsTheShapeOfThePlate) {
   }
 }
 
+TEST(Layout, ABarePictureIsAllPlate) {
+  const Layout layout = bare_layout(321, 7);
+  EXPECT_EQ(layout.plate.width, 321);
+  EXPECT_EQ(layout.plate.height, 7);
+  EXPECT_EQ(layout.plate.x, 0);
+  EXPECT_EQ(layout.plate.y, 0);
+}
+
+TEST(Window, IsALatticeInTheSamePlace) {
+  const Grid whole = grid(200, 80);
+  const Grid part = hackle::part(whole, {150, -10, 20, 30});
+  EXPECT_EQ(part.nx, 20);
+  EXPECT_EQ(part.ny, 30);
+  EXPECT_LT((part.position(0, 0) - whole.position(150, -10)).norm(), 1e-15);
+  EXPECT_LT((part.position(19, 29) - whole.position(169, 19)).norm(), 1e-15);
+}
+
 TEST(Neat, IsOneTwoOrFiveTimesAPowerOfTen) {
   EXPECT_DOUBLE_EQ(neat_at_most(0.0171), 0.01);
   EXPECT_DOUBLE_EQ(neat_at_most(2.0), 2.0);

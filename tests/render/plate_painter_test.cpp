@@ -96,6 +96,55 @@ TEST(PlatePainter, ACrackOneCellWideStaysVisibleWhenCellsAreSmallerThanPixels) {
   }
 }
 
+TEST(PlatePainter, AWindowShowsItsCellsAndBackgroundBeyondThePlate) {
+  PictureStyle s = style(16, 8);
+  Field f = field(s, 0.0F);
+  for (int i = 0; i < 16; ++i) f.values[s.grid.index(i, 3)] = static_cast<float>(i) / 30.0F;
+  s.window = Window{12, 2, 8, 4};
+  const Image image = PlatePainter(s).paint(f, 0.0);
+  PictureStyle seen = s;
+  seen.grid = part(s.grid, *s.window);
+  const ColourMap map = load_colour_map("damage");
+  for (int i = 0; i < 4; ++i) {
+    expect_near(cell(image, seen, i, 1), map.colours[static_cast<std::size_t>((12 + i) * 17)]);
+    expect_near(cell(image, seen, i, 2), map.colours.front());
+    expect_near(cell(image, seen, 4 + i, 1), background_colour);
+  }
+}
+
+TEST(PlatePainter, AWindowOfEverythingIsTheWholePlate) {
+  PictureStyle s = style(40, 16);
+  Field f = field(s, 0.1F);
+  for (std::size_t k = 0; k < f.values.size(); ++k) f.values[k] = static_cast<float>(k % 50) / 100;
+  const Image whole = PlatePainter(s).paint(f, 0.0);
+  s.window = Window{0, 0, 40, 16};
+  EXPECT_EQ(PlatePainter(s).paint(f, 0.0).pixels, whole.pixels);
+}
+
+TEST(PlatePainter, ABarePictureIsFilledToItsEdges) {
+  PictureStyle s = style(4, 4, 30);
+  s.bare_height = 10;
+  const Field f = field(s, 0.5F);
+  const Image image = PlatePainter(s).paint(f, 0.0);
+  ASSERT_EQ(image.width, 30);
+  ASSERT_EQ(image.height, 10);
+  const Colour bright = load_colour_map("damage").colours.back();
+  for (const int x : {0, 29})
+    for (const int y : {0, 9}) expect_near(pixel(image, x, y), bright);
+}
+
+TEST(PlatePainter, ABarePictureShowsDiscsInTheirPlace) {
+  PictureStyle s = style(40, 20, 80);
+  s.bare_height = 20;  // half as many px a cell upwards
+  const Field f = field(s, 0.0F);
+  const Image image = PlatePainter(s).paint(f, 0.0, {{{0.030, 0.015}, 0.004}});
+  const Colour ground = load_colour_map("damage").colours.front();
+  EXPECT_FALSE(pixel(image, 60, 5) == ground);
+  EXPECT_FALSE(pixel(image, 54, 5) == ground);
+  expect_near(pixel(image, 60, 11), ground);
+  expect_near(pixel(image, 40, 5), ground);
+}
+
 TEST(PlatePainter, ASymmetricFieldGivesASymmetricPlate) {
   for (const int nx : {50, 51, 1111}) {
     const PictureStyle s = style(nx, nx / 2);
