@@ -331,6 +331,10 @@ void Arguments::take_window(lua_State* L, int index, const Option& option) {
   if (!window || !window->allFinite())
     return wrong(option, fmt::format("{} is not three finite numbers, expected {}",
                                      full_name(option), expectation(option)));
+  if (!option.range.holds(window->z()))
+    return wrong(option,
+                 fmt::format("{}: half the width of {} is {}, it must be {}", doc_->name,
+                             option.name, quantity(window->z(), option.unit), range_text(option)));
   keep(option, *window);
 }
 

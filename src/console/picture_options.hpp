@@ -15,6 +15,7 @@ inline constexpr Option field_option{.name = "field",
 inline constexpr Option zoom_option{.name = "zoom",
                                     .type = OptionType::window,
                                     .unit = "m",
+                                    .range = above(0.0),
                                     .fallback = "the plate",
                                     .sentence =
                                         "Middle and half the width of what is seen; it has "

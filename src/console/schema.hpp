@@ -20,7 +20,7 @@ enum class OptionType {
   flag,          // true or false
   point,         // {x, y}, two finite numbers; a place or a vector
   pair,          // {a, b}, two finite numbers, each in the range
-  window,        // {x, y, half}, three finite numbers: the middle of a window and half its width
+  window,        // {x, y, half}, the middle of a window and half its width in the range
   points,        // a list of points, as many as the range says
   choice,        // one of `choices`
   material,      // the name of one, or what material{...} returns

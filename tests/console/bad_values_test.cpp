@@ -33,6 +33,10 @@ Values nonsense(OptionType type) {
     case OptionType::point:
     case OptionType::pair:
       return no_pairs;
+    case OptionType::window:
+      return {"5",           "'a'",         "{}",          "{1, 1}",       "{1, 1, 'a'}",
+              "{0/0, 0, 1}", "{0, 1/0, 1}", "{0, 0, 0/0}", "{1, 1, 1, 1}", "{0, 0, 0}",
+              "{0, 0, -1}",  "true"};
     case OptionType::points:
       return {"5",
               "'a'",

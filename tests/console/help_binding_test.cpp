@@ -30,7 +30,7 @@ TEST(Help, AloneListsEverything) {
 
 TEST(Help, OnAFunctionShowsItsOptionsAndExample) {
   const std::string text = printed("help \"movie\"");
-  EXPECT_THAT(text, HasSubstr("s:movie { file, field, every, width, fps }"));
+  EXPECT_THAT(text, HasSubstr("s:movie { file, field, every, zoom, width, fps }"));
   EXPECT_THAT(text,
               testing::ContainsRegex("width +integer +between 320 and 7680 px +default 1280"));
   EXPECT_THAT(text, HasSubstr("example: s:movie {"));
