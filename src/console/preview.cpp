@@ -89,19 +89,19 @@ int quotient_above(int dividend, int divisor) {
   return (dividend + divisor - 1) / divisor;
 }
 
-// Without alpha, and with background to the right and below.
+// Without alpha, and with background to the right and below; row by row, blue, green, red.
 std::vector<guint8> padded(const Image& picture, int width, int height) {
+  const Colour ground = background_colour;
   std::vector<guint8> pixels;
-  pixels.reserve(static_cast<std::size_t>(3 * width * height));
+  const std::uint8_t* from = picture.pixels.data();
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      if (x >= picture.width || y >= picture.height) {
-        const Colour c = background_colour;
-        pixels.insert(pixels.end(), {c.blue, c.green, c.red});
-        continue;
+      if (x < picture.width && y < picture.height) {
+        pixels.insert(pixels.end(), from, from + 3);
+        from += 4;
+      } else {
+        pixels.insert(pixels.end(), {ground.blue, ground.green, ground.red});
       }
-      const auto* at = &picture.pixels[static_cast<std::size_t>(y * picture.stride() + 4 * x)];
-      pixels.insert(pixels.end(), at, at + 3);
     }
   return pixels;
 }
