@@ -2,11 +2,11 @@
 -- was made:
 --
 --   for scene in scripts/samples/*.lua scripts/benchmarks/*.lua scripts/gallery/*.lua; do hackle run $scene; done
---   hackle run scripts/contact_sheet.lua --output assets
+--   hackle run scripts/contact_sheet.lua --output out && cp out/scenes.png assets/
 --
 -- A scene that has not been run yet is left out; single_bond, patch_test and ring_pulse print figures alone.
 
-local o = options { from = "out", file = "scenes.png", columns = 4, width = 300 }
+local o = options { file = "scenes.png", columns = 4, width = 300 }
 
 -- Name of the scene, and of its picture where that differs.
 local scenes = {
@@ -16,12 +16,10 @@ local scenes = {
   { "quench" }, { "heterogeneous" }, { "ring" }, { "two_holes" }, { "own_picture" }, { "shatter" },
 }
 
--- From the folder of the sheet back to where out/ is.
-local here = o.from:sub(1, 1) == "/" and "" or (os.getenv("PWD") or ".") .. "/"
 local pictures, titles = {}, {}
 for _, scene in ipairs(scenes) do
   local name, picture = scene[1], scene[2] or scene[1]
-  local path = string.format("%s%s/%s/%s.png", here, o.from, name, picture)
+  local path = string.format("%s/%s.png", name, picture)
   local file = io.open(path, "rb")
   if file then
     file:close()

@@ -10,11 +10,8 @@
 
 local o = options { picture = "../../assets/pictures/heart.png", glass = "light",
                     width = 60*mm, height = 60*mm, pull = 1.2e9, seed = 5, spacing = 0.25*mm, time = 50*us }
-local given = ...
-local picture = o.picture
-if given then -- relative to where you are, not to this script
-  picture = given:sub(1, 1) == "/" and given or (os.getenv("PWD") or ".") .. "/" .. given
-end
+local given = ... -- what the command line names is meant from where you are, not from this script
+local picture = given or o.picture
 
 local p = plate { width = o.width, height = o.height, material = "duran50" }
 p:mask       { picture, remove = o.glass == "light" and "dark" or "light" }

@@ -80,6 +80,20 @@ void describe_execution(CLI::App& command, Execution& execution) {
       ->check(CLI::IsMember(names));
 }
 
+// What a script may do to this machine.
+void describe_limits(CLI::App& command, Limits& limits) {
+  command.add_flag("--trust", limits.trust,
+                   "Give the script all of Lua's library and files everywhere: other programs too");
+  command.add_option("--lua-memory", limits.lua_memory, "MB that its Lua values may take (1024)")
+      ->type_name("MB")
+      ->check(CLI::Range(1, 1 << 20));
+  command
+      .add_option("--output-limit", limits.output,
+                  "GB that movies and records of a simulation may take, as estimated (20)")
+      ->type_name("GB")
+      ->check(CLI::Range(0.001, 1e6));
+}
+
 void describe_script(CLI::App& command, Request& request) {
   command.add_option("FILE", request.run.script, "The script")->required();
   command
@@ -92,6 +106,7 @@ void describe_script(CLI::App& command, Request& request) {
       ->take_all()
       ->allow_extra_args(false);
   describe_execution(command, request.run.execution);
+  describe_limits(command, request.run.limits);
 }
 
 void describe_check(CLI::App& app, Request& request) {
@@ -135,6 +150,7 @@ void describe(CLI::App& app, Request& request) {
   app.name("hackle");
   app.set_version_flag("--version", version_text);
   app.require_subcommand(0, 1);
+  describe_limits(app, request.run.limits);
   describe_run(app, request);
   describe_check(app, request);
   describe_new(app, request);
@@ -165,7 +181,7 @@ int execute(const CLI::App& app, Request& request) {
   if (app.got_subcommand("new")) return command_new(request.new_name);
   if (app.got_subcommand("bench")) return command_bench(request.bench);
   if (app.got_subcommand("info")) return command_info(request.info_as_json);
-  return command_prompt();
+  return command_prompt(request.run.limits);
 }
 
 // After the help of a command that was given a script: what else that understands.

@@ -41,12 +41,13 @@ void print_value(const std::string& value) {
 
 }  // namespace
 
-int command_prompt() {
-  return exit_code_of([] {
+int command_prompt(const Limits& limits) {
+  return exit_code_of([&limits] {
     ConsoleSettings settings;
     settings.output_folder = "out/prompt";
     settings.talk = talk(false);
     settings.show_in_terminal = stdout_is_terminal();
+    limits.apply(settings);
     Console console(settings);
     const bool person = isatty(STDIN_FILENO) != 0;
     Prompt prompt(console, line_reader(person), {print_value, tell, print_note});

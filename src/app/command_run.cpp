@@ -20,6 +20,7 @@ ConsoleSettings settings_of(const RunRequest& request) {
   settings.talk = talk(request.quiet);
   settings.print_to_stderr = request.json;
   settings.show_in_terminal = stdout_is_terminal() && !request.json;
+  request.limits.apply(settings);
   return settings;
 }
 

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "app/limits.hpp"
 #include "console/session.hpp"
 
 namespace hackle {
@@ -19,6 +20,7 @@ struct RunRequest {
   std::map<std::string, std::string> overrides;  // --set key=value
   std::vector<std::string> arguments;            // after --
   Execution execution;
+  Limits limits;
   bool json = false;
   bool quiet = false;
 };

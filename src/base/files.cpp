@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <fstream>
 #include <sstream>
 #include <vector>
@@ -35,13 +36,19 @@ fs::path nearest_existing(fs::path folder) {
 
 }  // namespace
 
-fs::path data_file(const fs::path& name) {
-  std::string looked;
+std::optional<fs::path> find_data_file(const fs::path& name) {
   for (const fs::path& folder : data_folders()) {
     std::error_code ignored;
     if (fs::exists(folder / name, ignored)) return folder / name;
-    looked += (looked.empty() ? "" : ", ") + folder.string();
   }
+  return std::nullopt;
+}
+
+fs::path data_file(const fs::path& name) {
+  if (const auto found = find_data_file(name)) return *found;
+  std::string looked;
+  for (const fs::path& folder : data_folders())
+    looked += (looked.empty() ? "" : ", ") + folder.string();
   throw Error(ErrorKind::files, "'" + name.string() + "' was not found in " + looked,
               "set HACKLE_DATA to the folder that holds shaders and assets");
 }
@@ -81,6 +88,28 @@ void publish(const fs::path& path) {
   fs::rename(partial_name(path), path, failure);
   if (failure)
     throw Error(ErrorKind::files, "cannot create '" + path.string() + "': " + failure.message());
+}
+
+fs::path real_path(const fs::path& path) {
+  constexpr int most_links = 40;  // as the kernel has it
+  const fs::path start = fs::absolute(path);
+  std::deque<fs::path> to_go(start.begin(), start.end());
+  fs::path done = "/";
+  for (int links = 0; !to_go.empty();) {
+    const fs::path part = to_go.front();
+    to_go.pop_front();
+    std::error_code no_link;
+    const fs::path target = fs::read_symlink(done / part, no_link);
+    if (part == "..")
+      done = done.parent_path();
+    else if (!no_link && ++links > most_links)
+      throw Error(ErrorKind::files, "'" + path.string() + "' leads through links in a circle");
+    else if (!no_link)
+      to_go.insert(to_go.begin(), target.begin(), target.end());
+    else if (!part.empty() && part != ".")
+      done /= part;  // "/" begins anew
+  }
+  return done;
 }
 
 void check_writable(const fs::path& path) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace hackle {
@@ -11,6 +12,9 @@ namespace hackle {
 // $HACKLE_DATA, then in ../share/hackle beside the program, then in the source tree it was built
 // from. Throws Error (files) with the places it looked in.
 std::filesystem::path data_file(const std::filesystem::path& name);
+
+// The same, or nothing.
+std::optional<std::filesystem::path> find_data_file(const std::filesystem::path& name);
 
 // The whole text of a file. Throws Error (files).
 std::string read_text(const std::filesystem::path& path);
@@ -23,6 +27,11 @@ std::filesystem::path partial_name(const std::filesystem::path& path);
 
 // Renames the partial file of `path` to `path`. Throws Error (files).
 void publish(const std::filesystem::path& path);
+
+// Where a path leads once every link in it is followed, also of a file that does not exist yet and
+// of links to nowhere (which std::filesystem::weakly_canonical leaves as they are). Absolute,
+// without "." and "..". Throws Error (files) for links that go in a circle.
+std::filesystem::path real_path(const std::filesystem::path& path);
 
 // Throws Error (files) unless a file could be created at `path`: its folder, or the nearest folder
 // above it that exists, must be writable. Creates nothing.

@@ -197,7 +197,7 @@ int script(lua_State* L) {
   self<ScriptedRun>(L, script_doc);
   const Arguments arguments = Arguments::from_table(L, 2, script_doc);
   arguments.problems.throw_if_any();
-  const auto path = session_of(L).output_path(arguments.text("file"));
+  const auto path = session_of(L).output_path("script", arguments.text("file"));
   make_folder_of(path);
   write_text(path, session_of(L).script());
   return 0;

@@ -13,11 +13,13 @@
 #include "console/lua_function.hpp"
 #include "console/lua_state.hpp"
 #include "console/material_binding.hpp"
+#include "console/module_binding.hpp"
 #include "console/object_type.hpp"
 #include "console/plate_binding.hpp"
 #include "console/process_binding.hpp"
 #include "console/reference.hpp"
 #include "console/simulation_binding.hpp"
+#include "console/standard_library.hpp"
 #include "console/units_binding.hpp"
 #include "console/value_text.hpp"
 
@@ -73,15 +75,28 @@ int to_texts(lua_State* L) {
   return count;
 }
 
-// Modules lie beside the script that requires them.
-void look_for_modules_in(lua_State* L, const std::filesystem::path& folder) {
-  lua_getglobal(L, "package");
-  lua_getfield(L, -1, "path");
-  push_text(L, (folder / "?.lua").string() + ";");
-  lua_insert(L, -2);
-  lua_concat(L, 2);
-  lua_setfield(L, -2, "path");
-  lua_pop(L, 1);
+// out/<name of the script>, which nothing that came with a script may lead to another place.
+std::filesystem::path default_output_folder(const std::filesystem::path& script, bool trust) {
+  const std::filesystem::path out = "out", folder = out / script.stem();
+  if (trust || real_path(folder) == real_path(".") / folder) return folder;
+  throw Error(ErrorKind::refused,
+              "the output folder '" + folder.string() + "' lies in '" +
+                  real_path(folder).parent_path().string() + "'",
+              "say with -o that files may be written there");
+}
+
+// [-0, +0] The value at 1 is `_` from now on, without asking a metatable of _G.
+void keep_last_value(lua_State* L) {
+  lua_pushcfunction(L, [](lua_State* inner) {
+    lua_pushglobaltable(inner);
+    lua_insert(inner, 1);
+    lua_pushliteral(inner, "_");
+    lua_insert(inner, 2);
+    lua_rawset(inner, 1);
+    return 0;
+  });
+  lua_pushvalue(L, 1);
+  protected_call(L, 1, 0);
 }
 
 // As long as it lives, what is printed makes room first.
@@ -119,8 +134,14 @@ void throw_both(const std::optional<Error>& first, const std::optional<Error>& s
 }  // namespace
 
 struct Console::Parts {
-  explicit Parts(ConsoleSettings settings) : session(std::move(settings)) {
+  explicit Parts(ConsoleSettings settings)
+      : session(std::move(settings)), L(session.settings.lua_memory) {
     set_session(L, &session);
+    protect(L, [this](lua_State*) { open(); });
+  }
+
+  void open() {
+    open_standard_library(L);
     open_errors(L);
     open_kept_functions(L);
     open_units(L);
@@ -159,7 +180,8 @@ struct Console::Parts {
                  const std::vector<std::string>& arguments) {
     lua_settop(L, 0);
     if (!load(L, without_shebang(text), chunk)) throw take_error(L);
-    set_arguments(L, session.origin.script_name, arguments);
+    session.arguments = arguments;
+    protect(L, [&](lua_State* l) { set_arguments(l, session.origin.script_name, arguments); });
     luaL_checkstack(L, static_cast<int>(arguments.size()) + 2, "too many arguments");
     for (const std::string& argument : arguments) push_text(L, argument);
     call(static_cast<int>(arguments.size()), 0);
@@ -179,9 +201,10 @@ Console::~Console() = default;
 void Console::run_file(const std::filesystem::path& path,
                        const std::vector<std::string>& arguments) {
   const std::string text = read_text(path);
-  look_for_modules_in(parts_->L, path.parent_path());
-  if (parts_->session.settings.output_folder.empty())
-    parts_->session.settings.output_folder = std::filesystem::path("out") / path.stem();
+  protect(parts_->L, [&](lua_State* L) { look_for_modules_in(L, path.parent_path()); });
+  ConsoleSettings& settings = parts_->session.settings;
+  if (settings.output_folder.empty())
+    settings.output_folder = default_output_folder(path, settings.trust);
   parts_->session.origin = {path.string(), text};
   run_text(text, path.string(), arguments);
 }
@@ -211,10 +234,7 @@ std::vector<std::string> Console::evaluate(const std::string& text) {
   if (!load_line(L, chunk)) throw take_error(L);
   parts_->carry_out(chunk);
   const int count = lua_gettop(L);
-  if (count > 0 && !lua_isnil(L, 1)) {
-    lua_pushvalue(L, 1);
-    lua_setglobal(L, "_");
-  }
+  if (count > 0 && !lua_isnil(L, 1)) keep_last_value(L);
   lua_pushcfunction(L, to_texts);
   lua_insert(L, 1);
   parts_->call(count, LUA_MULTRET);

@@ -58,7 +58,7 @@ std::vector<SheetPicture> pictures_of(const Session& session, Arguments& argumen
   const std::vector<std::string> titles = arguments.texts("titles");
   std::vector<SheetPicture> pictures;
   for (const std::string& name : arguments.texts("pictures"))
-    pictures.push_back({session.output_path(name), std::filesystem::path(name).stem().string()});
+    pictures.push_back({session.written_path("contact_sheet", name), std::filesystem::path(name).stem().string()});
   if (!arguments.has("titles") || pictures.empty()) return pictures;
   if (titles.size() != pictures.size())
     arguments.problems.add(fmt::format("contact_sheet: there are {} titles for {} pictures",
@@ -77,7 +77,7 @@ int make_contact_sheet(lua_State* L) {
   SheetLayout layout;
   layout.columns = static_cast<int>(arguments.integer("columns", layout.columns));
   layout.width = static_cast<int>(arguments.integer("width", layout.width));
-  const auto path = session.output_path(arguments.text("file"));
+  const auto path = session.output_path("contact_sheet", arguments.text("file"));
   check_writable(path);
   if (session.settings.purpose != Purpose::results) return 0;
   const Image sheet = contact_sheet(pictures, layout);

@@ -127,12 +127,22 @@ void protected_call(lua_State* L, int arguments, int results) {
   if (status != LUA_OK) throw take_error(L);
 }
 
+void protect(lua_State* L, const std::function<void(lua_State*)>& work) {
+  lua_pushcfunction(L, [](lua_State* inner) {
+    (*static_cast<const std::function<void(lua_State*)>*>(lua_touserdata(inner, 1)))(inner);
+    return 0;
+  });
+  lua_pushlightuserdata(L, const_cast<void*>(static_cast<const void*>(&work)));
+  protected_call(L, 1, 0);
+}
+
 Error take_error(lua_State* L) {
   Error error(ErrorKind::script, "");
   if (const Error* ours = object_at<Error>(L, -1))
     error = *ours;
   else if (const char* text = lua_tostring(L, -1))
-    error = Error(ErrorKind::script, text);
+    error = std::string_view(text).ends_with("not enough memory") ? out_of_memory(L)
+                                                                  : Error(ErrorKind::script, text);
   else
     error = Error(ErrorKind::script, "(error without a text)");
   lua_pop(L, 1);

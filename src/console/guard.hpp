@@ -4,6 +4,7 @@
 // pcall works on it and the exit code survives.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "base/error.hpp"
@@ -40,6 +41,9 @@ int guarded(lua_State* L) {
 // [-(arguments + 1), +results] lua_pcall that throws Error: the one of an error object, or kind
 // `script` with the message of any other. On failure nothing is left on the stack.
 void protected_call(lua_State* L, int arguments, int results);
+
+// [-0, +0] Calls functions of Lua that may raise an error, on a stack of its own. Throws Error.
+void protect(lua_State* L, const std::function<void(lua_State*)>& work);
 
 // [-1, +0] The error value on top of the stack as an Error.
 Error take_error(lua_State* L);

@@ -4,18 +4,41 @@
 #include <cassert>
 #include <cstring>
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 
 namespace hackle {
 
-LuaState::LuaState() : state_(luaL_newstate()) {
+namespace {
+
+// An error of Lua that nothing catches must not abort the program.
+int panic(lua_State* L) {
+  const bool text = lua_type(L, -1) == LUA_TSTRING;
+  throw Error(ErrorKind::script, text ? lua_tostring(L, -1) : "(error without a text)");
+}
+
+}  // namespace
+
+LuaState::LuaState(std::size_t most_memory)
+    : memory_(most_memory), state_(lua_newstate(LuaMemory::allocate, &memory_)) {
   if (state_ == nullptr) throw Error(ErrorKind::run_failed, "no memory for a Lua state");
   set_session(state_, nullptr);
-  luaL_openlibs(state_);
+  lua_atpanic(state_, panic);
 }
 
 LuaState::~LuaState() {
   lua_close(state_);
+}
+
+Error out_of_memory(lua_State* L) {
+  void* memory = nullptr;
+  lua_getallocf(L, &memory);
+  constexpr std::size_t bytes_a_megabyte = 1U << 20U;
+  return {ErrorKind::script,
+          fmt::format("not enough memory: the script's Lua values exceed {} MB",
+                      static_cast<LuaMemory*>(memory)->limit() / bytes_a_megabyte),
+          "--lua-memory allows more"};
 }
 
 // Lua keeps the size of a pointer for its host in every state; a new coroutine gets a copy of the

@@ -5,12 +5,16 @@
 
 #include <lua.hpp>
 
+#include "base/error.hpp"
+#include "console/lua_memory.hpp"
+
 namespace hackle {
 
 class LuaState {
  public:
-  // Opens the standard libraries. Throws Error (run_failed) when there is no memory for it.
-  LuaState();
+  // Without any library. Its values may take so many bytes. Throws Error (run_failed) when there is
+  // no memory for it.
+  explicit LuaState(std::size_t most_memory = default_lua_memory);
   ~LuaState();
   LuaState(const LuaState&) = delete;
   LuaState& operator=(const LuaState&) = delete;
@@ -19,8 +23,12 @@ class LuaState {
   operator lua_State*() const { return state_; }
 
  private:
+  LuaMemory memory_;
   lua_State* state_;
 };
+
+// What is said of a state that has asked for more than its limit.
+Error out_of_memory(lua_State* L);
 
 class Session;
 

@@ -31,9 +31,14 @@ T* object_at(lua_State* L, int index) {
   return static_cast<T*>(luaL_testudata(L, index, type_name<T>));
 }
 
+// What still holds on to the object, such as a finalizer of a script, finds nothing there.
 template <class T>
 int destroy_object(lua_State* L) {
-  object_at<T>(L, 1)->~T();
+  T* object = object_at<T>(L, 1);
+  if (object == nullptr) return 0;
+  lua_pushnil(L);
+  lua_setmetatable(L, 1);
+  object->~T();
   return 0;
 }
 

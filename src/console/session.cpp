@@ -11,6 +11,7 @@
 #include "base/version.hpp"
 
 namespace hackle {
+namespace fs = std::filesystem;
 namespace {
 
 bool works(const std::shared_ptr<Run>& run) {
@@ -24,13 +25,45 @@ Session::Session(ConsoleSettings with) : settings(std::move(with)) {
 
 Session::~Session() = default;
 
-std::filesystem::path Session::output_path(const std::filesystem::path& name) const {
-  return settings.output_folder / name;
+fs::path Session::output_path(const std::string& who, const fs::path& name) const {
+  fs::path path = settings.output_folder / name;
+  sandbox().check_output(who, path);
+  return path;
+}
+
+fs::path Session::input_path(const std::string& who, const fs::path& name) const {
+  std::error_code ignored;
+  const bool named = std::ranges::find(arguments, name.string()) != arguments.end();
+  if (named && fs::is_regular_file(name, ignored)) return name;
+  fs::path path = script_folder() / name;
+  if (!fs::exists(path, ignored) && fs::exists(settings.output_folder / name, ignored))
+    path = settings.output_folder / name;
+  sandbox().check_input(who, path);
+  return path;
+}
+
+fs::path Session::written_path(const std::string& who, const fs::path& name) const {
+  fs::path path = settings.output_folder / name;
+  sandbox().check_input(who, path);
+  return path;
+}
+
+fs::path Session::script_folder() const {
+  return fs::path(origin.script_name).parent_path();
+}
+
+Sandbox Session::sandbox() const {
+  std::vector<fs::path> readable{script_folder(), settings.output_folder};
+  for (const char* folder : {"assets", "scripts"})
+    if (const auto path = find_data_file(folder)) readable.push_back(*path);
+  return {std::move(readable), settings.output_folder, settings.trust};
 }
 
 std::shared_ptr<Run> Session::simulate(Plate plate, Numerics numerics) {
-  return adopt(
-      std::make_shared<Run>(std::move(plate), numerics, settings.execution, settings.talk, origin));
+  auto run =
+      std::make_shared<Run>(std::move(plate), numerics, settings.execution, settings.talk, origin);
+  run->limit_output(settings.output_limit);
+  return adopt(std::move(run));
 }
 
 std::shared_ptr<Run> Session::adopt(std::shared_ptr<Run> run) {

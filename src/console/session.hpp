@@ -11,7 +11,9 @@
 
 #include "base/progress.hpp"
 #include "console/idle.hpp"
+#include "console/lua_memory.hpp"
 #include "console/materials.hpp"
+#include "console/sandbox.hpp"
 #include "console/transcript.hpp"
 #include "output/run.hpp"
 
@@ -29,6 +31,9 @@ struct ConsoleSettings {
   Talk talk = Talk::plain;
   bool print_to_stderr = false;   // what the script prints: stdout is for something else
   bool show_in_terminal = false;  // what show(s) draws: stdout is a terminal; else in files
+  bool trust = false;            // all of Lua's library, files everywhere
+  std::size_t lua_memory = default_lua_memory;  // bytes, of the values of Lua
+  double output_limit = default_output_limit;   // bytes, of movies and records of one simulation
 };
 
 class Session {
@@ -37,7 +42,19 @@ class Session {
   ~Session();
 
   // Where a file that the script names goes: below the output folder unless the name is absolute.
-  std::filesystem::path output_path(const std::filesystem::path& name) const;
+  // Throws Error (refused), saying `who` asks, unless a script may write there; see Sandbox.
+  std::filesystem::path output_path(const std::string& who,
+                                    const std::filesystem::path& name) const;
+  // Where one is read: a file that the command line names is meant from the current folder; any
+  // other lies beside the script or, if there is none, in the output folder. Throws Error (refused)
+  // unless a script may read it.
+  std::filesystem::path input_path(const std::string& who, const std::filesystem::path& name) const;
+  // The same for a file that the script has written before: in the output folder.
+  std::filesystem::path written_path(const std::string& who,
+                                     const std::filesystem::path& name) const;
+  // Of the script, or "" at the prompt: the current one.
+  std::filesystem::path script_folder() const;
+  Sandbox sandbox() const;
 
   // Throws what Run throws.
   std::shared_ptr<Run> simulate(Plate plate, Numerics numerics);
@@ -81,6 +98,7 @@ class Session {
 
   ConsoleSettings settings;
   Origin origin;
+  std::vector<std::string> arguments;      // of the command line, for the script
   std::map<std::string, std::string> declared_options;  // and their defaults, by options { ... }
   std::optional<int> exit_code;            // asked for with os.exit
   MakeRoom make_room;                      // before anything is printed, or none

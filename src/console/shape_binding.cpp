@@ -2,7 +2,6 @@
 #include "console/shape_binding.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -117,10 +116,6 @@ int add_inclusion(lua_State* L) {
   return return_self(L);
 }
 
-std::filesystem::path beside_script(lua_State* L, const std::string& name) {
-  return std::filesystem::path(session_of(L).origin.script_name).parent_path() / name;
-}
-
 int add_mask(lua_State* L) {
   Plate& plate = self<Plate>(L, mask_doc);
   Arguments arguments = Arguments::from_table(L, 2, mask_doc);
@@ -130,8 +125,8 @@ int add_mask(lua_State* L) {
                            "from is its lower left corner, to its upper right one");
   arguments.problems.throw_if_any();
   const Shape shape =
-      read_mask(beside_script(L, arguments.text("file")), area, arguments.choice<Mask>("remove"),
-                arguments.number("threshold", 0.5));
+      read_mask(session_of(L).input_path("mask", arguments.text("file")), area,
+                arguments.choice<Mask>("remove"), arguments.number("threshold", 0.5));
   const bool cut = !arguments.has("material");
   if (cut)
     check_cutout(plate, shape, "mask", arguments.problems);

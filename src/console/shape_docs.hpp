@@ -182,7 +182,7 @@ inline constexpr std::array mask_options{
            .type = OptionType::text,
            .required = true,
            .positional = true,
-           .sentence = "A PNG, relative to the folder of the script."},
+           .sentence = "A PNG, beside the script, in the output folder, or named on the command line."},
     Option{.name = "remove",
            .type = OptionType::choice,
            .fallback = "dark",

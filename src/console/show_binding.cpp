@@ -85,7 +85,7 @@ void show_in_terminal(const Session& session, const Simulation& simulation,
 }
 
 void show_in_file(Session& session, Run& run, const PictureOptions& options) {
-  const auto path = session.output_path(fmt::format("show_{}.png", ++session.pictures_shown));
+  const auto path = session.output_path("show", fmt::format("show_{}.png", ++session.pictures_shown));
   run.frame(path, options);
   std::FILE* file = session.settings.print_to_stderr ? stderr : stdout;
   fmt::print(file, "{}: {}\n", caption(run.simulation(), options), path.string());

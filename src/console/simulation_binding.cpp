@@ -97,7 +97,7 @@ int movie(lua_State* L) {
   options.picture = sized_picture_of(arguments);
   options.every = arguments.number("every");
   options.fps = arguments.number("fps", options.fps);
-  const auto path = session_of(L).output_path(arguments.text("file"));
+  const auto path = session_of(L).output_path("movie", arguments.text("file"));
   scripted.run().movie(path, options);
   scripted.promised.push_back(path);
   return 0;
@@ -107,7 +107,7 @@ int frame(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, frame_doc);
   const Arguments arguments = Arguments::from_table(L, 2, frame_doc);
   arguments.problems.throw_if_any();
-  scripted.run().frame(session_of(L).output_path(arguments.text("file")),
+  scripted.run().frame(session_of(L).output_path("frame", arguments.text("file")),
                        sized_picture_of(arguments));
   return 0;
 }
@@ -118,7 +118,7 @@ int record(lua_State* L) {
   arguments.problems.throw_if_any();
   RecordOptions options;
   options.every = arguments.number("every");
-  const auto path = session_of(L).output_path(arguments.text("file"));
+  const auto path = session_of(L).output_path("record", arguments.text("file"));
   scripted.run().record(path, options);
   scripted.promised.push_back(path);
   return 0;

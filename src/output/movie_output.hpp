@@ -22,6 +22,7 @@ class MovieOutput : public Output {
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override;
   void close() override;
+  Expected expected(double until, std::int64_t most_looks) const override;
   std::vector<std::filesystem::path> files() const override;
   void add_seconds(StageSeconds& wall) const override;
 

@@ -2,6 +2,7 @@
 // What every output of a run can do.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -10,8 +11,17 @@
 
 namespace hackle {
 
+// What an output has written and is going to write: a measured guess for what is compressed.
+struct Expected {
+  std::filesystem::path file;
+  std::int64_t pieces = 0;  // frames or records
+  double bytes = 0.0;
+};
+
 class Output : public Observer {
  public:
+  // By the time `until`, s, of a run that lets it look at most so many times more.
+  virtual Expected expected(double until, std::int64_t most_looks) const = 0;
   // Completes the files. Once only. After a failure it has already reported, does nothing.
   virtual void close() = 0;
   // The files it has completed.

@@ -12,6 +12,7 @@ RecordOutput::RecordOutput(std::filesystem::path path, const RecordOptions& opti
                            const Simulation& simulation, Origin origin)
     : path_(std::move(path)),
       schedule_("record", options.every, simulation),
+      nodes_(simulation.lattice().grid.nodes()),
       origin_(std::move(origin)) {
 }
 
@@ -25,6 +26,11 @@ void RecordOutput::observe(const Simulation& simulation) {
   }
   file_->add(simulation);
   failed_ = false;
+}
+
+Expected RecordOutput::expected(double until, std::int64_t most_looks) const {
+  const std::int64_t records = schedule_.moments(until, most_looks);
+  return {path_, records, run_file_bytes(nodes_, records)};
 }
 
 void RecordOutput::close() {

@@ -151,7 +151,10 @@ struct Run::Parts {
         simulation(std::move(plate), numerics, execution),
         setup_seconds(life.seconds()) {}
   explicit Parts(const Parts& other)
-      : talk(other.talk), origin(other.origin), simulation(other.simulation) {}
+      : talk(other.talk),
+        origin(other.origin),
+        simulation(other.simulation),
+        output_limit(other.output_limit) {}
 
   double unused = 0.0;
   Stopwatch life{unused};
@@ -159,6 +162,7 @@ struct Run::Parts {
   Origin origin;
   Simulation simulation;
   double setup_seconds = 0.0;
+  double output_limit = default_output_limit;  // bytes
   double frame_render_seconds = 0.0;
   double frame_store_seconds = 0.0;
   std::vector<std::unique_ptr<Output>> outputs;
@@ -215,6 +219,25 @@ struct Run::Parts {
                   "between two steps its loads may be changed, or s:stop() ends the run");
   }
 
+  // What the outputs grow to in `duration` s more, when they look at most so many times.
+  void check_output(double duration, std::int64_t most_looks) const {
+    const double until = simulation.end_time() + duration + 0.5 * simulation.dt();
+    double bytes = 0.0;
+    std::string list;
+    for (const auto& output : outputs) {
+      const Expected one = output->expected(until, most_looks);
+      bytes += one.bytes;
+      list += fmt::format("{}'{}' {} in {} pieces", list.empty() ? "" : ", ", one.file.string(),
+                          quantity(one.bytes, "B"), grouped(one.pieces));
+    }
+    if (bytes <= output_limit) return;
+    throw Error(ErrorKind::refused,
+                fmt::format("run: its files would take about {}, the limit is {}: {}",
+                            quantity(bytes, "B"), quantity(output_limit, "B"), list),
+                fmt::format("take a longer `every`, or allow it with --output-limit {:.0f} (in GB)",
+                            std::ceil(1.1e-9 * bytes)));
+  }
+
   // Refuses a path that cannot be written or that another output of this run writes.
   void promise(const char* output, const fs::path& path) {
     if (closed)
@@ -248,7 +271,6 @@ void Run::movie(const fs::path& path, const MovieOptions& options) {
   parts_->refuse_while_running();
   auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation);
   parts_->promise("movie", path);
-  if (parts_->rehearsing) return;
   parts_->outputs.push_back(std::move(output));
 }
 
@@ -256,7 +278,6 @@ void Run::record(const fs::path& path, const RecordOptions& options) {
   parts_->refuse_while_running();
   auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin);
   parts_->promise("record", path);
-  if (parts_->rehearsing) return;
   parts_->outputs.push_back(std::move(output));
 }
 
@@ -274,6 +295,10 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
   write_png(image, path);
   if (std::ranges::find(parts_->pictures, path) == parts_->pictures.end())
     parts_->pictures.push_back(path);
+}
+
+void Run::limit_output(double bytes) {
+  parts_->output_limit = bytes;
 }
 
 void Run::set_loads(Loads loads) {
@@ -339,6 +364,7 @@ void Run::run(double duration) {
 
 void Run::start(double duration) {
   check_open("run");
+  parts_->check_output(duration, std::numeric_limits<std::int64_t>::max());
   resume();
   const Mark busy(parts_->activity, Activity::stepping);  // functions of time are asked now
   parts_->simulation.aim(duration);
@@ -415,6 +441,7 @@ RelaxResult Run::relax(double tolerance) {
 QuasistaticResult Run::load_slowly(double duration, int increments, double tolerance) {
   check_open("quasistatic");
   check_arrived("quasistatic");
+  parts_->check_output(duration, increments + 1LL);
   if (parts_->rehearsing) return {};
   const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);

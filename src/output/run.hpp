@@ -44,6 +44,8 @@ struct RecordOptions {
 // What can be painted so far.
 inline constexpr std::array<std::string_view, 1> field_names{"damage"};
 
+inline constexpr double default_output_limit = 20e9;  // bytes
+
 class Run {
  public:
   // Throws what Simulation throws.
@@ -56,6 +58,11 @@ class Run {
   void record(const std::filesystem::path& path, const RecordOptions& options);
   // Writes a PNG of the state as it is now.
   void frame(const std::filesystem::path& path, const PictureOptions& options);
+
+  // Movies and records of this run and of its forks may grow to so many bytes, by the estimate of
+  // Output::expected. Afterwards run(), step() and load_slowly() throw Error (refused) before they
+  // begin when there would be more. Pictures are not counted.
+  void limit_output(double bytes);
 
   // Other loads from now on; see Simulation::set_loads. Also between two steps of a run.
   void set_loads(Loads loads);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/schedule.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -21,6 +22,14 @@ Schedule::Schedule(const char* output, double every, const Simulation& simulatio
 bool Schedule::reached(const Simulation& simulation) const {
   const double moment = start_ + static_cast<double>(next_) * every_;
   return simulation.time() + 0.5 * simulation.dt() > moment;
+}
+
+std::int64_t Schedule::moments(double until, std::int64_t most_more) const {
+  constexpr double countless = 1e18;
+  const double all = std::floor((until - start_) / every_ + 1e-9) + 1.0;
+  const double more = std::min(all - static_cast<double>(next_), countless);
+  if (!(more > 0.0)) return next_;
+  return next_ + std::min(static_cast<std::int64_t>(more), most_more);
 }
 
 }  // namespace hackle

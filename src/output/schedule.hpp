@@ -17,6 +17,8 @@ class Schedule {
   Schedule(const char* output, double every, const Simulation& simulation);
 
   bool reached(const Simulation& simulation) const;
+  // How many moments there are from the start until `until`, s; those to come at most `most_more`.
+  std::int64_t moments(double until, std::int64_t most_more) const;
   // To the next moment.
   void advance() { ++next_; }
 

@@ -72,6 +72,12 @@ const std::filesystem::path& prepared(const std::filesystem::path& path) {
 
 }  // namespace
 
+double run_file_bytes(std::size_t nodes, std::int64_t records) {
+  constexpr double fixed = 1e5, places = 4.0, a_record = 8e3, a_node_and_record = 12.0;
+  const auto each = static_cast<double>(nodes), times = static_cast<double>(records);
+  return fixed + places * each + times * (a_record + a_node_and_record * each);
+}
+
 struct RunFile::Parts {
   Parts(const std::filesystem::path& path_, const Simulation& simulation, const Origin& origin)
       : path(path_), grid(simulation.lattice().grid), file(prepared(path_)) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What a script may do to this machine, as the command line says it.
+#pragma once
+
+#include "console/session.hpp"
+
+namespace hackle {
+
+struct Limits {
+  bool trust = false;
+  int lua_memory = 1024;  // MB
+  double output = 20.0;   // GB
+
+  void apply(ConsoleSettings& settings) const {
+    settings.trust = trust;
+    settings.lua_memory = static_cast<std::size_t>(lua_memory) << 20U;
+    settings.output_limit = 1e9 * output;
+  }
+};
+
+}  // namespace hackle

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// What of Lua's own library opens files by their names.
+#pragma once
+
+#include "console/lua_state.hpp"
+
+namespace hackle {
+
+// io.open, io.lines, io.input, io.output, loadfile and dofile: names are resolved as everywhere in
+// Hackle, by Session::input_path and output_path, which refuse what a script may not reach.
+void open_files(lua_State* L);
+
+}  // namespace hackle

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The memory that the values of a Lua state take, with an upper limit.
+#pragma once
+
+#include <cstddef>
+
+namespace hackle {
+
+inline constexpr std::size_t default_lua_memory = std::size_t{1024} << 20U;  // bytes
+
+// Counts what Lua asks for. Beyond the limit Lua is told that there is none left: it collects its
+// garbage, asks once more, and then raises "not enough memory", which a script may catch. What our
+// own objects hold outside of Lua is not counted.
+class LuaMemory {
+ public:
+  explicit LuaMemory(std::size_t limit) : limit_(limit) {}  // bytes
+  LuaMemory(const LuaMemory&) = delete;
+  LuaMemory& operator=(const LuaMemory&) = delete;
+
+  std::size_t limit() const { return limit_; }
+  std::size_t used() const { return used_; }
+
+  // A lua_Alloc; `memory` is a LuaMemory.
+  static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t size);
+
+ private:
+  std::size_t limit_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace hackle
