@@ -92,7 +92,7 @@ void publish(const fs::path& path) {
 
 fs::path real_path(const fs::path& path) {
   constexpr int most_links = 40;  // as the kernel has it
-  const fs::path start = fs::absolute(path);
+  const fs::path start = fs::current_path() / path;
   std::deque<fs::path> to_go(start.begin(), start.end());
   fs::path done = "/";
   for (int links = 0; !to_go.empty();) {

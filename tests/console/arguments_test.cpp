@@ -37,6 +37,7 @@ class ArgumentsTest : public testing::Test {
     open_units(L);
     open_type(L, type_name<Material>, material_type());
     open_type(L, type_name<Plate>, plate_type());
+    luaL_openlibs(L);
     open_functions(L, all_functions());
   }
 

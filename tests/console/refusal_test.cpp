@@ -151,7 +151,7 @@ TEST(Refusal, AFolderThatWasTakenAwayBeforeTheRun) {
   const auto failure = test::failure_of(
       plate + "s = simulate(p, { spacing = 2*mm })\ns:movie { 'a.mp4', every = 1*us }\n" +
           "io.open('" + name + "', 'w'):close()\ns:run(1*us)",
-      test::quiet(name));
+      test::trusted(name));
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind(), ErrorKind::files);
   EXPECT_THAT(failure->what(), HasSubstr("test.lua:5: cannot write"));

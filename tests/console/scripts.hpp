@@ -21,6 +21,13 @@ inline ConsoleSettings quiet(const std::filesystem::path& output_folder = "unuse
   return settings;
 }
 
+// As with --trust.
+inline ConsoleSettings trusted(const std::filesystem::path& output_folder = "unused") {
+  ConsoleSettings settings = quiet(output_folder);
+  settings.trust = true;
+  return settings;
+}
+
 // Plate p of 100 x 40 mm with an edge crack under load, and simulation s with 50 x 20 nodes.
 inline const std::string scene = R"(
 p = plate { width = 100*mm, height = 40*mm, material = "duran50" }

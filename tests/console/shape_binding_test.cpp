@@ -85,7 +85,8 @@ TEST(ShapeBinding, WhatMakesNoSenseIsRefusedByName) {
            {"inclusion { centre = {0, 0}, radius = 1*mm }", "material is missing"},
            {"inclusion { material = 'cheese', centre = {0, 0}, radius = 1*mm }", "cheese"},
            {"mask { 'nowhere.png' }", "cannot read the picture 'nowhere.png'"},
-           {"mask { '/' }", "it is a folder"},
+           {"mask { '.' }", "it is a folder"},
+           {"mask { '/' }", "lies outside of what a script may read"},
            {"mask { 'a.png', threshold = 2 }", "threshold is 2"},
            {"mask { 'a.png', from = {1, 1}, to = {0, 0} }", "the area is empty"},
        })
@@ -108,12 +109,14 @@ TEST(ShapeBinding, AMaskRemovesItsDarkPixels) {
                              "', name = 'corner' }\n"
                              "local s = simulate(p, { spacing = 1*mm, horizon = 2*mm })\n"
                              "assert(s:report():find('4 000 nodes (3 000 of material)', 1, true), "
-                             "s:report())"),
+                             "s:report())",
+                             test::quiet(folder.path)),
             "");
   EXPECT_EQ(test::message_of(plate + "p:mask { '" + file +
                              "', remove = 'light' }\n"
                              "local s = simulate(p, { spacing = 1*mm, horizon = 2*mm })\n"
-                             "assert(s:report():find('(1 000 of material)', 1, true), s:report())"),
+                             "assert(s:report():find('(1 000 of material)', 1, true), s:report())",
+                             test::quiet(folder.path)),
             "");
 }
 
@@ -121,7 +124,8 @@ TEST(ShapeBinding, AMaskWithAMaterialIsAnInclusion) {
   const test::Folder folder;
   EXPECT_EQ(test::message_of(plate + "p:mask { '" + corner_png(folder.path) +
                              "', material = 'duran50' }\n"
-                             "assert(tostring(p):find('1 inclusion', 1, true))"),
+                             "assert(tostring(p):find('1 inclusion', 1, true))",
+                             test::quiet(folder.path)),
             "");
 }
 
@@ -129,10 +133,10 @@ TEST(ShapeBinding, APictureThatIsCutOffIsRefused) {
   const test::Folder folder;
   const std::string file = corner_png(folder.path);
   std::filesystem::resize_file(file, 50);
-  EXPECT_THAT(test::message_of(plate + "p:mask { '" + file + "' }"),
+  EXPECT_THAT(test::message_of(plate + "p:mask { '" + file + "' }", test::quiet(folder.path)),
               HasSubstr("cannot read the picture"));
   std::ofstream(file) << "this is no picture at all";
-  EXPECT_THAT(test::message_of(plate + "p:mask { '" + file + "' }"),
+  EXPECT_THAT(test::message_of(plate + "p:mask { '" + file + "' }", test::quiet(folder.path)),
               HasSubstr("cannot read the picture"));
 }
 
