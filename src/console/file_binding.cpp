@@ -45,8 +45,8 @@ int call_original(lua_State* L) {
 }
 
 int open_file(lua_State* L) {
-  const bool reads = std::string_view(luaL_optstring(L, 2, "r")).find_first_of("wa+") ==
-                     std::string_view::npos;
+  const bool reads =
+      std::string_view(luaL_optstring(L, 2, "r")).find_first_of("wa+") == std::string_view::npos;
   if (reads)
     replace_by_input(L, "io.open");
   else

@@ -61,10 +61,9 @@ void Sandbox::check_output(const std::string& who, const fs::path& path) const {
   for (const fs::path& name : {path, partial_name(path), sidecar, partial_name(sidecar)}) {
     const fs::path real = real_path(name);
     if (!lies_below(real, folder))
-      throw Error(
-          ErrorKind::refused,
-          fmt::format("{}: '{}' lies outside of the output folder", who, path.string()),
-          fmt::format("a script writes below {} only; {}", shown(writable_), trust_hint));
+      throw Error(ErrorKind::refused,
+                  fmt::format("{}: '{}' lies outside of the output folder", who, path.string()),
+                  fmt::format("a script writes below {} only; {}", shown(writable_), trust_hint));
     refuse_unless_plain(who, path, real);
   }
 }

@@ -17,21 +17,23 @@ namespace {
 using Names = std::span<const std::string_view>;
 
 constexpr auto globals = std::to_array<std::string_view>(
-    {"_G",           "_VERSION", "assert",   "collectgarbage", "coroutine", "debug",  "dofile",
-     "error",        "getmetatable", "io",   "ipairs",   "load",     "loadfile", "math",   "next",
-     "os",           "package",  "pairs",    "pcall",    "print",    "rawequal", "rawget", "rawlen",
-     "rawset",       "require",  "select",   "setmetatable", "string", "table",  "tonumber",
-     "tostring",     "type",     "utf8",     "xpcall"});
+    {"_G",       "_VERSION",     "assert",   "collectgarbage", "coroutine",
+     "debug",    "dofile",       "error",    "getmetatable",   "io",
+     "ipairs",   "load",         "loadfile", "math",           "next",
+     "os",       "package",      "pairs",    "pcall",          "print",
+     "rawequal", "rawget",       "rawlen",   "rawset",         "require",
+     "select",   "setmetatable", "string",   "table",          "tonumber",
+     "tostring", "type",         "utf8",     "xpcall"});
 constexpr auto in_coroutine = std::to_array<std::string_view>(
     {"close", "create", "isyieldable", "resume", "running", "status", "wrap", "yield"});
 constexpr auto in_debug = std::to_array<std::string_view>({"traceback"});
-constexpr auto in_io = std::to_array<std::string_view>(
-    {"close", "flush", "input", "lines", "open", "output", "read", "stderr", "stdin", "stdout",
-     "type", "write"});
+constexpr auto in_io =
+    std::to_array<std::string_view>({"close", "flush", "input", "lines", "open", "output", "read",
+                                     "stderr", "stdin", "stdout", "type", "write"});
 constexpr auto in_math = std::to_array<std::string_view>(
-    {"abs", "acos", "asin", "atan", "ceil", "cos", "deg", "exp", "floor", "fmod", "huge", "log",
-     "max", "maxinteger", "min", "mininteger", "modf", "pi", "rad", "random", "randomseed", "sin",
-     "sqrt", "tan", "tointeger", "type", "ult"});
+    {"abs",  "acos",   "asin",       "atan", "ceil",       "cos", "deg",        "exp",  "floor",
+     "fmod", "huge",   "log",        "max",  "maxinteger", "min", "mininteger", "modf", "pi",
+     "rad",  "random", "randomseed", "sin",  "sqrt",       "tan", "tointeger",  "type", "ult"});
 constexpr auto in_os =
     std::to_array<std::string_view>({"clock", "date", "difftime", "exit", "time"});
 constexpr auto in_package = std::to_array<std::string_view>(
@@ -41,8 +43,8 @@ constexpr auto in_string = std::to_array<std::string_view>(
      "packsize", "rep", "reverse", "sub", "unpack", "upper"});
 constexpr auto in_table = std::to_array<std::string_view>(
     {"concat", "insert", "move", "pack", "remove", "sort", "unpack"});
-constexpr auto in_utf8 = std::to_array<std::string_view>(
-    {"char", "charpattern", "codepoint", "codes", "len", "offset"});
+constexpr auto in_utf8 =
+    std::to_array<std::string_view>({"char", "charpattern", "codepoint", "codes", "len", "offset"});
 
 struct Library {
   const char* name;

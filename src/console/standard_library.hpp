@@ -12,11 +12,11 @@ namespace hackle {
 //   os.remove, rename, tmpname       files outside of the folders of the Sandbox
 //   os.getenv, setlocale             the user's secrets, the process
 //   package.loadlib, cpath           machine code
-//   string.dump                      byte code, which can crash Lua; load and its like take text only
-//   debug, but for traceback         what the functions themselves rely on
-//   warn, io.tmpfile                 no use here
-// and setmetatable refuses __gc: no hook, and so no Ctrl-C, reaches a finalizer. In both cases files
-// are found as file_binding.hpp says.
+//   string.dump                      byte code, which can crash Lua; load and its like take text
+//   only debug, but for traceback         what the functions themselves rely on warn, io.tmpfile no
+//   use here
+// and setmetatable refuses __gc: no hook, and so no Ctrl-C, reaches a finalizer. In both cases
+// files are found as file_binding.hpp says.
 void open_standard_library(lua_State* L);
 
 }  // namespace hackle

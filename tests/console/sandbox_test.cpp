@@ -149,7 +149,8 @@ TEST_F(Jail, NothingOfLuaLeadsOut) {
         "return package.loaded.os.execute", "return package.loaded.debug.sethook",
         "return package.loaded._G.io.popen", "package.loaded.os = nil return require('os').execute",
         "package.loaded.debug = nil return require 'debug'",
-        "package.preload.x = function() return os.execute end return type(require 'x') == 'function'",
+        "package.preload.x = function() return os.execute end return type(require 'x') == "
+        "'function'",
         "package.searchers = nil return require 'part'",
         "return setmetatable({}, { __gc = function() end })",
         "local m = {} setmetatable({}, m) m.__gc = print return setmetatable({}, m)",
@@ -174,8 +175,9 @@ TEST_F(Jail, NothingOfLuaLeadsOut) {
 
 TEST_F(Jail, AGlobalTableThatFailsDoesNotReachThePrompt) {
   Console console(settings());
-  console.evaluate("setmetatable(_G, { __newindex = function() error 'no' end,"
-                   " __index = function() error 'no' end })");
+  console.evaluate(
+      "setmetatable(_G, { __newindex = function() error 'no' end,"
+      " __index = function() error 'no' end })");
   EXPECT_EQ(console.evaluate("1 + 1").at(0), "2");
   EXPECT_EQ(console.evaluate("rawget(_G, '_')").at(0), "2");
 }
@@ -251,7 +253,8 @@ TEST(LuaMemory, IsLimited) {
         "local t = {} for i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end",
         "coroutine.wrap(function() return ('x'):rep(1e9) end)()",
         "local s = 'x' while true do s = s .. s end", "error(('x'):rep(5e6) .. ('y'):rep(4e6))",
-        "return io.stdin:read(1e9)", "local t = table.pack(('x'):rep(9e5):byte(1, 9e5)) return {t, ('x'):rep(8e6)}",
+        "return io.stdin:read(1e9)",
+        "local t = table.pack(('x'):rep(9e5):byte(1, 9e5)) return {t, ('x'):rep(8e6)}",
         "local t = {} for i = 1, 1e9 do t[i] = coroutine.create(print) end",
         "local t = {} for i = 1, 1e9 do t[i] = plate{width=1,height=1,material='duran50'} end"})
     EXPECT_THAT(test::message_of(greedy, settings), HasSubstr(told)) << greedy;

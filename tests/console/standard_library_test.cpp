@@ -12,7 +12,8 @@
 namespace hackle {
 namespace {
 
-// Breadth first from _G through tables and metatables, in the order of names; functions alone count.
+// Breadth first from _G through tables and metatables, in the order of names; functions alone
+// count.
 const std::string walk = R"(
 local seen, found, queue = {}, {}, { { "_G", _G }, { "string metatable", getmetatable "" },
   { "file metatable", getmetatable(io.stdout) }, { "_ENV metatable", getmetatable(_G) } }
@@ -57,7 +58,8 @@ TEST(StandardLibrary, GivesAScriptWhatIsListedAndNothingElse) {
   std::ifstream file(list);
   const std::string listed{std::istreambuf_iterator<char>(file), {}};
   const std::string now = reached();
-  if (now != listed) std::ofstream(std::filesystem::path(testing::TempDir()) / "reachable.txt") << now;
+  if (now != listed)
+    std::ofstream(std::filesystem::path(testing::TempDir()) / "reachable.txt") << now;
   EXPECT_EQ(now, listed) << "if that is meant, copy " << testing::TempDir() << "reachable.txt to "
                          << list;
 }
