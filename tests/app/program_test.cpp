@@ -196,5 +196,52 @@ TEST_F(ProgramTest, LinesOfStdinAreAPrompt) {
   EXPECT_EQ(ended.code, 4);
 }
 
+TEST_F(ProgramTest, AScriptIsAStrangerUnlessItIsTrusted) {
+  const std::string script = "print(io.popen('echo from outside'):read('a'))";
+  EXPECT_EQ(run(script).code, 3);
+  const auto trusted = run(script, {"--trust"});
+  EXPECT_EQ(trusted.code, 0) << trusted.err;
+  EXPECT_THAT(trusted.out, HasSubstr("from outside"));
+  EXPECT_EQ(run("io.open('/etc/passwd')").code, 4);
+  EXPECT_EQ(run("io.open('/etc/passwd'):read('a')", {"--trust"}).code, 0);
+}
+
+TEST_F(ProgramTest, ThePromptHasTheSameRules) {
+  program_.input = "print(os.getenv and 'free' or 'fenced')\n";
+  EXPECT_THAT(program_.run({}).out, HasSubstr("fenced"));
+  EXPECT_THAT(program_.run({"--trust"}).out, HasSubstr("free"));
+  program_.input = "io.open('/etc/passwd')\n";
+  EXPECT_EQ(program_.run({}).code, 4);
+  program_.input = "('x'):rep(2e6)\n";
+  EXPECT_EQ(program_.run({"--lua-memory", "1"}).code, 3);
+}
+
+TEST_F(ProgramTest, LuaMemoryAndOutputHaveLimits) {
+  const auto greedy = run("local t = {} for i = 1, 1e9 do t[i] = i end", {"--lua-memory", "4"});
+  EXPECT_EQ(greedy.code, 3);
+  EXPECT_THAT(greedy.err, HasSubstr("exceed 4 MB (--lua-memory allows more)"));
+  const auto wordy = run(film, {"--output-limit", "0.001"});
+  EXPECT_EQ(wordy.code, 0) << wordy.err;
+  const auto more = run(test::scene + "s:movie { 'a.mp4', every = 1*us } s:run(1)");
+  EXPECT_EQ(more.code, 4);
+  EXPECT_THAT(more.err, HasSubstr("the limit is 20 GB"));
+  EXPECT_EQ(run("", {"--lua-memory", "0"}).code, 2);
+  EXPECT_EQ(run("", {"--output-limit", "-1"}).code, 2);
+}
+
+// No hook of Lua is called while it looks for a pattern; the second Ctrl-C leaves.
+TEST_F(ProgramTest, APatternWithoutEndIsLeftByTheSecondInterrupt) {
+  program_.at_first_word = [](pid_t child) {
+    for (int k = 0; k < 2; ++k) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      kill(child, SIGINT);
+    }
+  };
+  const auto ended = run("print 'looking' io.stdout:flush()\n"
+                         "string.find(('a'):rep(5000), ('a-'):rep(30) .. 'b')");
+  EXPECT_EQ(ended.code, 128 + SIGINT);
+  EXPECT_THAT(ended.err, HasSubstr("again to abort"));
+}
+
 }  // namespace
 }  // namespace hackle

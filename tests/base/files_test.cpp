@@ -68,5 +68,28 @@ TEST(MakeFolder, SaysWhyItCannot) {
               testing::HasSubstr("cannot create the folder '/proc/hackle'"));
 }
 
+TEST(RealPath, FollowsLinksAlsoToNowhere) {
+  const test::Folder own;
+  const fs::path folder = fs::canonical(own.path);
+  fs::create_directories(folder / "a/b");
+  fs::create_directory_symlink("a/b", folder / "short");
+  fs::create_symlink("../a/new", folder / "a/dangling");
+  fs::create_symlink(folder / "a/dangling", folder / "twice");
+  EXPECT_EQ(real_path(folder / "short/.."), folder / "a");
+  EXPECT_EQ(real_path(folder / "short/x/./y"), folder / "a/b/x/y");
+  EXPECT_EQ(real_path(folder / "twice"), folder / "a/new");
+  EXPECT_EQ(real_path(folder / "none/../../.."), folder.parent_path().parent_path());
+  EXPECT_EQ(real_path("/../.."), "/");
+  EXPECT_EQ(real_path(""), fs::canonical("."));
+  EXPECT_EQ(real_path("x"), fs::canonical(".") / "x");
+}
+
+TEST(RealPath, DoesNotRunInCircles) {
+  const test::Folder folder;
+  fs::create_symlink("two", folder.path / "one");
+  fs::create_symlink("one/x", folder.path / "two");
+  EXPECT_THAT(failure([&] { real_path(folder.path / "one"); }), testing::HasSubstr("in a circle"));
+}
+
 }  // namespace
 }  // namespace hackle

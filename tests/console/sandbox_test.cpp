@@ -254,7 +254,6 @@ TEST(LuaMemory, IsLimited) {
         "coroutine.wrap(function() return ('x'):rep(1e9) end)()",
         "local s = 'x' while true do s = s .. s end", "error(('x'):rep(5e6) .. ('y'):rep(4e6))",
         "return io.stdin:read(1e9)",
-        "local t = table.pack(('x'):rep(9e5):byte(1, 9e5)) return {t, ('x'):rep(8e6)}",
         "local t = {} for i = 1, 1e9 do t[i] = coroutine.create(print) end",
         "local t = {} for i = 1, 1e9 do t[i] = plate{width=1,height=1,material='duran50'} end"})
     EXPECT_THAT(test::message_of(greedy, settings), HasSubstr(told)) << greedy;

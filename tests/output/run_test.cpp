@@ -126,5 +126,51 @@ TEST(Run, RefusesAFolderThatIsAFile) {
               HasSubstr("is not a folder"));
 }
 
+TEST(OutputLimit, RefusesWhatIsEstimatedAboveIt) {
+  const test::Folder folder;
+  hackle::Run run = small_run();
+  run.limit_output(1e6);
+  run.movie(folder.path / "a.mp4", {{"damage", 320}, 1e-6});
+  run.record(folder.path / "a.h5", {1e-6});
+  const std::string told = refusal([&] { run.run(1.0); });
+  EXPECT_THAT(told, HasSubstr("run: its files would take about"));
+  EXPECT_THAT(told, HasSubstr("the limit is 1 MB"));
+  EXPECT_THAT(told, HasSubstr("a.mp4' "));
+  EXPECT_THAT(told, HasSubstr("a.h5' "));
+  EXPECT_THAT(told, HasSubstr(" in 1 000 001 pieces"));
+  EXPECT_THAT(told, HasSubstr("--output-limit"));
+  EXPECT_EQ(run.simulation().state().step, 0);
+  EXPECT_EQ(refusal([&] { run.run(3e-6); }), "");
+  EXPECT_THAT(refusal([&] { run.run(1e300); }), HasSubstr("its files"));
+}
+
+TEST(OutputLimit, CountsWhatIsThereAlready) {
+  const test::Folder folder;
+  hackle::Run run = small_run();
+  run.limit_output(4e5);
+  run.record(folder.path / "a.h5", {1e-6});
+  std::string told;
+  int runs = 0;
+  for (; told.empty() && runs < 100; ++runs) told = refusal([&] { run.run(1e-6); });
+  EXPECT_THAT(told, HasSubstr(" in " + std::to_string(runs + 1) + " pieces"));
+  EXPECT_LT(runs, 100);
+}
+
+TEST(OutputLimit, KnowsAboutHowLargeARunFileIs) {
+  const test::Folder folder;
+  const fs::path file = folder.path / "a.h5";
+  for (const int records : {2, 40}) {
+    hackle::Run run(test::edge_crack(12e6), test::numerics(), {1}, Talk::quiet, {"a.lua", ""});
+    run.record(file, {20e-6 / (records - 1)});
+    run.run(20e-6);
+    run.close();
+    const auto size = static_cast<double>(fs::file_size(file) +
+                                          fs::file_size(folder.path / "a.xdmf"));
+    const double guess = run_file_bytes(run.simulation().lattice().grid.nodes(), records);
+    EXPECT_GT(guess, 0.8 * size) << records;
+    EXPECT_LT(guess, 2.5 * size) << records;
+  }
+}
+
 }  // namespace
 }  // namespace hackle
