@@ -222,7 +222,7 @@ TEST_F(ProgramTest, LuaMemoryAndOutputHaveLimits) {
   EXPECT_THAT(greedy.err, HasSubstr("exceed 4 MB (--lua-memory allows more)"));
   const auto wordy = run(film, {"--output-limit", "0.001"});
   EXPECT_EQ(wordy.code, 0) << wordy.err;
-  const auto more = run(test::scene + "s:movie { 'a.mp4', every = 1*us } s:run(1)");
+  const auto more = run(test::scene + "s:movie { 'a.mp4', every = 1*us } s:run(20)");
   EXPECT_EQ(more.code, 4);
   EXPECT_THAT(more.err, HasSubstr("the limit is 20 GB"));
   EXPECT_EQ(run("", {"--lua-memory", "0"}).code, 2);
@@ -237,8 +237,9 @@ TEST_F(ProgramTest, APatternWithoutEndIsLeftByTheSecondInterrupt) {
       kill(child, SIGINT);
     }
   };
-  const auto ended = run("print 'looking' io.stdout:flush()\n"
-                         "string.find(('a'):rep(5000), ('a-'):rep(30) .. 'b')");
+  const auto ended =
+      run("print 'looking' io.stdout:flush()\n"
+          "string.find(('a'):rep(5000), ('a-'):rep(30) .. 'b')");
   EXPECT_EQ(ended.code, 128 + SIGINT);
   EXPECT_THAT(ended.err, HasSubstr("again to abort"));
 }

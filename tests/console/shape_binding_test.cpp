@@ -105,26 +105,28 @@ std::string corner_png(const std::filesystem::path& folder) {
 TEST(ShapeBinding, AMaskRemovesItsDarkPixels) {
   const test::Folder folder;
   const std::string file = corner_png(folder.path);
-  EXPECT_EQ(test::message_of(plate + "p:mask { '" + file +
-                             "', name = 'corner' }\n"
-                             "local s = simulate(p, { spacing = 1*mm, horizon = 2*mm })\n"
-                             "assert(s:report():find('4 000 nodes (3 000 of material)', 1, true), "
-                             "s:report())",
-                             test::quiet(folder.path)),
-            "");
-  EXPECT_EQ(test::message_of(plate + "p:mask { '" + file +
-                             "', remove = 'light' }\n"
-                             "local s = simulate(p, { spacing = 1*mm, horizon = 2*mm })\n"
-                             "assert(s:report():find('(1 000 of material)', 1, true), s:report())",
-                             test::quiet(folder.path)),
-            "");
+  EXPECT_EQ(
+      test::message_of(plate + "p:mask { '" + file +
+                           "', name = 'corner' }\n"
+                           "local s = simulate(p, { spacing = 1*mm, horizon = 2*mm })\n"
+                           "assert(s:report():find('4 000 nodes (3 000 of material)', 1, true), "
+                           "s:report())",
+                       test::quiet(folder.path)),
+      "");
+  EXPECT_EQ(
+      test::message_of(plate + "p:mask { '" + file +
+                           "', remove = 'light' }\n"
+                           "local s = simulate(p, { spacing = 1*mm, horizon = 2*mm })\n"
+                           "assert(s:report():find('(1 000 of material)', 1, true), s:report())",
+                       test::quiet(folder.path)),
+      "");
 }
 
 TEST(ShapeBinding, AMaskWithAMaterialIsAnInclusion) {
   const test::Folder folder;
   EXPECT_EQ(test::message_of(plate + "p:mask { '" + corner_png(folder.path) +
-                             "', material = 'duran50' }\n"
-                             "assert(tostring(p):find('1 inclusion', 1, true))",
+                                 "', material = 'duran50' }\n"
+                                 "assert(tostring(p):find('1 inclusion', 1, true))",
                              test::quiet(folder.path)),
             "");
 }

@@ -164,8 +164,8 @@ TEST(OutputLimit, KnowsAboutHowLargeARunFileIs) {
     run.record(file, {20e-6 / (records - 1)});
     run.run(20e-6);
     run.close();
-    const auto size = static_cast<double>(fs::file_size(file) +
-                                          fs::file_size(folder.path / "a.xdmf"));
+    const auto size =
+        static_cast<double>(fs::file_size(file) + fs::file_size(folder.path / "a.xdmf"));
     const double guess = run_file_bytes(run.simulation().lattice().grid.nodes(), records);
     EXPECT_GT(guess, 0.8 * size) << records;
     EXPECT_LT(guess, 2.5 * size) << records;
