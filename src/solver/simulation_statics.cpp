@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/units.hpp"
 #include "solver/bond_energy.hpp"
 #include "solver/quasistatic.hpp"
 #include "solver/simulation.hpp"
@@ -13,6 +14,8 @@
 namespace hackle {
 
 namespace {
+
+constexpr double most_steps = 1e15;  // as for Simulation::run
 
 void check_tolerance(double tolerance, const char* who) {
   if (!(tolerance > 0.0 && tolerance < 1.0))
@@ -76,6 +79,11 @@ QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
                     "least 1 increment",
                     options.duration, options.increments));
   const double begin = time();
+  if (!(begin + options.duration <= most_steps * dt_))
+    throw Error(
+        ErrorKind::refused,
+        fmt::format("quasistatic: the duration is {}, which is more than {:.0e} steps of {}",
+                    quantity(options.duration, "s"), most_steps, quantity(dt_, "s")));
   QuasistaticResult result;
   let_look(observers);
   for (int k = 1; k <= options.increments && result.bears; ++k) {

@@ -121,6 +121,7 @@ TEST(Quasistatic, RefusesWhatMakesNoSense) {
   EXPECT_THROW(simulation.load_slowly({0.0, 4}), Error);
   EXPECT_THROW(simulation.load_slowly({duration, 0}), Error);
   EXPECT_THROW(simulation.load_slowly({duration, 4, 0.0}), Error);
+  EXPECT_THROW(simulation.load_slowly({1e300, 4}), Error);  // more steps than can be counted
 }
 
 TEST(Quasistatic, TheWorstBreakFirst) {
