@@ -16,15 +16,14 @@
 namespace hackle {
 namespace {
 
-Prompt::Reader line_reader(bool person) {
-  if (!person) {
+Prompt::Reader line_reader(const std::shared_ptr<LineEditor>& editor) {
+  if (!editor) {
     const auto reader = std::make_shared<LineReader>();
     return [reader](const std::string&, std::string& line, const Idle& idle) {
       return reader->read(line, idle);
     };
   }
   fmt::print("Hackle {}  -  help() tells more, Ctrl-D leaves\n", version());
-  const auto editor = std::make_shared<LineEditor>(history_file());
   return [editor](const std::string& prompt, std::string& line, const Idle& idle) {
     return editor->read(prompt, line, idle);
   };
@@ -50,7 +49,11 @@ int command_prompt(const Limits& limits) {
     limits.apply(settings);
     Console console(settings);
     const bool person = isatty(STDIN_FILENO) != 0;
-    Prompt prompt(console, line_reader(person), {print_value, tell, print_note});
+    const auto editor = person ? std::make_shared<LineEditor>(history_file()) : nullptr;
+    Prompt prompt(console, line_reader(editor), {print_value, tell, print_note});
+    if (editor)
+      editor->complete_with(
+          [&](const std::string& before) { return console.complete(prompt.begun() + before); });
     const int first_error = prompt.run();
     // A person has seen the errors; a program that feeds lines reads them from the code.
     if (!person) console.finish_work();

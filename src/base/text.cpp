@@ -46,6 +46,23 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
   return best ? " (did you mean '" + std::string(*best) + "'?)" : std::string();
 }
 
+std::string hanging(std::string_view line, std::size_t indent, std::size_t width) {
+  std::string text;
+  std::size_t used = indent;
+  while (!line.empty()) {
+    const std::string_view word = line.substr(0, std::min(line.find(' ', 1), line.size()));
+    line.remove_prefix(word.size());
+    if (used + word.size() > width && used > indent && word.front() == ' ') {
+      text.append("\n").append(indent, ' ').append(word.substr(1));
+      used = indent + word.size() - 1;
+    } else {
+      text += word;
+      used += word.size();
+    }
+  }
+  return text;
+}
+
 std::string comma_list(std::span<const std::string_view> words) {
   std::string text;
   for (std::string_view word : words) {

@@ -2,6 +2,7 @@
 // Small helpers for messages.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,10 @@ std::optional<std::string_view> nearest(std::string_view word,
 
 // " (did you mean 'crack'?)" or "" when nothing is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
+
+// Breaks a line at blanks so that none is wider than `width`, if it can; every line but the first
+// begins with `indent` blanks, and the first has as many before it that count.
+std::string hanging(std::string_view line, std::size_t indent, std::size_t width);
 
 // "a, b, c"
 std::string comma_list(std::span<const std::string_view> words);

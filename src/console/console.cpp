@@ -75,6 +75,17 @@ int to_texts(lua_State* L) {
   return count;
 }
 
+struct CompletionJob {
+  const std::string& text;
+  Completion result;
+};
+
+int complete_job(lua_State* L) {
+  auto& job = *static_cast<CompletionJob*>(lua_touserdata(L, 1));
+  job.result = complete(L, job.text);
+  return 0;
+}
+
 // out/<name of the script>, which nothing that came with a script may lead to another place.
 std::filesystem::path default_output_folder(const std::filesystem::path& script, bool trust) {
   const std::filesystem::path out = "out", folder = out / script.stem();
@@ -225,6 +236,15 @@ bool Console::is_incomplete(const std::string& text) const {
   const bool incomplete = !complete && message.ends_with(end);
   lua_settop(L, 0);
   return incomplete;
+}
+
+Completion Console::complete(const std::string& text) const {
+  lua_State* L = parts_->L;
+  CompletionJob job{text, {}};
+  lua_pushcfunction(L, guarded<complete_job>);
+  lua_pushlightuserdata(L, &job);
+  protected_call(L, 1, 0);
+  return std::move(job.result);
 }
 
 std::vector<std::string> Console::evaluate(const std::string& text) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "console/completion.hpp"
 #include "console/idle.hpp"
 #include "console/session.hpp"
 
@@ -30,6 +31,8 @@ class Console {
 
   // For the prompt. Whether more lines are needed to make sense of the text.
   bool is_incomplete(const std::string& text) const;
+  // What may come next, see completion.hpp. Nothing of the script runs. Throws Error.
+  Completion complete(const std::string& text) const;
   // Runs an expression or statements; the values it gives, as text (see value_text.hpp). The first
   // of them, if it is not nil, is then `_`. Closes nothing. Throws Error.
   std::vector<std::string> evaluate(const std::string& text);

@@ -11,12 +11,25 @@
 #include <utility>
 
 #include <histedit.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace hackle {
 namespace {
 
 constexpr int longest_history = 2000;
+constexpr std::size_t longest_list = 100;  // of candidates
+
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+// Text that is pasted comes faster than a person presses Tab twice.
+bool is_pasted() {
+  int waiting = 0;
+  return ioctl(STDIN_FILENO, FIONREAD, &waiting) == 0 && waiting > 1;
+}
 
 }  // namespace
 
@@ -45,6 +58,8 @@ struct LineEditor::Parts {
   void bind_keys() {
     el_set(editor, EL_ADDFN, "hackle-clear", "Drops the line", clear);
     el_set(editor, EL_ADDFN, "hackle-suspend", "Goes to the background", suspend);
+    el_set(editor, EL_ADDFN, "hackle-complete", "Completes the word", tab);
+    el_set(editor, EL_BIND, "^I", "hackle-complete", nullptr);
     el_set(editor, EL_BIND, "^C", "hackle-clear", nullptr);
     el_set(editor, EL_BIND, "^Z", "hackle-suspend", nullptr);
     el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
@@ -100,6 +115,31 @@ struct LineEditor::Parts {
     return 0;
   }
 
+  std::string before_cursor() const {
+    const LineInfo* info = el_line(editor);
+    return {info->buffer, info->cursor};
+  }
+  static unsigned char tab(EditLine* editor, int) {
+    if (is_pasted() || !of(editor).completer)
+      return el_insertstr(editor, "  ") == 0 ? CC_REFRESH : CC_ERROR;
+    try {
+      return of(editor).complete();
+    } catch (const std::exception&) {  // libedit is C
+      return CC_ERROR;
+    }
+  }
+  // One Tab adds what is certain; a second one, when nothing is, shows the choices.
+  unsigned char complete() {
+    const Completion completion = completer(before_cursor());
+    const std::string added = completion.insertion();
+    const bool again = std::exchange(tried, before_cursor() + added) == before_cursor();
+    if (!added.empty()) return el_insertstr(editor, added.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
+    if (!again || completion.candidates.size() < 2) return CC_ERROR;
+    std::fputc('\n', stdout);
+    std::fputs(in_columns(completion.candidates, terminal_width(), longest_list).c_str(), stdout);
+    return CC_REDISPLAY;
+  }
+
   void remember(const std::string& line) {
     HistEvent event;
     history(lines, &event, H_ENTER, line.c_str());
@@ -112,6 +152,8 @@ struct LineEditor::Parts {
   std::filesystem::path file;
   std::string prompt;
   std::string dropped;
+  Completer completer;
+  std::string tried = "\t";  // the line behind the last Tab
   bool cleared = false;
   Idle idle;
   EditLine* editor = el_init("hackle", stdin, stdout, stderr);
@@ -124,10 +166,15 @@ LineEditor::LineEditor(std::filesystem::path history)
 
 LineEditor::~LineEditor() = default;
 
+void LineEditor::complete_with(Completer complete) {
+  parts_->completer = std::move(complete);
+}
+
 LineEnd LineEditor::read(const std::string& prompt, std::string& line, const Idle& idle) {
   parts_->prompt = prompt;
   parts_->idle = idle;
   parts_->cleared = false;
+  parts_->tried = "\t";
   int count = 0;
   const char* text = el_gets(parts_->editor, &count);
   if (parts_->cleared) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "console/completion.hpp"
 #include "console/idle.hpp"
 
 namespace hackle {
@@ -17,6 +19,11 @@ class LineEditor {
   // The history is read from and kept in `history`; a file that cannot be is no error.
   explicit LineEditor(std::filesystem::path history);
   ~LineEditor();
+
+  // What Tab offers, given the line before the cursor; without it nothing. An Error that it throws
+  // is a beep.
+  using Completer = std::function<Completion(const std::string& before)>;
+  void complete_with(Completer complete);
 
   // One line without its end. `cleared`: Ctrl-C was pressed on what `line` then has;
   // `end_of_input`: Ctrl-D on an empty line, or the terminal is gone. Between keys `idle` has its

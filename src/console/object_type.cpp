@@ -30,13 +30,11 @@ int index(lua_State* L) {
   const TypeDoc& type = type_of_closure(L);
   if (lua_type(L, 2) != LUA_TSTRING) refuse_name(type, description(L, 2));
   const std::string_view name = lua_tostring(L, 2);
-  for (const Function& method : type.methods)
-    if (method.doc->name == name) {
-      lua_pushcfunction(L, method.call);
-      return 1;
-    }
-  for (const Property& field : type.fields)
-    if (field.name == name) return field.push(L);
+  if (const Function* method = find_method(type, name)) {
+    lua_pushcfunction(L, method->call);
+    return 1;
+  }
+  if (const Property* field = find_field(type, name)) return field->push(L);
   refuse_name(type, name);
 }
 

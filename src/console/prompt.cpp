@@ -29,6 +29,7 @@ bool Prompt::read_chunk(std::string& chunk) {
   chunk.clear();
   std::string line;
   for (;;) {
+    begun_ = chunk.empty() ? "" : chunk + "\n";
     const LineEnd end = reader_(chunk.empty() ? first_prompt : next_prompt, line,
                                 [this](const MakeRoom& make_room) { return work(make_room); });
     if (end == LineEnd::cleared) {

@@ -28,6 +28,8 @@ class Prompt {
   // Until the input ends or a line calls os.exit. Returns the code of os.exit, or else that of the
   // first error, or 0.
   int run();
+  // The lines before the one that is being read, of the same chunk; each with its end.
+  const std::string& begun() const { return begun_; }
 
  private:
   bool read_chunk(std::string& chunk);
@@ -40,6 +42,7 @@ class Prompt {
   Console& console_;
   Reader reader_;
   Voice voice_;
+  std::string begun_;
   int first_code_ = 0;
   bool local_is_explained_ = false;
 };

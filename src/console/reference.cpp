@@ -2,6 +2,8 @@
 #include "console/reference.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -13,108 +15,145 @@
 #include "console/help_binding.hpp"
 #include "console/load_binding.hpp"
 #include "console/material_binding.hpp"
+#include "console/option_row.hpp"
 #include "console/options_binding.hpp"
 #include "console/plate_binding.hpp"
+#include "console/see_also.hpp"
 #include "console/show_binding.hpp"
 #include "console/simulation_binding.hpp"
 
 namespace hackle {
 namespace {
 
-std::string_view type_word(const Option& option) {
-  switch (option.type) {
-    case OptionType::number:
-      return "number";
-    case OptionType::integer:
-      return "integer";
-    case OptionType::text:
-      return "text";
-    case OptionType::texts:
-      return "list of texts";
-    case OptionType::flag:
-      return "flag";
-    case OptionType::point:
-      return "{x, y}";
-    case OptionType::pair:
-      return "{a, b}";
-    case OptionType::window:
-      return "{x, y, half}";
-    case OptionType::points:
-      return "points";
-    case OptionType::choice:
-      return "choice";
-    case OptionType::material:
-      return "material";
-    case OptionType::vector_field:
-      return "{x, y} or function";
-    case OptionType::scalar_field:
-      return "number or function";
-    case OptionType::course:
-      return "times or function";
-    case OptionType::function:
-      return "function";
-  }
-  return "?";
+// "  name   text", the text in lines of its own below each other.
+std::string entry(std::string_view name, std::size_t column, std::string_view text) {
+  return fmt::format("  {:<{}}  {}\n", name, column, hanging(text, column + 4, reference_width));
 }
 
-// What values are allowed.
-std::string allowed(const Option& option) {
-  if (option.type == OptionType::choice) return comma_list(option.choices);
-  const std::string range = range_text(option);
-  return range.empty() ? std::string(option.unit) : range;
-}
-
-std::string presence(const Option& option) {
-  if (option.required) return "required";
-  if (option.alternative) return "one way";
-  return option.fallback.empty() ? "optional" : fmt::format("default {}", option.fallback);
-}
-
-std::string option_table(const FunctionDoc& doc) {
-  std::size_t name = 0, type = 0, values = 0, must = 0;
-  for (const Option& option : doc.options) {
-    name = std::max(name, option.name.size());
-    type = std::max(type, type_word(option).size());
-    values = std::max(values, allowed(option).size());
-    must = std::max(must, presence(option).size());
-  }
-  std::string text;
-  for (const Option& option : doc.options)
-    text +=
-        fmt::format("  {:<{}}  {:<{}}  {:<{}}  {:<{}}  {}\n", option.name, name, type_word(option),
-                    type, allowed(option), values, presence(option), must, option.sentence);
-  return text;
+std::string comma_text(const std::vector<std::string>& words) {
+  const std::vector<std::string_view> views(words.begin(), words.end());
+  return comma_list(views);
 }
 
 std::string function_lines(std::span<const Function> functions) {
-  constexpr std::size_t column = 44;
+  std::size_t column = 0;
+  for (const Function& function : functions)
+    column = std::max(column, call_name(*function.doc).size());
   std::string text;
-  for (const Function& function : functions) {
-    std::string line = "  " + signature(*function.doc);
-    line += line.size() < column ? std::string(column - line.size(), ' ')
-                                 : "\n" + std::string(column, ' ');
-    text.append(line).append(function.doc->sentence).append("\n");
+  for (const Function& function : functions)
+    text += entry(call_name(*function.doc), column, function.doc->sentence);
+  return text;
+}
+
+// How an object of the type is called in examples: "p".
+std::string_view object_name(const TypeDoc& type) {
+  return type.methods.empty() ? type.name : type.methods.front().doc->owner;
+}
+
+std::string field_line(const TypeDoc& type, const Property& field, std::size_t column) {
+  const std::string unit = field.unit.empty() ? "" : fmt::format("[{}] ", field.unit);
+  return entry(fmt::format("{}.{}", object_name(type), field.name), column,
+               unit + std::string(field.sentence));
+}
+
+std::string field_lines(const TypeDoc& type) {
+  std::size_t column = 0;
+  for (const Property& field : type.fields)
+    column = std::max(column, object_name(type).size() + 1 + field.name.size());
+  std::string text;
+  for (const Property& field : type.fields) text += field_line(type, field, column);
+  return text;
+}
+
+// A line that begins with a word and goes on below itself.
+std::string line_of(std::string_view word, const std::string& text) {
+  return fmt::format("\n{}: {}", word, hanging(text, word.size() + 2, reference_width));
+}
+
+// What an object of the type that a function makes can do and has.
+std::string lines_of_members(const TypeDoc& type) {
+  std::vector<std::string> methods, fields;
+  for (const Function& method : type.methods) methods.emplace_back(method.doc->name);
+  for (const Property& field : type.fields) fields.emplace_back(field.name);
+  std::string text;
+  if (!methods.empty()) text = line_of(fmt::format("a {} can", type.name), comma_text(methods));
+  return text + line_of(fmt::format("a {} has", type.name), comma_text(fields));
+}
+
+std::string example_lines(std::string_view example) {
+  std::string text = "\n\nexample:\n  ";
+  for (const char c : example) text.append(c == '\n' ? "\n  " : std::string(1, c));
+  return text;
+}
+
+// Functions that take an option of this name, by what they say about it.
+std::map<std::string, std::vector<std::string>> takers_of(std::string_view option) {
+  std::map<std::string, std::vector<std::string>> takers;
+  for (const FunctionDoc* doc : all_docs())
+    if (const Option* found = find_option(*doc, option))
+      takers[table_text({row_of(*found)}, reference_width)].push_back(call_name(*doc));
+  return takers;
+}
+
+std::string page_of_option(std::string_view name) {
+  std::string text;
+  for (const auto& [row, functions] : takers_of(name)) {
+    if (!text.empty()) text += "\n\n";
+    const std::string head = fmt::format("{}, an option of {}", name, comma_text(functions));
+    text += hanging(head, 2, reference_width) + "\n" + row;
+    text.pop_back();
   }
   return text;
 }
 
-std::string field_lines(const TypeDoc& type) {
-  std::string text;
-  for (const Property& field : type.fields)
-    text += fmt::format("  {:<9}  {:<5}  {}\n", field.name, field.unit, field.sentence);
-  return text;
+std::string takers_line(std::string_view name) {
+  std::vector<std::string> all;
+  for (const auto& [row, functions] : takers_of(name))
+    all.insert(all.end(), functions.begin(), functions.end());
+  return all.empty() ? "" : line_of("an option of", comma_text(all));
 }
 
-std::string unit_line() {
-  std::string text;
-  for (const Unit& unit : units()) text.append(text.empty() ? "" : " ").append(unit.name);
-  return text;
+// Every function of this name: a plate and a simulation share some.
+std::string page_of_function(std::string_view name) {
+  const FunctionDoc* first = nullptr;
+  std::vector<std::string> others;
+  for (const FunctionDoc* doc : all_docs()) {
+    if (doc->name != name) continue;
+    if (first != nullptr) others.push_back(call_name(*doc));
+    if (first == nullptr) first = doc;
+  }
+  if (first == nullptr) return "";
+  std::string text = reference_of(*first);
+  if (!others.empty()) text += line_of("between two runs", comma_text(others));
+  return text + takers_line(name);
 }
 
-const TypeDoc* find_type(std::string_view name) {
+std::string page_of_type(std::string_view name) {
+  const TypeDoc* type = find_type(name);
+  return type != nullptr ? reference_of(*type) : "";
+}
+
+std::string page_of_field(std::string_view name) {
+  std::string text;
   for (const TypeDoc* type : all_types())
-    if (type->name == name) return type;
-  return nullptr;
+    if (const Property* field = find_field(*type, name)) text += field_line(*type, *field, 0);
+  if (text.empty()) return "";
+  const std::string options = page_of_option(name);
+  if (options.empty()) text.pop_back();
+  return options.empty() ? text : text + "\n" + options;
+}
+
+std::string page_of_unit(std::string_view name) {
+  for (const Unit& unit : units())
+    if (unit.name == name)
+      return fmt::format("{} = {} in SI, a unit of {}", name, shortest(unit.factor),
+                         unit.dimension);
+  return "";
+}
+
+std::string page_of_list(std::string_view name) {
+  if (name == "functions") return list_of_functions();
+  return name == "units" ? list_of_units() : "";
 }
 
 }  // namespace
@@ -132,48 +171,93 @@ std::vector<Function> all_functions() {
   return list;
 }
 
-std::string overview() {
+std::vector<const FunctionDoc*> all_docs() {
+  std::vector<const FunctionDoc*> docs;
+  for (const Function& function : all_functions()) docs.push_back(function.doc);
+  for (const TypeDoc* type : all_types())
+    for (const Function& method : type->methods) docs.push_back(method.doc);
+  return docs;
+}
+
+const TypeDoc* find_type(std::string_view name) {
+  for (const TypeDoc* type : all_types())
+    if (type->name == name) return type;
+  return nullptr;
+}
+
+std::string call_name(const FunctionDoc& doc) {
+  return doc.owner.empty() ? std::string(doc.name) : fmt::format("{}:{}", doc.owner, doc.name);
+}
+
+std::string list_of_functions() {
   std::string text = function_lines(all_functions());
   for (const TypeDoc* type : all_types())
     if (!type->methods.empty())
       text +=
           fmt::format("\n{}: {}\n{}", type->name, type->sentence, function_lines(type->methods));
-  return fmt::format("{}\nunits: {}\nhelp \"crack\" tells more about one of them", text,
-                     unit_line());
+  text.pop_back();
+  return text;
+}
+
+std::string list_of_units() {
+  std::vector<std::string_view> dimensions;
+  for (const Unit& unit : units())
+    if (std::ranges::count(dimensions, unit.dimension) == 0) dimensions.push_back(unit.dimension);
+  std::string text = "Numbers are SI; a constant makes them so: 12*MPa, 0.5*mm.\n";
+  for (const std::string_view dimension : dimensions) {
+    std::vector<std::string_view> names;
+    for (const Unit& unit : units())
+      if (unit.dimension == dimension) names.push_back(unit.name);
+    text += fmt::format("\n  {:<8}{}", dimension, comma_list(names));
+  }
+  return text;
 }
 
 std::string reference_of(const FunctionDoc& doc) {
-  std::string text = fmt::format("{}\n{}\n", signature(doc), doc.sentence);
-  if (!doc.options.empty()) text += "\n" + option_table(doc);
-  text += fmt::format("\nexample: {}", doc.example);
+  std::vector<OptionRow> rows;
+  for (const Option& option : doc.options) rows.push_back(row_of(option));
+  std::string text = hanging(signature(doc), 4, reference_width) + "\n" +
+                     hanging(doc.sentence, 0, reference_width);
+  if (!rows.empty()) text += "\n\n" + table_text(rows, reference_width);
+  if (!rows.empty()) text.pop_back();
+  text += example_lines(doc.example) + "\n";
   const TypeDoc* made = doc.owner.empty() ? find_type(doc.name) : nullptr;
-  return made != nullptr ? text + "\n\n" + reference_of(*made) : text;
+  if (made != nullptr) text += lines_of_members(*made);
+  return text + line_of("see also", comma_list(see_also(doc.name)));
 }
 
 std::string reference_of(const TypeDoc& type) {
-  std::string text = fmt::format("{}: {}", type.name, type.sentence);
+  std::string text = fmt::format("{}: {}\n", type.name, type.sentence);
   if (!type.methods.empty()) text += "\n" + function_lines(type.methods);
   if (!type.fields.empty()) text += "\n" + field_lines(type);
-  while (text.ends_with('\n')) text.pop_back();
+  text.pop_back();
   return text;
 }
 
 std::string reference_of(std::string_view name) {
-  std::vector<std::string_view> known;
-  std::vector<Function> functions = all_functions();
-  for (const TypeDoc* type : all_types()) {
-    functions.insert(functions.end(), type->methods.begin(), type->methods.end());
-    known.push_back(type->name);
-  }
-  for (const Function& function : functions) {
-    if (function.doc->name == name) return reference_of(*function.doc);
-    known.push_back(function.doc->name);
-  }
-  if (const TypeDoc* type = find_type(name)) return reference_of(*type);
+  for (const auto page :
+       {page_of_function, page_of_type, page_of_list, page_of_field, page_of_option, page_of_unit})
+    if (std::string text = page(name); !text.empty()) return text;
+  const std::vector<std::string> all = topics();
+  const std::vector<std::string_view> known(all.begin(), all.end());
   throw Error(ErrorKind::refused,
               fmt::format("help: nothing is known of '{}'{}", name.substr(0, 40),
                           did_you_mean(name, known)),
-              "help() lists everything");
+              "help() is the beginning, help \"functions\" lists what there is");
+}
+
+std::vector<std::string> topics() {
+  std::set<std::string_view> names{"functions", "units", "materials"};
+  for (const FunctionDoc* doc : all_docs()) {
+    names.insert(doc->name);
+    for (const Option& option : doc->options) names.insert(option.name);
+  }
+  for (const TypeDoc* type : all_types()) {
+    names.insert(type->name);
+    for (const Property& field : type->fields) names.insert(field.name);
+  }
+  for (const Unit& unit : units()) names.insert(unit.name);
+  return {names.begin(), names.end()};
 }
 
 }  // namespace hackle

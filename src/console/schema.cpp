@@ -91,4 +91,16 @@ const Option* find_option(const FunctionDoc& doc, std::string_view name) {
   return nullptr;
 }
 
+const Function* find_method(const TypeDoc& type, std::string_view name) {
+  for (const Function& method : type.methods)
+    if (method.doc->name == name) return &method;
+  return nullptr;
+}
+
+const Property* find_field(const TypeDoc& type, std::string_view name) {
+  for (const Property& field : type.fields)
+    if (field.name == name) return &field;
+  return nullptr;
+}
+
 }  // namespace hackle

@@ -92,7 +92,8 @@ struct Property {
   std::string_view name;
   std::string_view unit{};
   std::string_view sentence{};
-  lua_CFunction push = nullptr;  // [-0, +1], the object being at index 1
+  lua_CFunction push = nullptr;              // [-0, +1], the object being at index 1
+  std::span<const std::string_view> keys{};  // of the table that it is, if it is one
 };
 
 // A type of the scene language.
@@ -116,5 +117,9 @@ std::string range_text(const Option& option);
 
 // The option of this name, or null.
 const Option* find_option(const FunctionDoc& doc, std::string_view name);
+
+// The method or field of this name, or null.
+const Function* find_method(const TypeDoc& type, std::string_view name);
+const Property* find_field(const TypeDoc& type, std::string_view name);
 
 }  // namespace hackle

@@ -231,6 +231,10 @@ int push_damage(lua_State* L) {
   return 1;
 }
 
+constexpr auto energy_keys = std::to_array<std::string_view>(
+    {"kinetic", "strain", "broken", "damped", "contact", "external", "residual"});
+constexpr auto damage_keys = std::to_array<std::string_view>({"broken_bonds", "most"});
+
 constexpr std::array fields{
     Property{"time", "s", "Simulated so far.", push_time},
     Property{"steps", "", "Taken so far.", push_steps},
@@ -239,9 +243,9 @@ constexpr std::array fields{
     Property{"nodes", "", "Of the lattice.", push_nodes},
     Property{"bonds", "", "The plate was born with.", push_bonds},
     Property{"energy", "J/m", "kinetic, strain, broken, damped, contact, external and residual.",
-             push_energy},
+             push_energy, energy_keys},
     Property{"damage", "", "broken_bonds since the start, and the most damage of a node.",
-             push_damage},
+             push_damage, damage_keys},
     Property{"hash", "", "Of the state; equal only when every bit is.", push_hash},
 };
 

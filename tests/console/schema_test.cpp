@@ -11,14 +11,6 @@
 namespace hackle {
 namespace {
 
-std::vector<const FunctionDoc*> all_docs() {
-  std::vector<const FunctionDoc*> docs;
-  for (const Function& function : all_functions()) docs.push_back(function.doc);
-  for (const TypeDoc* type : all_types())
-    for (const Function& method : type->methods) docs.push_back(method.doc);
-  return docs;
-}
-
 bool is_sentence(std::string_view text) {
   return text.size() > 4 && text.ends_with('.') &&
          std::isupper(static_cast<unsigned char>(text[0]));

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "console/see_also.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ranges>
+
+namespace hackle {
+namespace {
+
+constexpr auto groups = std::to_array<std::string_view>({
+    "plate material simulate help",
+    "crack random_cracks notch hole mask",
+    "inclusion material mask hole",
+    "traction pressure body_force impactor temperature move",
+    "clamp move release nofail",
+    "ramp pulse step_at traction",
+    "start damping move",
+    "strength nofail material",
+    "contact impactor pieces",
+    "run step simulate on",
+    "on stop run",
+    "fork rewind",
+    "relax quasistatic damping",
+    "movie frame record report",
+    "contact_sheet frame",
+    "close movie record",
+    "cracks pieces at report",
+    "options help",
+});
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (const auto word : std::views::split(line, ' ')) words.emplace_back(word.begin(), word.end());
+  return words;
+}
+
+}  // namespace
+
+std::vector<std::string_view> see_also(std::string_view function) {
+  std::vector<std::string_view> names;
+  for (const std::string_view line : groups) {
+    const std::vector<std::string_view> group = words_of(line);
+    if (std::ranges::count(group, function) == 0) continue;
+    for (const std::string_view name : group)
+      if (name != function && std::ranges::count(names, name) == 0) names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace hackle
