@@ -14,12 +14,14 @@
 
 #include "app/command_bench.hpp"
 #include "app/command_check.hpp"
+#include "app/command_docs.hpp"
 #include "app/command_info.hpp"
 #include "app/command_new.hpp"
 #include "app/command_prompt.hpp"
 #include "app/command_run.hpp"
 #include "app/exit_code.hpp"
 #include "app/libraries.hpp"
+#include "app/shell_completion.hpp"
 #include "app/voice.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
@@ -27,7 +29,7 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 5> commands{"run", "check", "new", "bench", "info"};
+constexpr std::array<std::string_view, 6> commands{"run", "check", "new", "bench", "info", "docs"};
 constexpr int most_threads = 1024;
 
 // Everything the command line can say.
@@ -37,6 +39,7 @@ struct Request {
   std::vector<std::string> settings;
   std::string new_name;
   bool info_as_json = false;
+  DocsRequest docs;
 };
 
 bool is_command(const std::string& word) {
@@ -146,6 +149,16 @@ void describe_bench(CLI::App& app, Request& request) {
   bench->add_flag("-q,--quiet", request.bench.quiet, "Say nothing but errors");
 }
 
+void describe_docs(CLI::App& app, Request& request) {
+  CLI::App* docs = app.add_subcommand("docs", "Write the reference to stdout");
+  docs->require_option(0, 1);
+  docs->add_flag("--markdown", request.docs.markdown, "All of it, in Markdown; so it is by itself");
+  docs->add_flag("--man", request.docs.man, "The manual page");
+  docs->add_option("--completion", request.docs.completion, "For a shell: bash, zsh or fish")
+      ->type_name("SHELL")
+      ->check(CLI::IsMember(std::vector<std::string>(shell_names.begin(), shell_names.end())));
+}
+
 void describe(CLI::App& app, Request& request) {
   app.name("hackle");
   app.set_version_flag("--version", version_text);
@@ -157,6 +170,7 @@ void describe(CLI::App& app, Request& request) {
   describe_bench(app, request);
   CLI::App* info = app.add_subcommand("info", "Show version, libraries and machine");
   info->add_flag("--json", request.info_as_json, "As one JSON object");
+  describe_docs(app, request);
   app.footer("hackle FILE.lua is short for hackle run FILE.lua; hackle alone opens the prompt.");
 }
 
@@ -181,6 +195,7 @@ int execute(const CLI::App& app, Request& request) {
   if (app.got_subcommand("new")) return command_new(request.new_name);
   if (app.got_subcommand("bench")) return command_bench(request.bench);
   if (app.got_subcommand("info")) return command_info(request.info_as_json);
+  if (app.got_subcommand("docs")) return command_docs(request.docs, command_table(app));
   return command_prompt(request.run.limits);
 }
 

@@ -4,8 +4,18 @@
 #pragma once
 
 #include <functional>
+#include <span>
+#include <string_view>
 
 namespace hackle {
+
+struct ExitCode {
+  int number;
+  std::string_view meaning;
+};
+
+// All of them, in order.
+std::span<const ExitCode> exit_codes();
 
 // The result of `work`, or the code of the Error it threw, which is told on stderr. Any other
 // exception counts as a failed run.

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -19,6 +20,12 @@ bool in_colour() {
   return stderr_is_terminal() && (refused == nullptr || *refused == '\0');
 }
 
+constexpr std::string_view red = "1;31", bold = "1", faint = "2";
+
+std::string painted(const std::string& text, std::string_view how, bool colour) {
+  return colour ? fmt::format("\033[{}m{}\033[0m", how, text) : text;
+}
+
 std::string size_text(const std::filesystem::path& file) {
   std::error_code failure;
   const auto bytes = std::filesystem::file_size(file, failure);
@@ -27,11 +34,21 @@ std::string size_text(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::string error_text(const Error& error, bool colour) {
+  std::string text;
+  for (const Problem& problem : error.problems()) {
+    std::istringstream lines(problem.what);
+    for (std::string line; std::getline(lines, line);)
+      text += (text.empty() ? "" : "\n") + painted("error:", red, colour) + " " +
+              painted(line, bold, colour);
+    if (!problem.remedy.empty()) text += " " + painted("(" + problem.remedy + ")", faint, colour);
+  }
+  return text + "\n";
+}
+
 void tell(const Error& error) {
   std::fflush(stdout);
-  const char* label = in_colour() ? "\033[1;31merror:\033[0m" : "error:";
-  std::istringstream lines(error.what());
-  for (std::string line; std::getline(lines, line);) fmt::print(stderr, "{} {}\n", label, line);
+  fmt::print(stderr, "{}", error_text(error, in_colour()));
 }
 
 void tell_files(const std::vector<Summary>& simulations) {

@@ -2,6 +2,7 @@
 // What the program says to a person, on stderr.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -10,7 +11,11 @@
 
 namespace hackle {
 
-// "error: ..." for each problem; in red on a terminal unless NO_COLOR is set.
+// "error: what (remedy)" for each problem, every line with its "error:". In colour "error:" is red,
+// what is wrong bold and the remedy faint.
+std::string error_text(const Error& error, bool colour);
+
+// The same on stderr, in colour on a terminal unless NO_COLOR is set.
 void tell(const Error& error);
 
 // "wrote out/a.mp4 (1.2 MB)" for each file of the simulations, each once.

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// hackle docs
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_table.hpp"
+
+namespace hackle {
+
+struct DocsRequest {
+  bool man = false;
+  bool markdown = false;   // so it is when nothing is said
+  std::string completion;  // "" or a shell
+};
+
+// Writes one of them to stdout. Returns the exit code.
+int command_docs(const DocsRequest& request, const std::vector<Command>& commands);
+
+}  // namespace hackle

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// hackle(1) and the same in Markdown.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_table.hpp"
+
+namespace hackle {
+
+// Command line and, in short, scene language, in roff with the macros of man(7).
+std::string man_page(const std::vector<Command>& commands);
+
+// Everything: command line and scene language. Throws Error (files) when the library of materials
+// cannot be read.
+std::string markdown_page(const std::vector<Command>& commands);
+
+}  // namespace hackle
