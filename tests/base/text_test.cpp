@@ -33,5 +33,12 @@ TEST(CommaList, JoinsWords) {
   EXPECT_EQ(comma_list({}), "");
 }
 
+TEST(Hanging, BreaksAtBlanksAndIndents) {
+  EXPECT_EQ(hanging("one two three", 0, 80), "one two three");
+  EXPECT_EQ(hanging("one two three", 2, 9), "one two\n  three");
+  EXPECT_EQ(hanging("immeasurable it is", 2, 8), "immeasurable\n  it is");
+  EXPECT_EQ(hanging("", 2, 8), "");
+}
+
 }  // namespace
 }  // namespace hackle

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "console/schema.hpp"
 
+#include <algorithm>
+#include <cstdlib>
 #include <set>
 
 #include <gmock/gmock.h>
 
 #include "console/reference.hpp"
 #include "console/scripts.hpp"
+#include "console/see_also.hpp"
 
 namespace hackle {
 namespace {
@@ -61,6 +64,38 @@ TEST(Schema, EveryExampleRuns) {
                                test::quiet(folder.path)),
               "")
         << doc->name;
+}
+
+TEST(Schema, EveryUnitIsOneThatIsUsed) {
+  const std::set<std::string_view> known{"",      "m",    "s",   "Pa", "N/m3", "m/s", "K",    "1/K",
+                                         "kg/m3", "kg/m", "1/s", "px", "J/m2", "rad", "steps"};
+  for (const FunctionDoc* doc : all_docs())
+    for (const Option& option : doc->options)
+      EXPECT_TRUE(known.contains(option.unit)) << doc->name << ", " << option.name;
+}
+
+TEST(Schema, EveryRangeHoldsSomethingAndTheDefaultToo) {
+  for (const FunctionDoc* doc : all_docs())
+    for (const Option& option : doc->options) {
+      EXPECT_LT(option.range.least, option.range.most) << doc->name << ", " << option.name;
+      const std::string text(option.fallback);
+      char* end = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      const bool number = !text.empty() && *end == '\0';
+      EXPECT_TRUE(!number || option.range.holds(value)) << doc->name << ", " << option.name;
+      if (option.type == OptionType::choice && !text.empty())
+        EXPECT_EQ(std::ranges::count(option.choices, text), 1) << doc->name << ", " << option.name;
+    }
+}
+
+TEST(Schema, EveryFunctionHasNeighboursThatExist) {
+  std::set<std::string_view> names;
+  for (const FunctionDoc* doc : all_docs()) names.insert(doc->name);
+  for (const FunctionDoc* doc : all_docs()) {
+    EXPECT_FALSE(see_also(doc->name).empty()) << doc->name;
+    for (const std::string_view name : see_also(doc->name))
+      EXPECT_TRUE(names.contains(name)) << doc->name << ": " << name;
+  }
 }
 
 TEST(Schema, SignaturesReadAsCalls) {
