@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/command_check.hpp"
 
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "app/exit_code.hpp"
@@ -17,17 +19,29 @@ ConsoleSettings settings_for(Purpose purpose, const RunRequest& request) {
   return settings;
 }
 
+// What a script throws itself after its simulations may come from results that are not there.
+std::optional<Error> failure_of_script(Console& console, const RunRequest& request) {
+  try {
+    console.run_file(request.script, request.arguments);
+    return std::nullopt;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::script || console.simulations().empty()) throw;
+    return error;
+  }
+}
+
 }  // namespace
 
 int command_check(const RunRequest& request) {
   const InterruptHandler handler;
   return exit_code_of([&] {
     Console console(settings_for(Purpose::check, request));
-    console.run_file(request.script, request.arguments);
+    const auto failure = failure_of_script(console, request);
     int number = 0;
     for (const Rehearsal& rehearsal : console.rehearsals())
       fmt::print("simulation {}\n{}\n", ++number, describe(rehearsal));
     if (number == 0) fmt::print("the script makes no simulation\n");
+    if (failure) fmt::print("then it wants results: {}\n", failure->problems().front().what);
     return console.exit_code().value_or(0);
   });
 }

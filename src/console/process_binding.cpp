@@ -21,6 +21,7 @@ int exit_script(lua_State* L) {
 
 int print(lua_State* L) {
   const Session& session = session_of(L);
+  if (session.settings.purpose != Purpose::results) return 0;
   std::FILE* stream = session.settings.print_to_stderr ? stderr : stdout;
   const int count = lua_gettop(L);
   if (session.make_room) session.make_room();

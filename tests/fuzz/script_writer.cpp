@@ -151,6 +151,8 @@ std::string value(Bytes& bytes, const Option& option) {
     case OptionType::point:
     case OptionType::pair:
       return a_point();
+    case OptionType::window:
+      return fmt::format("{{{0}, {0}, {0}}}", number(bytes, option.unit));
     case OptionType::points:
     case OptionType::course:
       return bytes.once_in(4) ? bytes.pick(functions) : list(bytes, a_point);
