@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference that hackle docs writes.
+#include <cstdlib>
+
 #include <gmock/gmock.h>
 
 #include "app/man_page.hpp"
@@ -8,6 +10,7 @@
 #include "app/voice.hpp"
 #include "base/files.hpp"
 #include "console/reference.hpp"
+#include "support/skipping.hpp"
 
 namespace hackle {
 namespace {
@@ -57,7 +60,7 @@ TEST_F(DocsTest, TheManualPageHasEverySectionAndFunction) {
 TEST_F(DocsTest, TheManualPageIsWellFormed) {
   write_text(folder_.path / "hackle.1", docs({"--man"}));
   const std::string page = (folder_.path / "hackle.1").string();
-  if (std::system("command -v groff >/dev/null") != 0) GTEST_SKIP() << "groff is not installed";
+  HACKLE_NEEDS(std::system("command -v groff >/dev/null") == 0, "groff is not installed");
   EXPECT_EQ(std::system(("groff -man -ww -Tascii " + page + " 2>&1 >/dev/null | grep .").c_str()) &
                 0xff00,
             0x100);
