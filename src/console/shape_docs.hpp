@@ -178,11 +178,12 @@ inline constexpr FunctionDoc inclusion_doc{
     .example = "p:inclusion { material = \"duran50\", centre = {30*mm, 20*mm}, radius = 4*mm }"};
 
 inline constexpr std::array mask_options{
-    Option{.name = "file",
-           .type = OptionType::text,
-           .required = true,
-           .positional = true,
-           .sentence = "A PNG, beside the script, in the output folder, or named on the command line."},
+    Option{
+        .name = "file",
+        .type = OptionType::text,
+        .required = true,
+        .positional = true,
+        .sentence = "A PNG beside the script, in the output folder or named on the command line."},
     Option{.name = "remove",
            .type = OptionType::choice,
            .fallback = "dark",
