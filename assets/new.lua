@@ -24,7 +24,7 @@ end
 
 -- The lattice and what to leave behind.
 local s = simulate(p, { spacing = o.spacing })
-s:movie { "breaks.mp4", every = o.time/128 }
+s:movie { "breaks.mp4", every = o.time/64 }
 
 s:run(o.time)
 

@@ -58,7 +58,8 @@ std::vector<SheetPicture> pictures_of(const Session& session, Arguments& argumen
   const std::vector<std::string> titles = arguments.texts("titles");
   std::vector<SheetPicture> pictures;
   for (const std::string& name : arguments.texts("pictures"))
-    pictures.push_back({session.written_path("contact_sheet", name), std::filesystem::path(name).stem().string()});
+    pictures.push_back(
+        {session.written_path("contact_sheet", name), std::filesystem::path(name).stem().string()});
   if (!arguments.has("titles") || pictures.empty()) return pictures;
   if (titles.size() != pictures.size())
     arguments.problems.add(fmt::format("contact_sheet: there are {} titles for {} pictures",

@@ -20,10 +20,11 @@ int exit_script(lua_State* L) {
 }
 
 int print(lua_State* L) {
-  const Session& session = session_of(L);
+  Session& session = session_of(L);
   if (session.settings.purpose != Purpose::results) return 0;
   std::FILE* stream = session.settings.print_to_stderr ? stderr : stdout;
   const int count = lua_gettop(L);
+  ++session.said;
   if (session.make_room) session.make_room();
   for (int i = 1; i <= count; ++i) {
     std::size_t size = 0;

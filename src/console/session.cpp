@@ -118,6 +118,7 @@ void Session::pause_work() {
 
 void Session::begin_line(const Transcript::Chunk& chunk) {
   has_prompt_ = true;
+  ++said;
   for (Entry& entry : entries_) {
     if (!entry.run) continue;
     const Simulation& simulation = entry.run->simulation();

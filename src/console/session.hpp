@@ -31,7 +31,7 @@ struct ConsoleSettings {
   Talk talk = Talk::plain;
   bool print_to_stderr = false;   // what the script prints: stdout is for something else
   bool show_in_terminal = false;  // what show(s) draws: stdout is a terminal; else in files
-  bool trust = false;            // all of Lua's library, files everywhere
+  bool trust = false;             // all of Lua's library, files everywhere
   std::size_t lua_memory = default_lua_memory;  // bytes, of the values of Lua
   double output_limit = default_output_limit;   // bytes, of movies and records of one simulation
 };
@@ -98,11 +98,12 @@ class Session {
 
   ConsoleSettings settings;
   Origin origin;
-  std::vector<std::string> arguments;      // of the command line, for the script
+  std::vector<std::string> arguments;                   // of the command line, for the script
   std::map<std::string, std::string> declared_options;  // and their defaults, by options { ... }
-  std::optional<int> exit_code;            // asked for with os.exit
-  MakeRoom make_room;                      // before anything is printed, or none
-  int pictures_shown = 0;                  // in files, by show(s)
+  std::optional<int> exit_code;                         // asked for with os.exit
+  MakeRoom make_room;                                   // before anything is printed, or none
+  std::int64_t said = 0;   // lines of the prompt and of the script so far
+  int pictures_shown = 0;  // in files, by show(s)
 
  private:
   struct Entry {

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "base/units.hpp"
 #include "console/arguments.hpp"
 #include "console/guard.hpp"
+#include "console/live_view.hpp"
 #include "console/picture_options.hpp"
-#include "console/preview.hpp"
+#include "console/picture_text.hpp"
 #include "console/simulation_binding.hpp"
 
 namespace hackle {
@@ -27,6 +27,23 @@ constexpr FunctionDoc show_doc{
         "show_2.png, ... in the output folder.",
     .options = show_options,
     .example = "show(s) show(s, { zoom = {60*mm, 20*mm, 10*mm} })"};
+
+constexpr std::array watch_options{
+    Option{.name = "every",
+           .unit = "s",
+           .range = above(0.0),
+           .alternative = true,
+           .sentence = "Simulated time from picture to picture; without it no more are drawn."},
+    field_option, zoom_option};
+
+constexpr FunctionDoc watch_doc{
+    .name = "watch",
+    .owner = "s",
+    .sentence =
+        "Draws it in the terminal again and again while it runs, each time in the same "
+        "place; elsewhere nothing.",
+    .options = watch_options,
+    .example = "s:watch { every = 0.5*us } s:run(2*us) s:watch()"};
 
 // show { s, zoom = ... } means show(s, { zoom = ... }): what stands in the braces is copied, the
 // simulation aside.
@@ -52,32 +69,10 @@ const ScriptedRun& simulation_at(lua_State* L, int index) {
               fmt::format("as in {}", show_doc.example));
 }
 
-// "damage at 22.5 us, 1 234 bonds broken, 20 mm wide"
-std::string caption(const Simulation& simulation, const PictureOptions& options) {
-  std::string text =
-      fmt::format("{} at {}, {} bonds broken", options.field, quantity(simulation.time(), "s"),
-                  grouped(count_damage(simulation).broken_bonds));
-  if (options.zoom) text += fmt::format(", {} wide", quantity(2.0 * options.zoom->half_width, "m"));
-  return text;
-}
-
-// With texts where there are pixels enough to read them.
-Image paint_for(const Terminal& terminal, const Simulation& simulation, PictureOptions options) {
-  const Grid& grid = simulation.lattice().grid;
-  if (terminal.graphics != Graphics::symbols)
-    options.width = widest_picture(options, grid, room_for_picture(terminal));
-  if (terminal.graphics != Graphics::symbols && options.width > 0)
-    return paint(simulation, options);
-  const Window window = window_of(options, grid);
-  const double shape = static_cast<double>(window.nx) / window.ny;
-  return paint(simulation, options, bare_picture(terminal, shape));
-}
-
 void show_in_terminal(const Session& session, const Simulation& simulation,
                       const PictureOptions& options) {
   const Terminal terminal = terminal_of(STDOUT_FILENO);
-  std::string text = text_of(paint_for(terminal, simulation, options), terminal);
-  text += caption(simulation, options) + "\n";
+  std::string text = picture_text(simulation, options, terminal);
   // A function called in the middle of a run finds its progress bar here.
   if (session.settings.talk == Talk::animated) text.insert(0, "\r\033[K");
   std::fflush(stdout);
@@ -85,7 +80,8 @@ void show_in_terminal(const Session& session, const Simulation& simulation,
 }
 
 void show_in_file(Session& session, Run& run, const PictureOptions& options) {
-  const auto path = session.output_path("show", fmt::format("show_{}.png", ++session.pictures_shown));
+  const auto path =
+      session.output_path("show", fmt::format("show_{}.png", ++session.pictures_shown));
   run.frame(path, options);
   std::FILE* file = session.settings.print_to_stderr ? stderr : stdout;
   fmt::print(file, "{}: {}\n", caption(run.simulation(), options), path.string());
@@ -111,9 +107,33 @@ int show(lua_State* L) {
   return 0;
 }
 
+int watch(lua_State* L) {
+  ScriptedRun& scripted = self<ScriptedRun>(L, watch_doc);
+  const Arguments arguments = Arguments::from_table(L, 2, watch_doc);
+  arguments.problems.throw_if_any();
+  const PictureOptions options = picture_of(arguments);
+  const Simulation& simulation = scripted.simulation();
+  check("watch", options, simulation.lattice().grid);
+  Session& session = session_of(L);
+  std::shared_ptr<LiveView> view;
+  if (arguments.has("every") && session.settings.show_in_terminal) {
+    view = std::make_shared<LiveView>(session, options, arguments.number("every"), simulation);
+    scripted.run().watch(view);
+  }
+  if (scripted.view) scripted.view->end();
+  scripted.view = std::move(view);
+  return 0;
+}
+
 constexpr std::array functions{Function{&show_doc, guarded<show>}};
 
+constexpr std::array methods{Function{&watch_doc, guarded<watch>}};
+
 }  // namespace
+
+std::span<const Function> show_methods() {
+  return methods;
+}
 
 std::span<const Function> show_functions() {
   return functions;

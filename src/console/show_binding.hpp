@@ -9,5 +9,6 @@
 namespace hackle {
 
 std::span<const Function> show_functions();
+std::span<const Function> show_methods();
 
 }  // namespace hackle

@@ -17,6 +17,7 @@
 #include "console/measure_binding.hpp"
 #include "console/plate_binding.hpp"
 #include "console/relax_binding.hpp"
+#include "console/show_binding.hpp"
 #include "console/simulation_docs.hpp"
 #include "console/steering_binding.hpp"
 
@@ -254,7 +255,7 @@ std::vector<Function> all_methods() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
        {std::span<const Function>(methods), load_methods_of_simulation(), relax_methods(),
-        measure_methods(), steering_methods(), background_methods()})
+        measure_methods(), steering_methods(), background_methods(), show_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

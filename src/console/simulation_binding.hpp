@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "console/live_view.hpp"
 #include "console/object_type.hpp"
 #include "console/session.hpp"
 
@@ -24,6 +25,7 @@ class ScriptedRun {
   Run& run() const { return *run_; }
   const Simulation& simulation() const { return run_->simulation(); }
 
+  std::shared_ptr<LiveView> view;  // in the terminal, or none
   // Files that movie() and record() will write.
   std::vector<std::filesystem::path> promised;
   // Throws Error (files) when one of them cannot be written any more.

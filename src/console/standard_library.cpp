@@ -95,6 +95,15 @@ int set_metatable(lua_State* L) {
   return 1;
 }
 
+// Lua 5.4 begins anywhere, and then a script does not do the same twice.
+void seed_random(lua_State* L) {
+  lua_getglobal(L, "math");
+  lua_getfield(L, -1, "randomseed");
+  lua_pushinteger(L, 0);
+  lua_call(L, 1, 0);
+  lua_pop(L, 1);
+}
+
 void guard_globals(lua_State* L) {
   lua_pushglobaltable(L);
   lua_getfield(L, -1, "load");
@@ -127,6 +136,7 @@ void cut_down(lua_State* L) {
 
 void open_standard_library(lua_State* L) {
   luaL_openlibs(L);
+  seed_random(L);
   open_files(L);
   if (session_of(L).settings.trust) return;
   open_modules(L);

@@ -16,7 +16,7 @@ namespace hackle {
 //   only debug, but for traceback         what the functions themselves rely on warn, io.tmpfile no
 //   use here
 // and setmetatable refuses __gc: no hook, and so no Ctrl-C, reaches a finalizer. In both cases
-// files are found as file_binding.hpp says.
+// files are found as file_binding.hpp says, and math.random begins with the same number every time.
 void open_standard_library(lua_State* L);
 
 }  // namespace hackle

@@ -73,7 +73,7 @@ TEST_F(CheckTest, HelpOnAScriptListsItsOptions) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("--threads"));
   EXPECT_THAT(ended.out,
-              HasSubstr("Options of a.lua, for --set:\n  film = true\n  load = 1.2e+07"));
+              HasSubstr("Options of a.lua, for --set:\n  film = true\n  load = 12000000.0"));
   EXPECT_THAT(run("run", test::scene + "s:run(1)", {"-h"}).out, HasSubstr("a.lua has no options"));
 }
 

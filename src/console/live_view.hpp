@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A run in the terminal: its picture, drawn anew in the same place.
+#pragma once
+
+#include "console/session.hpp"
+#include "output/schedule.hpp"
+
+namespace hackle {
+
+class LiveView : public Observer {
+ public:
+  // Every `every` simulated seconds, the present included. Throws what Schedule throws.
+  LiveView(Session& session, const PictureOptions& options, double every,
+           const Simulation& simulation);
+
+  bool due(const Simulation& simulation) override {
+    return !ended_ && schedule_.reached(simulation);
+  }
+  void observe(const Simulation& simulation) override;
+  void end() { ended_ = true; }
+
+ private:
+  Session& session_;
+  PictureOptions options_;
+  Schedule schedule_;
+  bool ended_ = false;
+  long lines_ = 0;  // of the picture above the cursor
+  std::int64_t said_ = -1;
+};
+
+}  // namespace hackle
