@@ -88,7 +88,7 @@ int complete_job(lua_State* L) {
 
 // out/<name of the script>, which nothing that came with a script may lead to another place.
 std::filesystem::path default_output_folder(const std::filesystem::path& script, bool trust) {
-  const std::filesystem::path out = "out", folder = out / script.stem();
+  std::filesystem::path folder = "out" / script.stem();
   if (trust || real_path(folder) == real_path(".") / folder) return folder;
   throw Error(ErrorKind::refused,
               "the output folder '" + folder.string() + "' lies in '" +
