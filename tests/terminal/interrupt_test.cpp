@@ -56,6 +56,7 @@ TEST_F(CtrlC, TwiceLeavesWhatDoesNotListen) {
       "io.write('be', 'gun\\n') io.flush() x = (('a'):rep(60)):find(('a-'):rep(60) .. 'b')");
   terminal_.expect("\nbegun\n");
   terminal_.press("C-c");
+  terminal_.expect("again to abort");  // two signals at once would be one
   terminal_.press("C-c");
   terminal_.expect("left with 130");
 }
