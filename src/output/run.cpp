@@ -2,7 +2,6 @@
 #include "output/run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <deque>
@@ -17,6 +16,8 @@
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
 #include "output/movie_output.hpp"
+#include "output/onlookers.hpp"
+#include "output/outputs.hpp"
 #include "output/painting.hpp"
 #include "output/record_output.hpp"
 #include "output/report.hpp"
@@ -28,113 +29,6 @@ namespace {
 
 // Of a script that is only checked; more would take weeks.
 constexpr std::int64_t most_rehearsed = 1'000'000'000;
-
-// Shows how far a run has come.
-class ProgressObserver : public Observer {
- public:
-  ProgressObserver(Talk talk, double start, double end)
-      : progress_(talk), start_(start), end_(end) {}
-
-  bool due(const Simulation& simulation) override { return progress_.due(fraction(simulation)); }
-  void observe(const Simulation& simulation) override {
-    const double node_steps = static_cast<double>(simulation.state().step) *
-                              static_cast<double>(simulation.lattice().grid.nodes());
-    progress_.show(
-        fraction(simulation),
-        fmt::format("step {}  {} of {}  {:.3g} M node-steps/s", grouped(simulation.state().step),
-                    quantity(simulation.time(), "s"), quantity(end_, "s"),
-                    1e-6 * node_steps / std::max(simulation.solve_seconds(), 1e-9)));
-  }
-
- private:
-  double fraction(const Simulation& simulation) const {
-    const double span = std::max(end_ - start_, simulation.dt());
-    return std::clamp((simulation.time() - start_) / span, 0.0, 1.0);
-  }
-
-  Progress progress_;
-  double start_, end_;
-};
-
-// What a run is doing when a function of the script is called.
-enum class Activity { none, stepping, watched };
-
-// Holds as long as it lives.
-class Mark {
- public:
-  Mark(Activity& activity, Activity now) : activity_(activity), before_(activity) {
-    activity_ = now;
-  }
-  ~Mark() { activity_ = before_; }
-  Mark(const Mark&) = delete;
-  Mark& operator=(const Mark&) = delete;
-
- private:
-  Activity& activity_;
-  Activity before_;
-};
-
-// A watcher, who may do more than functions of time.
-class Watched : public Observer {
- public:
-  Watched(std::shared_ptr<Observer> watcher, Activity& activity)
-      : watcher_(std::move(watcher)), activity_(activity) {}
-
-  bool due(const Simulation& simulation) override { return watcher_->due(simulation); }
-  void observe(const Simulation& simulation) override {
-    const Mark mark(activity_, Activity::watched);
-    watcher_->observe(simulation);
-  }
-
- private:
-  std::shared_ptr<Observer> watcher_;
-  Activity& activity_;
-};
-
-// Breaks off when the time is up, but not before the first step, or after so many steps.
-class Break : public Observer {
- public:
-  explicit Break(Simulation& simulation)
-      : simulation_(simulation), start_(simulation.state().step) {}
-  void after_seconds(double seconds) {
-    end_ = Clock::now() +
-           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  }
-  void after_step(std::int64_t step) { last_ = step; }
-
-  bool due(const Simulation& simulation) override {
-    const std::int64_t step = simulation.state().step;
-    if ((step > start_ && Clock::now() >= end_) || step >= last_) simulation_.break_off();
-    return false;
-  }
-  void observe(const Simulation&) override {}
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Simulation& simulation_;
-  std::int64_t start_;
-  Clock::time_point end_ = Clock::time_point::max();
-  std::int64_t last_ = std::numeric_limits<std::int64_t>::max();
-};
-
-// Ctrl-C once more, for a script that does what was done at the prompt.
-class Interrupt : public Observer {
- public:
-  explicit Interrupt(std::int64_t step) : step_(step) {}
-
-  bool due(const Simulation& simulation) override {
-    return !done_ && simulation.state().step >= step_;
-  }
-  void observe(const Simulation& simulation) override {
-    done_ = true;
-    throw Error(ErrorKind::interrupted,
-                fmt::format("interrupted after step {}", simulation.state().step));
-  }
-
- private:
-  std::int64_t step_;
-  bool done_ = false;
-};
 
 bool same_lattice(const Lattice& one, const Lattice& other) {
   return one.grid.layout() == other.grid.layout() && one.grid.dx == other.grid.dx &&
@@ -151,10 +45,9 @@ struct Run::Parts {
         simulation(std::move(plate), numerics, execution),
         setup_seconds(life.seconds()) {}
   explicit Parts(const Parts& other)
-      : talk(other.talk),
-        origin(other.origin),
-        simulation(other.simulation),
-        output_limit(other.output_limit) {}
+      : talk(other.talk), origin(other.origin), simulation(other.simulation) {
+    outputs.limit(other.outputs.limit());
+  }
 
   double unused = 0.0;
   Stopwatch life{unused};
@@ -162,13 +55,10 @@ struct Run::Parts {
   Origin origin;
   Simulation simulation;
   double setup_seconds = 0.0;
-  double output_limit = default_output_limit;  // bytes
   double frame_render_seconds = 0.0;
   double frame_store_seconds = 0.0;
-  std::vector<std::unique_ptr<Output>> outputs;
-  std::vector<fs::path> promised;  // by movie() and record()
+  Outputs outputs{default_output_limit};
   std::vector<fs::path> pictures;  // written by frame()
-  bool closed = false;
   std::vector<std::shared_ptr<Observer>> watchers;
   Activity activity = Activity::none;
   bool paused = false;
@@ -194,7 +84,7 @@ struct Run::Parts {
   // Everyone who looks on, and `others`, while the simulation goes where it aims.
   void go_on(std::vector<Observer*> observers) {
     if (rehearsing) return arrive();
-    for (const auto& output : outputs) observers.push_back(output.get());
+    for (Observer* output : outputs.observers()) observers.push_back(output);
     std::deque<Watched> watched;
     for (const auto& watcher : watchers)
       observers.push_back(&watched.emplace_back(watcher, activity));
@@ -218,39 +108,6 @@ struct Run::Parts {
       throw Error(ErrorKind::refused, "the simulation is running",
                   "between two steps its loads may be changed, or s:stop() ends the run");
   }
-
-  // What the outputs grow to in `duration` s more, when they look at most so many times.
-  void check_output(double duration, std::int64_t most_looks) const {
-    const double until = simulation.end_time() + duration + 0.5 * simulation.dt();
-    double bytes = 0.0;
-    std::string list;
-    for (const auto& output : outputs) {
-      const Expected one = output->expected(until, most_looks);
-      bytes += one.bytes;
-      list += fmt::format("{}'{}' {} in {} pieces", list.empty() ? "" : ", ", one.file.string(),
-                          quantity(one.bytes, "B"), grouped(one.pieces));
-    }
-    if (bytes <= output_limit) return;
-    throw Error(ErrorKind::refused,
-                fmt::format("run: its files would take about {}, the limit is {}: {}",
-                            quantity(bytes, "B"), quantity(output_limit, "B"), list),
-                fmt::format("take a longer `every`, or allow it with --output-limit {:.0f} (in GB)",
-                            std::ceil(1.1e-9 * bytes)));
-  }
-
-  // Refuses a path that cannot be written or that another output of this run writes.
-  void promise(const char* output, const fs::path& path) {
-    if (closed)
-      throw Error(ErrorKind::refused, fmt::format("{}: the simulation is closed", output),
-                  "ask for outputs before s:close()");
-    if (std::ranges::find(promised, path) != promised.end())
-      throw Error(
-          ErrorKind::refused,
-          fmt::format("{}: '{}' is already written by this simulation", output, path.string()),
-          "choose another file name");
-    check_writable(path);
-    promised.push_back(path);
-  }
 };
 
 Run::Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin origin)
@@ -270,15 +127,13 @@ void Run::movie(const fs::path& path, const MovieOptions& options) {
                 fmt::format("movie: fps is {}, it must lie between 1 and 240", options.fps));
   parts_->refuse_while_running();
   auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation);
-  parts_->promise("movie", path);
-  parts_->outputs.push_back(std::move(output));
+  parts_->outputs.add("movie", path, std::move(output));
 }
 
 void Run::record(const fs::path& path, const RecordOptions& options) {
   parts_->refuse_while_running();
   auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin);
-  parts_->promise("record", path);
-  parts_->outputs.push_back(std::move(output));
+  parts_->outputs.add("record", path, std::move(output));
 }
 
 void Run::frame(const fs::path& path, const PictureOptions& options) {
@@ -298,7 +153,7 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
 }
 
 void Run::limit_output(double bytes) {
-  parts_->output_limit = bytes;
+  parts_->outputs.limit(bytes);
 }
 
 void Run::set_loads(Loads loads) {
@@ -331,7 +186,7 @@ void Run::rewind(const Run& other) {
   if (!same_lattice(parts_->simulation.lattice(), other.simulation().lattice()))
     throw Error(ErrorKind::refused, "rewind: that is a simulation of another plate or lattice",
                 "go back to what s:fork() has kept");
-  if (!parts_->outputs.empty() && !parts_->closed)
+  if (!parts_->outputs.empty() && !parts_->outputs.closed())
     throw Error(ErrorKind::refused, "rewind: its movies and records would go back in time",
                 "complete them with s:close(), or go on with the other simulation");
   if (&other != this) parts_->simulation = other.simulation();
@@ -339,7 +194,7 @@ void Run::rewind(const Run& other) {
 
 void Run::check_open(const char* who) const {
   parts_->refuse_while_running();
-  if (parts_->closed && !parts_->outputs.empty())
+  if (parts_->outputs.closed() && !parts_->outputs.empty())
     throw Error(ErrorKind::refused,
                 fmt::format("{}: the simulation is closed and its files are complete", who));
 }
@@ -364,7 +219,8 @@ void Run::run(double duration) {
 
 void Run::start(double duration) {
   check_open("run");
-  parts_->check_output(duration, std::numeric_limits<std::int64_t>::max());
+  parts_->outputs.check_room(parts_->simulation, duration,
+                             std::numeric_limits<std::int64_t>::max());
   resume();
   const Mark busy(parts_->activity, Activity::stepping);  // functions of time are asked now
   parts_->simulation.aim(duration);
@@ -441,34 +297,24 @@ RelaxResult Run::relax(double tolerance) {
 QuasistaticResult Run::load_slowly(double duration, int increments, double tolerance) {
   check_open("quasistatic");
   check_arrived("quasistatic");
-  parts_->check_output(duration, increments + 1LL);
+  parts_->outputs.check_room(parts_->simulation, duration, increments + 1LL);
   if (parts_->rehearsing) return {};
   const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);
-  std::vector<Observer*> observers;
-  for (const auto& output : parts_->outputs) observers.push_back(output.get());
   const auto show = [&](double fraction, int increment, int pass, std::int64_t broken) {
     if (progress.due(fraction))
       progress.show(fraction, fmt::format("increment {} of {}  pass {}  {} bonds broken", increment,
                                           increments, pass, grouped(broken)));
   };
-  return parts_->simulation.load_slowly({duration, increments, tolerance, show}, observers);
+  return parts_->simulation.load_slowly({duration, increments, tolerance, show},
+                                        parts_->outputs.observers());
 }
 
 void Run::close() {
   parts_->refuse_while_running();
   stop();
-  parts_->closed = true;
   parts_->watchers.clear();  // whose functions may hold on to this run
-  std::optional<Error> first;
-  for (const auto& output : parts_->outputs) {
-    try {
-      output->close();
-    } catch (const Error& error) {
-      if (!first) first = error;  // the other files are still completed
-    }
-  }
-  if (first) throw Error(*first);
+  parts_->outputs.close();
 }
 
 void Run::rehearse() {
@@ -507,10 +353,7 @@ Summary Run::summary() const {
   summary.wall.solve = simulation.solve_seconds();
   summary.wall.render = parts_->frame_render_seconds;
   summary.wall.store = parts_->frame_store_seconds;
-  for (const auto& output : parts_->outputs) {
-    output->add_seconds(summary.wall);
-    for (const fs::path& file : output->files()) summary.files.push_back(file);
-  }
+  parts_->outputs.add_to(summary);
   summary.wall.total = parts_->life.seconds();
   return summary;
 }
