@@ -3,6 +3,8 @@
 // signal handler ever has to reach into libedit.
 #include "console/line_editor.hpp"
 
+#include <cerrno>
+#include <clocale>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -35,6 +37,7 @@ bool is_pasted() {
 
 struct LineEditor::Parts {
   explicit Parts(std::filesystem::path file_) : file(std::move(file_)) {
+    std::setlocale(LC_CTYPE, "");  // letters beyond ASCII; numbers stay as they are
     HistEvent event;
     history(lines, &event, H_SETSIZE, longest_history);
     history(lines, &event, H_SETUNIQUE, 1);
@@ -106,13 +109,15 @@ struct LineEditor::Parts {
   static int read_character(wchar_t* character) {
     std::mbstate_t state{};
     char byte = 0;
-    while (::read(STDIN_FILENO, &byte, 1) == 1) {
+    for (;;) {
+      const ssize_t count = ::read(STDIN_FILENO, &byte, 1);
+      if (count < 0 && errno == EINTR) continue;
+      if (count != 1) return 0;
       const std::size_t length = std::mbrtowc(character, &byte, 1, &state);
       constexpr auto incomplete = static_cast<std::size_t>(-2);
       if (length <= 1) return 1;
       if (length != incomplete) state = {};  // no character: dropped
     }
-    return 0;
   }
 
   std::string before_cursor() const {
