@@ -37,7 +37,6 @@ bool is_pasted() {
 
 struct LineEditor::Parts {
   explicit Parts(std::filesystem::path file_) : file(std::move(file_)) {
-    std::setlocale(LC_CTYPE, "");  // letters beyond ASCII; numbers stay as they are
     HistEvent event;
     history(lines, &event, H_SETSIZE, longest_history);
     history(lines, &event, H_SETUNIQUE, 1);
@@ -57,6 +56,11 @@ struct LineEditor::Parts {
   }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
+
+  static EditLine* begin() {
+    std::setlocale(LC_CTYPE, "");  // letters beyond ASCII; numbers stay as they are
+    return el_init("hackle", stdin, stdout, stderr);
+  }
 
   void bind_keys() {
     el_set(editor, EL_ADDFN, "hackle-clear", "Drops the line", clear);
@@ -161,7 +165,7 @@ struct LineEditor::Parts {
   std::string tried = "\t";  // the line behind the last Tab
   bool cleared = false;
   Idle idle;
-  EditLine* editor = el_init("hackle", stdin, stdout, stderr);
+  EditLine* editor = begin();
   History* lines = history_init();
 };
 
