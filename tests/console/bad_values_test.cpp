@@ -76,14 +76,6 @@ Values outside(const Option& option) {
   return values;
 }
 
-std::vector<const FunctionDoc*> all_docs() {
-  std::vector<const FunctionDoc*> docs;
-  for (const Function& function : all_functions()) docs.push_back(function.doc);
-  for (const TypeDoc* type : all_types())
-    for (const Function& method : type->methods) docs.push_back(method.doc);
-  return docs;
-}
-
 std::string call_of(const FunctionDoc& doc, const Option& option, const std::string& value) {
   const std::string who =
       (doc.owner.empty() ? "" : std::string(doc.owner) + ":") + std::string(doc.name);
