@@ -13,7 +13,7 @@ std::string spaced(const std::vector<std::string>& words) {
 }
 
 // In single quotes, for any of the shells.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
@@ -35,7 +35,7 @@ std::vector<std::string> command_names(const std::vector<Command>& commands) {
 
 // What bash offers for the value of an option.
 std::string bash_values(const CommandOption& option) {
-  if (!option.choices.empty()) return fmt::format("-W {}", quoted(spaced(option.choices)));
+  if (!option.choices.empty()) return fmt::format("-W {}", in_quotes(spaced(option.choices)));
   return option.value == "DIR" ? "-d" : "-W ''";
 }
 
@@ -88,10 +88,10 @@ std::string bash(const std::vector<Command>& commands) {
 // "--peer[Compare with it]:NAME:(lammps none)"
 std::string zsh_option(const CommandOption& option, const std::string& name) {
   std::string text = name + "[" + option.sentence + "]";
-  if (option.value.empty()) return quoted(text);
+  if (option.value.empty()) return in_quotes(text);
   text += ":" + option.value + ":";
-  if (!option.choices.empty()) return quoted(text + "(" + spaced(option.choices) + ")");
-  return quoted(option.value == "DIR" ? text + "_files -/" : text);
+  if (!option.choices.empty()) return in_quotes(text + "(" + spaced(option.choices) + ")");
+  return in_quotes(option.value == "DIR" ? text + "_files -/" : text);
 }
 
 std::string zsh_command(const Command& command) {
@@ -107,7 +107,7 @@ std::string zsh(const std::vector<Command>& commands) {
   std::string list, cases;
   for (const Command& command : commands) {
     if (command.name.empty()) continue;
-    list += "    " + quoted(command.name + ":" + command.sentence) + "\n";
+    list += "    " + in_quotes(command.name + ":" + command.sentence) + "\n";
     cases += zsh_command(command);
   }
   return "#compdef hackle\n"
@@ -137,8 +137,8 @@ std::string fish_option(const CommandOption& option, const std::string& when) {
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (!option.value.empty() && option.value != "DIR") text += " -x";
   if (option.value == "DIR") text += " -r";
-  if (!option.choices.empty()) text += " -a " + quoted(spaced(option.choices));
-  return text + " -d " + quoted(option.sentence) + "\n";
+  if (!option.choices.empty()) text += " -a " + in_quotes(spaced(option.choices));
+  return text + " -d " + in_quotes(option.sentence) + "\n";
 }
 
 std::string fish(const std::vector<Command>& commands) {
@@ -146,7 +146,7 @@ std::string fish(const std::vector<Command>& commands) {
   for (const Command& command : commands) {
     if (!command.name.empty())
       text += fmt::format("complete -c hackle -n __fish_use_subcommand -a {} -d {}\n", command.name,
-                          quoted(command.sentence));
+                          in_quotes(command.sentence));
     const std::string when =
         command.name.empty() ? " -n __fish_use_subcommand"
                              : fmt::format(" -n '__fish_seen_subcommand_from {}'", command.name);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace hackle {
 namespace {
 
@@ -70,6 +72,10 @@ std::string comma_list(std::span<const std::string_view> words) {
     text += word;
   }
   return text;
+}
+
+std::string counted(std::size_t count, const char* noun) {
+  return count == 0 ? std::string() : fmt::format(", {} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 }  // namespace hackle

@@ -26,4 +26,7 @@ std::string hanging(std::string_view line, std::size_t indent, std::size_t width
 // "a, b, c"
 std::string comma_list(std::span<const std::string_view> words);
 
+// ", 2 cracks", or "" for none: a part of a line of facts.
+std::string counted(std::size_t count, const char* noun);
+
 }  // namespace hackle

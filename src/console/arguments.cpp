@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t longest_quote = 40;
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   if (text.size() <= longest_quote) return fmt::format("'{}'", text);
   return fmt::format("'{}...'", text.substr(0, longest_quote));
 }
@@ -118,7 +118,7 @@ std::string description(lua_State* L, int index) {
       return lua_isinteger(L, index) ? std::to_string(lua_tointeger(L, index))
                                      : number_text(lua_tonumber(L, index));
     case LUA_TSTRING:
-      return "the text " + quoted(text_at(L, index));
+      return "the text " + in_quotes(text_at(L, index));
     case LUA_TUSERDATA:
       return object_name(L, index);
     default:
@@ -197,7 +197,7 @@ void Arguments::report_others(lua_State* L, int index, bool first_is_known) {
 void Arguments::unknown_name(std::string_view name) {
   const auto names = names_of(*doc_);
   const auto near = nearest(name, names);
-  problems.add(fmt::format("{}: unknown option {}", doc_->name, quoted(name)),
+  problems.add(fmt::format("{}: unknown option {}", doc_->name, in_quotes(name)),
                (near ? fmt::format("did you mean '{}'? ", *near) : "") +
                    (names.empty() ? "it takes none" : "options: " + comma_list(names)));
 }
@@ -367,7 +367,7 @@ void Arguments::take_choice(lua_State* L, int index, const Option& option) {
   const auto found = std::ranges::find(option.choices, text);
   if (found == option.choices.end())
     return wrong(option,
-                 fmt::format("{}: {} is {}{}, expected {}", doc_->name, option.name, quoted(text),
+                 fmt::format("{}: {} is {}{}, expected {}", doc_->name, option.name, in_quotes(text),
                              did_you_mean(text, option.choices), expectation(option)));
   keep(option, Choice{static_cast<std::size_t>(found - option.choices.begin())});
 }

@@ -216,21 +216,20 @@ int list(lua_State* L) {
   return 1;
 }
 
-constexpr std::array methods{
-    Function{&start_doc, guarded<start>},         Function{&status_doc, guarded<status>},
-    Function{&pause_doc, guarded<pause>},         Function{&resume_doc, guarded<resume>},
-    Function{&wait_doc, guarded<wait>},           Function{&script_doc, guarded<script>},
-    Function{&interrupt_doc, guarded<interrupt>},
-};
-constexpr std::array functions{Function{&simulations_doc, guarded<list>}};
-
 }  // namespace
 
 std::span<const Function> background_methods() {
+  static constexpr std::array methods{
+      Function{&start_doc, guarded<start>},         Function{&status_doc, guarded<status>},
+      Function{&pause_doc, guarded<pause>},         Function{&resume_doc, guarded<resume>},
+      Function{&wait_doc, guarded<wait>},           Function{&script_doc, guarded<script>},
+      Function{&interrupt_doc, guarded<interrupt>},
+  };
   return methods;
 }
 
 std::span<const Function> background_functions() {
+  static constexpr std::array functions{Function{&simulations_doc, guarded<list>}};
   return functions;
 }
 

@@ -39,11 +39,10 @@ int set_contact(lua_State* L) {
   return 1;
 }
 
-constexpr std::array methods{Function{&contact_doc, guarded<set_contact>}};
-
 }  // namespace
 
 std::span<const Function> contact_methods() {
+  static constexpr std::array methods{Function{&contact_doc, guarded<set_contact>}};
   return methods;
 }
 

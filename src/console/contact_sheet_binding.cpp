@@ -87,11 +87,10 @@ int make_contact_sheet(lua_State* L) {
   return 0;
 }
 
-constexpr std::array functions{Function{&contact_sheet_doc, guarded<make_contact_sheet>}};
-
 }  // namespace
 
 std::span<const Function> contact_sheet_functions() {
+  static constexpr std::array functions{Function{&contact_sheet_doc, guarded<make_contact_sheet>}};
   return functions;
 }
 

@@ -66,11 +66,10 @@ int help(lua_State* L) {
   return 0;
 }
 
-constexpr std::array functions{Function{&help_doc, guarded<help>}};
-
 }  // namespace
 
 std::span<const Function> help_functions() {
+  static constexpr std::array functions{Function{&help_doc, guarded<help>}};
   return functions;
 }
 

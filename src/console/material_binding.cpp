@@ -109,8 +109,6 @@ int make_material(lua_State* L) {
   return 1;
 }
 
-constexpr std::array functions{Function{&material_doc, guarded<make_material>}};
-
 int to_text(lua_State* L) {
   push_text(L, describe(*object_at<Material>(L, 1)));
   return 1;
@@ -151,6 +149,7 @@ const TypeDoc& material_type() {
 }
 
 std::span<const Function> material_functions() {
+  static constexpr std::array functions{Function{&material_doc, guarded<make_material>}};
   return functions;
 }
 

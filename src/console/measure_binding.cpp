@@ -129,13 +129,12 @@ int at(lua_State* L) {
   return 1;
 }
 
-constexpr std::array methods{Function{&cracks_doc, guarded<find_cracks>},
-                             Function{&pieces_doc, guarded<pieces>},
-                             Function{&at_doc, guarded<at>}};
-
 }  // namespace
 
 std::span<const Function> measure_methods() {
+  static constexpr std::array methods{Function{&cracks_doc, guarded<find_cracks>},
+                               Function{&pieces_doc, guarded<pieces>},
+                               Function{&at_doc, guarded<at>}};
   return methods;
 }
 

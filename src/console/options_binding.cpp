@@ -131,11 +131,10 @@ int options(lua_State* L) {
   return 1;
 }
 
-constexpr std::array functions{Function{&options_doc, guarded<options>}};
-
 }  // namespace
 
 std::span<const Function> options_functions() {
+  static constexpr std::array functions{Function{&options_doc, guarded<options>}};
   return functions;
 }
 

@@ -82,8 +82,7 @@ int add_nofail(lua_State* L) {
   return return_self(L);
 }
 
-constexpr std::array functions{Function{&plate_doc, guarded<make_plate>}};
-constexpr std::array methods{Function{&nofail_doc, guarded<add_nofail>}};
+constexpr std::array own_methods_of_plate{Function{&nofail_doc, guarded<add_nofail>}};
 
 int to_text(lua_State* L) {
   push_text(L, describe(*object_at<Plate>(L, 1)));
@@ -102,10 +101,10 @@ constexpr std::array fields{
 };
 
 // Of all files that bind methods of a plate.
-std::vector<Function> all_methods() {
+std::vector<Function> all_methods_of_plate() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
-       {shape_methods(), std::span<const Function>(methods), load_methods_of_plate(),
+       {shape_methods(), std::span<const Function>(own_methods_of_plate), load_methods_of_plate(),
         strength_methods(), contact_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
@@ -114,7 +113,7 @@ std::vector<Function> all_methods() {
 }  // namespace
 
 const TypeDoc& plate_type() {
-  static const std::vector<Function> all = all_methods();
+  static const std::vector<Function> all = all_methods_of_plate();
   static const TypeDoc type{.name = "plate",
                             .sentence = "A plate with its cracks and loads; simulate copies it.",
                             .methods = all,
@@ -125,6 +124,7 @@ const TypeDoc& plate_type() {
 }
 
 std::span<const Function> plate_functions() {
+  static constexpr std::array functions{Function{&plate_doc, guarded<make_plate>}};
   return functions;
 }
 

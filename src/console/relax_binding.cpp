@@ -90,12 +90,11 @@ int quasistatic(lua_State* L) {
   return 1;
 }
 
-constexpr std::array methods{Function{&relax_doc, guarded<relax>},
-                             Function{&quasistatic_doc, guarded<quasistatic>}};
-
 }  // namespace
 
 std::span<const Function> relax_methods() {
+  static constexpr std::array methods{Function{&relax_doc, guarded<relax>},
+                               Function{&quasistatic_doc, guarded<quasistatic>}};
   return methods;
 }
 

@@ -125,17 +125,15 @@ int watch(lua_State* L) {
   return 0;
 }
 
-constexpr std::array functions{Function{&show_doc, guarded<show>}};
-
-constexpr std::array methods{Function{&watch_doc, guarded<watch>}};
-
 }  // namespace
 
 std::span<const Function> show_methods() {
+  static constexpr std::array methods{Function{&watch_doc, guarded<watch>}};
   return methods;
 }
 
 std::span<const Function> show_functions() {
+  static constexpr std::array functions{Function{&show_doc, guarded<show>}};
   return functions;
 }
 

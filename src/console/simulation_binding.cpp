@@ -139,8 +139,7 @@ int close(lua_State* L) {
   return 0;
 }
 
-constexpr std::array functions{Function{&simulate_doc, guarded<simulate>}};
-constexpr std::array methods{
+constexpr std::array own_methods_of_simulation{
     Function{&run_doc, guarded<run>},       Function{&step_doc, guarded<step>},
     Function{&movie_doc, guarded<movie>},   Function{&frame_doc, guarded<frame>},
     Function{&record_doc, guarded<record>}, Function{&report_doc, guarded<report>},
@@ -251,10 +250,10 @@ constexpr std::array fields{
 };
 
 // Of all files that bind methods of a simulation.
-std::vector<Function> all_methods() {
+std::vector<Function> all_methods_of_simulation() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
-       {std::span<const Function>(methods), load_methods_of_simulation(), relax_methods(),
+       {std::span<const Function>(own_methods_of_simulation), load_methods_of_simulation(), relax_methods(),
         measure_methods(), steering_methods(), background_methods(), show_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
@@ -267,7 +266,7 @@ void ScriptedRun::check_still_writable() const {
 }
 
 const TypeDoc& simulation_type() {
-  static const std::vector<Function> all = all_methods();
+  static const std::vector<Function> all = all_methods_of_simulation();
   static const TypeDoc type{.name = "simulation",
                             .sentence = "A plate being solved, and what it leaves behind.",
                             .methods = all,
@@ -278,6 +277,7 @@ const TypeDoc& simulation_type() {
 }
 
 std::span<const Function> simulation_functions() {
+  static constexpr std::array functions{Function{&simulate_doc, guarded<simulate>}};
   return functions;
 }
 

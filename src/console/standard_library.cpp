@@ -14,7 +14,7 @@
 namespace hackle {
 namespace {
 
-using Names = std::span<const std::string_view>;
+using NameList = std::span<const std::string_view>;
 
 constexpr auto globals = std::to_array<std::string_view>(
     {"_G",       "_VERSION",     "assert",   "collectgarbage", "coroutine",
@@ -48,7 +48,7 @@ constexpr auto in_utf8 =
 
 struct Library {
   const char* name;
-  Names names;
+  NameList names;
 };
 const std::array libraries{
     Library{LUA_GNAME, globals},          Library{LUA_COLIBNAME, in_coroutine},
@@ -58,7 +58,7 @@ const std::array libraries{
     Library{LUA_TABLIBNAME, in_table},    Library{LUA_UTF8LIBNAME, in_utf8}};
 
 // Of the table on top of the stack.
-void keep_only(lua_State* L, Names names) {
+void keep_only(lua_State* L, NameList names) {
   for (lua_pushnil(L); lua_next(L, -2) != 0;) {
     lua_pop(L, 1);
     if (std::ranges::find(names, lua_tostring(L, -1)) != names.end()) continue;

@@ -134,13 +134,12 @@ int rewind(lua_State* L) {
   return 0;
 }
 
-constexpr std::array methods{Function{&on_doc, guarded<on>}, Function{&stop_doc, guarded<stop>},
-                             Function{&fork_doc, guarded<fork>},
-                             Function{&rewind_doc, guarded<rewind>}};
-
 }  // namespace
 
 std::span<const Function> steering_methods() {
+  static constexpr std::array methods{Function{&on_doc, guarded<on>}, Function{&stop_doc, guarded<stop>},
+                               Function{&fork_doc, guarded<fork>},
+                               Function{&rewind_doc, guarded<rewind>}};
   return methods;
 }
 

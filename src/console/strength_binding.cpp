@@ -78,11 +78,10 @@ int set_strength(lua_State* L) {
   return 1;
 }
 
-constexpr std::array methods{Function{&strength_doc, guarded<set_strength>}};
-
 }  // namespace
 
 std::span<const Function> strength_methods() {
+  static constexpr std::array methods{Function{&strength_doc, guarded<set_strength>}};
   return methods;
 }
 

@@ -26,7 +26,7 @@ std::string text_at(lua_State* L, int index) {
 }
 
 // As it would be written in a script.
-std::string quoted(std::string_view text) {
+std::string as_literal(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -52,7 +52,7 @@ bool is_name(std::string_view text) {
 std::string key_text(lua_State* L, int index) {
   if (lua_type(L, index) != LUA_TSTRING) return fmt::format("[{}]", text_at(L, index));
   const std::string text = text_at(L, index);
-  return is_name(text) ? text : fmt::format("[{}]", quoted(text));
+  return is_name(text) ? text : fmt::format("[{}]", as_literal(text));
 }
 
 // Whether it says itself what it is.
@@ -106,7 +106,7 @@ std::string table_text(lua_State* L, int index, int depth) {
 
 std::string nested_text(lua_State* L, int index, int depth) {
   luaL_checkstack(L, 6, "a table too deep to show");
-  if (lua_type(L, index) == LUA_TSTRING) return quoted(text_at(L, index));
+  if (lua_type(L, index) == LUA_TSTRING) return as_literal(text_at(L, index));
   if (lua_type(L, index) != LUA_TTABLE || has_text(L, index)) return text_at(L, index);
   return depth < deepest ? table_text(L, index, depth) : "{...}";
 }

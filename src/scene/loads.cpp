@@ -7,15 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
+
 namespace hackle {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, Edge>, 4> edges{
     {{"left", Edge::left}, {"right", Edge::right}, {"bottom", Edge::bottom}, {"top", Edge::top}}};
-
-std::string counted(std::size_t count, const char* noun) {
-  return count == 0 ? std::string() : fmt::format(", {} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 void check_finite(const std::string& what, const Vec2& value, const char* unit,
                   Problems& problems) {

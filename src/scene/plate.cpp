@@ -55,10 +55,6 @@ void check_expansion(const Plate& plate, Problems& problems) {
                "take a material with alphaT above 0; glass has 3e-6 to 9e-6 per kelvin");
 }
 
-std::string counted(std::size_t count, const char* noun) {
-  return count == 0 ? std::string() : fmt::format(", {} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 bool is_apart(const Plate& plate, const Shape& shape) {
   const Box box = bounds(shape);
   return box.most.x() < 0.0 || box.most.y() < 0.0 || box.least.x() > plate.width ||

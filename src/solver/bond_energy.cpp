@@ -21,12 +21,12 @@ struct BondSums {
 };
 
 // What differs from node to node, by Grid::index.
-struct NodeValues {
+struct HeatedNodes {
   std::vector<double> c, s0, heat;
 };
 
-NodeValues node_values(const Lattice& lattice, const std::vector<double>& heat) {
-  NodeValues values{{}, {}, heat};
+HeatedNodes heated_nodes(const Lattice& lattice, const std::vector<double>& heat) {
+  HeatedNodes values{{}, {}, heat};
   for (int j = 0; j < lattice.grid.ny; ++j)
     for (int i = 0; i < lattice.grid.nx; ++i) {
       values.c.push_back(lattice.micromodulus_at(i, j));
@@ -36,7 +36,7 @@ NodeValues node_values(const Lattice& lattice, const std::vector<double>& heat) 
   return values;
 }
 
-BondSums sum_bonds(const Lattice& lattice, const State& state, const NodeValues& values) {
+BondSums sum_bonds(const Lattice& lattice, const State& state, const HeatedNodes& values) {
   BondSums sums;
   lattice.family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int bit) {
     const double length = weight * xi.norm();
@@ -63,7 +63,7 @@ BondSums sum_bonds(const Lattice& lattice, const State& state, const NodeValues&
 
 BondEnergy bond_energy(const Lattice& lattice, const State& state,
                        const std::vector<double>& heat) {
-  const BondSums sums = sum_bonds(lattice, state, node_values(lattice, heat));
+  const BondSums sums = sum_bonds(lattice, state, heated_nodes(lattice, heat));
   // Half from the micropotential; V^2 |xi| is dx^5.
   const double unit = 0.5 * std::pow(lattice.grid.dx, 5);
   return {unit * sums.held, unit * sums.broken};

@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string scene = R"(
+const std::string live_scene = R"(
 p = plate { width = 100*mm, height = 40*mm, material = "duran50" }
 p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }
 for edge, sign in pairs { top = 1, bottom = -1 } do
@@ -24,12 +24,12 @@ end
 s = simulate(p, { spacing = 1*mm })
 )";
 
-std::string after(const std::string& text) {
-  return test::message_of(scene + text);
+std::string after_start(const std::string& text) {
+  return test::message_of(live_scene + text);
 }
 
 TEST(Background, AStartedRunGivesTheBitsOfARun) {
-  EXPECT_EQ(after("t = s:fork()\n"
+  EXPECT_EQ(after_start("t = s:fork()\n"
                   "s:start(15*us) s:wait { steps = 3 } assert(s.steps == 3)\n"
                   "s:wait { steps = 9 } s:pause() s:start(5*us) s:wait()\n"
                   "t:run(20*us) assert(s.hash == t.hash and s.time == t.time)\n"
@@ -39,12 +39,12 @@ TEST(Background, AStartedRunGivesTheBitsOfARun) {
 
 TEST(Background, AScriptThatEndsWaitsForIt) {
   Console console(test::quiet());
-  console.run_text(scene + "s:start(5*us)", "test.lua");
+  console.run_text(live_scene + "s:start(5*us)", "test.lua");
   EXPECT_GE(console.simulations().front().time, 5e-6);
 }
 
 TEST(Background, StatusSaysWhatIsGoingOn) {
-  EXPECT_EQ(after("local function is(state) assert(s:status().state == state) end\n"
+  EXPECT_EQ(after_start("local function is(state) assert(s:status().state == state) end\n"
                   "is 'idle' s:start(5*us) is 'running' s:pause() is 'paused'\n"
                   "s:resume() is 'running' s:stop() is 'idle'\n"
                   "s:start(5*us) s:wait() is 'idle'\n"
@@ -56,18 +56,18 @@ TEST(Background, StatusSaysWhatIsGoingOn) {
 TEST(Background, WhatNeedsTheEndOfTheRunIsRefusedBefore) {
   for (const char* call : {"s:step(1)", "s:relax()", "s:rewind(s)",
                            "s:quasistatic { duration = 1*us, increments = 2 }"})
-    EXPECT_THAT(after(std::string("s:start(5*us) ") + call), HasSubstr("a run is under way until"))
+    EXPECT_THAT(after_start(std::string("s:start(5*us) ") + call), HasSubstr("a run is under way until"))
         << call;
 }
 
 TEST(Background, AForkStandsStill) {
-  EXPECT_EQ(after("s:start(5*us) t = s:fork() assert(t:status().state == 'idle')\n"
+  EXPECT_EQ(after_start("s:start(5*us) t = s:fork() assert(t:status().state == 'idle')\n"
                   "s:wait() assert(t.steps == 0)"),
             "");
 }
 
 TEST(Background, LoadsChangeBetweenTwoStepsUntilTheEndOfTheRun) {
-  EXPECT_EQ(after("s:start(20*us) s:wait { steps = 10 }\n"
+  EXPECT_EQ(after_start("s:start(20*us) s:wait { steps = 10 }\n"
                   "s:traction { edge = 'top', stress = {0, 12*MPa}, time = function(t)\n"
                   "  return 1 - t/(40*us) end }\n"
                   "s:wait() assert(s.time >= 20*us)"),
@@ -75,7 +75,7 @@ TEST(Background, LoadsChangeBetweenTwoStepsUntilTheEndOfTheRun) {
 }
 
 TEST(Background, AnErrorInAFunctionEndsIt) {
-  EXPECT_THAT(after("s:on { 'every', every = 2*us, call = function(t)\n"
+  EXPECT_THAT(after_start("s:on { 'every', every = 2*us, call = function(t)\n"
                     "  if t > 3*us then error 'enough' end end }\n"
                     "s:start(20*us)\n"
                     "local ok, e = pcall(s.wait, s) assert(not ok and s:status().state == 'idle')\n"
@@ -84,7 +84,7 @@ TEST(Background, AnErrorInAFunctionEndsIt) {
 }
 
 TEST(Background, SimulationsAreFoundByNumber) {
-  EXPECT_EQ(after("t = s:fork() local all = simulations()\n"
+  EXPECT_EQ(after_start("t = s:fork() local all = simulations()\n"
                   "assert(all[1] == s and all[2] == t and #all == 2)"),
             "");
 }
@@ -166,7 +166,7 @@ TEST(Script, StopsWhereCtrlCStopped) {
 
 TEST(Script, OfAScriptIsTheScript) {
   const test::Folder folder;
-  const std::string script = scene + "s:run(1*us) s:script { 'same.lua' }";
+  const std::string script = test::scene + "s:run(1*us) s:script { 'same.lua' }";
   Console console(test::quiet(folder.path));
   console.run_text(script, "test.lua");
   EXPECT_EQ(read_text(folder.path / "same.lua"), script);

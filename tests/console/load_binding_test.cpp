@@ -10,14 +10,14 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string plate =
+const std::string plate_and_sim =
     "p = plate { width = 20*mm, height = 10*mm, material = 'duran50' }\n"
     "local function sim(q) return simulate(q or p, { spacing = 0.5*mm }) end\n";
 
 TEST(LoadBinding, LoadsOfAPlateAddUpAndCallsChain) {
   EXPECT_EQ(
       test::message_of(
-          plate +
+          plate_and_sim +
           "p:traction { edge = 'top', stress = {0, 1*MPa} }\n"
           " :traction { edge = 'top', stress = {0, 1*MPa}, time = ramp(1*us), depth = 1*mm }\n"
           " :clamp { edge = 'bottom', depth = 1*mm }:damping { rate = 1e4 }\n"
@@ -27,7 +27,7 @@ TEST(LoadBinding, LoadsOfAPlateAddUpAndCallsChain) {
 
 TEST(LoadBinding, AChangeInARunReplacesTheLikeLoadAtThePlace) {
   EXPECT_EQ(test::message_of(
-                plate + "p:traction { edge = 'top', stress = {0, 1*MPa} }\n"
+                plate_and_sim + "p:traction { edge = 'top', stress = {0, 1*MPa} }\n"
                         "local s = sim() s:run(1*us)\n"
                         "local e = s.energy.external assert(e > 0)\n"
                         "s:traction { edge = 'top', stress = {0, 0} }:damping { rate = 0 }\n"
@@ -43,7 +43,7 @@ TEST(LoadBinding, AChangeInARunReplacesTheLikeLoadAtThePlace) {
 TEST(LoadBinding, FunctionsOfPlaceAndTimeAreCalledWithMetresAndSeconds) {
   EXPECT_EQ(
       test::message_of(
-          plate +
+          plate_and_sim +
           "local least, most, last = 1, 0, -1\n"
           "p:traction { edge = 'top', stress = function(x, y)\n"
           "  assert(y > 9*mm and y < 10*mm) least = math.min(least, x) most = math.max(most, x)\n"
@@ -57,7 +57,7 @@ TEST(LoadBinding, FunctionsOfPlaceAndTimeAreCalledWithMetresAndSeconds) {
 
 TEST(LoadBinding, AFunctionOutlivesTheScriptsHoldOnIt) {
   EXPECT_EQ(
-      test::message_of(plate + "do local f = function(t) return 1 end\n"
+      test::message_of(plate_and_sim + "do local f = function(t) return 1 end\n"
                                "p:traction { edge = 'top', stress = {0, 1*MPa}, time = f } end\n"
                                "local s = sim() p = nil collectgarbage() collectgarbage()\n"
                                "for k = 1, 3 do s:run(1*us) collectgarbage() end"),
@@ -66,7 +66,7 @@ TEST(LoadBinding, AFunctionOutlivesTheScriptsHoldOnIt) {
 
 TEST(LoadBinding, AFunctionMayNotRunOrChangeTheSimulation) {
   EXPECT_THAT(
-      test::message_of(plate + "local s = sim()\n"
+      test::message_of(plate_and_sim + "local s = sim()\n"
                                "s:traction { edge = 'top', stress = {0, 1}, time = function(t)\n"
                                "  if t > 1*us then s:run(1*us) end return 1 end }\n"
                                "s:run(5*us)"),
@@ -89,7 +89,7 @@ struct Bad {
 class BadLoads : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadLoads, AreRefusedAndSayWhy) {
-  EXPECT_THAT(test::message_of(plate + GetParam().call), HasSubstr(GetParam().part));
+  EXPECT_THAT(test::message_of(plate_and_sim + GetParam().call), HasSubstr(GetParam().part));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -10,12 +10,10 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string plate = "p = plate { width = 100*mm, height = 40*mm, material = 'duran50' }\n";
-
 TEST(PlateBinding, CallsChain) {
   EXPECT_EQ(
       test::message_of(
-          plate +
+          test::plate_p +
           "local q = p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm}, born = 'absent' }\n"
           "  :traction { edge = 'top', stress = {0, 12*MPa} }:nofail { edge = 'top', depth = 2*mm "
           "}\n"
@@ -28,7 +26,7 @@ TEST(PlateBinding, CallsChain) {
 TEST(PlateBinding, IsInPlaneStressUnlessItSaysStrain) {
   EXPECT_EQ(
       test::message_of(
-          plate +
+          test::plate_p +
           "assert(not tostring(p):find('strain'))\n"
           "local q = plate { width = 1, height = 1, material = 'duran50', plane = 'strain' }\n"
           "assert(tostring(q):find('plane strain', 1, true), tostring(q))"),
@@ -36,43 +34,43 @@ TEST(PlateBinding, IsInPlaneStressUnlessItSaysStrain) {
 }
 
 TEST(PlateBinding, AnUnknownNameGetsTheNearest) {
-  EXPECT_EQ(test::message_of(plate + "p:crck { }"),
+  EXPECT_EQ(test::message_of(test::plate_p + "p:crck { }"),
             "test.lua:2: plate has no 'crck' (did you mean 'crack'?)");
-  EXPECT_THAT(test::message_of(plate + "print(p.zzzzz)"),
+  EXPECT_THAT(test::message_of(test::plate_p + "print(p.zzzzz)"),
               HasSubstr("plate has no 'zzzzz' (help 'plate' tells"));
 }
 
 TEST(PlateBinding, CannotBeWrittenToNorTakenApart) {
-  EXPECT_THAT(test::message_of(plate + "p.width = 2"), HasSubstr("cannot be changed"));
-  EXPECT_EQ(test::message_of(plate + "assert(getmetatable(p) == 'plate')"), "");
+  EXPECT_THAT(test::message_of(test::plate_p + "p.width = 2"), HasSubstr("cannot be changed"));
+  EXPECT_EQ(test::message_of(test::plate_p + "assert(getmetatable(p) == 'plate')"), "");
 }
 
 TEST(PlateBinding, ADotInsteadOfAColonIsExplained) {
-  EXPECT_THAT(test::message_of(plate + "p.crack { from = {0, 0}, to = {1*mm, 0} }"),
+  EXPECT_THAT(test::message_of(test::plate_p + "p.crack { from = {0, 0}, to = {1*mm, 0} }"),
               HasSubstr("crack: it is called with a colon (as in p:crack {"));
 }
 
 TEST(PlateBinding, ATextInPlaceOfOptionsIsExplained) {
-  EXPECT_THAT(test::message_of(plate + "p:crack 'middle'"),
+  EXPECT_THAT(test::message_of(test::plate_p + "p:crack 'middle'"),
               HasSubstr("crack: expected options in braces, got the text 'middle' (as in p:crack"));
 }
 
 TEST(PlateBinding, ProblemsOfTheCallAndOfTheSceneComeTogether) {
-  EXPECT_THAT(test::message_of(plate + "p:crack { from = {0, 0}, to = {1, 0}, bron = 'absent' }"),
+  EXPECT_THAT(test::message_of(test::plate_p + "p:crack { from = {0, 0}, to = {1, 0}, bron = 'absent' }"),
               testing::AllOf(HasSubstr("did you mean 'born'?"), HasSubstr("outside the plate")));
 }
 
 TEST(PlateBinding, ARefusedThingIsNotOnThePlate) {
-  EXPECT_EQ(test::message_of(plate + "pcall(p.crack, p, { from = {0, 0}, to = {1, 0} })\n"
+  EXPECT_EQ(test::message_of(test::plate_p + "pcall(p.crack, p, { from = {0, 0}, to = {1, 0} })\n"
                                      "assert(not tostring(p):find('crack'))"),
             "");
 }
 
 TEST(PlateBinding, ANoFailZoneIsAStripOrARectangle) {
-  EXPECT_EQ(test::message_of(plate + "p:nofail { from = {0, 0}, to = {1*mm, 1*mm} }"), "");
+  EXPECT_EQ(test::message_of(test::plate_p + "p:nofail { from = {0, 0}, to = {1*mm, 1*mm} }"), "");
   for (const char* bad : {"{ edge = 'top' }", "{ depth = 1*mm }", "{ from = {0, 0} }",
                           "{ edge = 'top', depth = 1*mm, from = {0, 0}, to = {1, 1} }"})
-    EXPECT_THAT(test::message_of(plate + "p:nofail " + bad), HasSubstr("the area is not clear"))
+    EXPECT_THAT(test::message_of(test::plate_p + "p:nofail " + bad), HasSubstr("the area is not clear"))
         << bad;
 }
 

@@ -12,7 +12,6 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string plate = "p = plate { width = 100*mm, height = 40*mm, material = 'duran50' }\n";
 const std::string film = "s:movie { 'a.mp4', every = 1*us }\ns:run(1*us)";
 
 // The message of the refusal; nothing may have been written.
@@ -27,7 +26,7 @@ std::string refusal(const std::string& script, ErrorKind kind) {
 }
 
 std::string simulate(const std::string& options) {
-  return refusal(plate + "s = simulate(p, " + options + ")\n" + film, ErrorKind::refused);
+  return refusal(test::plate_p + "s = simulate(p, " + options + ")\n" + film, ErrorKind::refused);
 }
 
 TEST(Refusal, AFileThatIsMissing) {
@@ -126,7 +125,7 @@ TEST(Refusal, AnUnknownQuadratureOrPlane) {
 
 TEST(Refusal, ACrackOutsideThePlate) {
   EXPECT_THAT(
-      refusal(plate + "p:crack { from = {0, 50*mm}, to = {50*mm, 20*mm} }", ErrorKind::refused),
+      refusal(test::plate_p + "p:crack { from = {0, 50*mm}, to = {50*mm, 20*mm} }", ErrorKind::refused),
       HasSubstr("crack: 'from' (0 m, 50 mm) lies outside the plate"));
 }
 
@@ -138,7 +137,7 @@ TEST(Refusal, APlateOfMoreNodesThanMemory) {
 TEST(Refusal, AFolderThatCannotBeWritten) {
   const test::Folder folder;
   write_text(folder.path / "file", "");
-  const auto failure = test::failure_of(plate + "s = simulate(p, { spacing = 2*mm })\n" + film,
+  const auto failure = test::failure_of(test::plate_p + "s = simulate(p, { spacing = 2*mm })\n" + film,
                                         test::quiet(folder.path / "file/out"));
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind(), ErrorKind::files);
@@ -149,7 +148,7 @@ TEST(Refusal, AFolderThatWasTakenAwayBeforeTheRun) {
   const test::Folder folder;
   const std::string name = (folder.path / "out").string();
   const auto failure = test::failure_of(
-      plate + "s = simulate(p, { spacing = 2*mm })\ns:movie { 'a.mp4', every = 1*us }\n" +
+      test::plate_p + "s = simulate(p, { spacing = 2*mm })\ns:movie { 'a.mp4', every = 1*us }\n" +
           "io.open('" + name + "', 'w'):close()\ns:run(1*us)",
       test::trusted(name));
   ASSERT_TRUE(failure);

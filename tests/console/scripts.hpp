@@ -37,6 +37,10 @@ p:traction { edge = "bottom", stress = {0, -12*MPa} }
 s = simulate(p, { spacing = 2*mm })
 )";
 
+// Plate p of 100 x 40 mm, bare.
+inline const std::string plate_p =
+    "p = plate { width = 100*mm, height = 40*mm, material = 'duran50' }\n";
+
 // What the script throws, or nothing.
 inline std::optional<Error> failure_of(const std::string& script, ConsoleSettings settings) {
   try {

@@ -14,8 +14,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string plate = "p = plate { width = 100*mm, height = 40*mm, material = 'duran50' }\n";
-
 struct Case {
   const char* call;
   const char* message;
@@ -24,7 +22,7 @@ struct Case {
 TEST(ShapeBinding, EveryWayToSayAShapeIsTaken) {
   EXPECT_EQ(
       test::message_of(
-          plate +
+          test::plate_p +
           "p:hole { centre = {20*mm, 20*mm}, radius = 5*mm, name = 'bore' }\n"
           " :hole { centre = {40*mm, 20*mm}, radii = {5*mm, 2*mm}, angle = 30*deg }\n"
           " :hole { points = {{50*mm, 5*mm}, {60*mm, 5*mm}, {55*mm, 20*mm}} }\n"
@@ -90,7 +88,7 @@ TEST(ShapeBinding, WhatMakesNoSenseIsRefusedByName) {
            {"mask { 'a.png', threshold = 2 }", "threshold is 2"},
            {"mask { 'a.png', from = {1, 1}, to = {0, 0} }", "the area is empty"},
        })
-    EXPECT_THAT(test::message_of(plate + "p:" + bad.call), HasSubstr(bad.message)) << bad.call;
+    EXPECT_THAT(test::message_of(test::plate_p + "p:" + bad.call), HasSubstr(bad.message)) << bad.call;
 }
 
 // A picture of four pixels: black in the upper left corner, white else.
@@ -106,7 +104,7 @@ TEST(ShapeBinding, AMaskRemovesItsDarkPixels) {
   const test::Folder folder;
   const std::string file = corner_png(folder.path);
   EXPECT_EQ(
-      test::message_of(plate + "p:mask { '" + file +
+      test::message_of(test::plate_p + "p:mask { '" + file +
                            "', name = 'corner' }\n"
                            "local s = simulate(p, { spacing = 1*mm, horizon = 2*mm })\n"
                            "assert(s:report():find('4 000 nodes (3 000 of material)', 1, true), "
@@ -114,7 +112,7 @@ TEST(ShapeBinding, AMaskRemovesItsDarkPixels) {
                        test::quiet(folder.path)),
       "");
   EXPECT_EQ(
-      test::message_of(plate + "p:mask { '" + file +
+      test::message_of(test::plate_p + "p:mask { '" + file +
                            "', remove = 'light' }\n"
                            "local s = simulate(p, { spacing = 1*mm, horizon = 2*mm })\n"
                            "assert(s:report():find('(1 000 of material)', 1, true), s:report())",
@@ -124,7 +122,7 @@ TEST(ShapeBinding, AMaskRemovesItsDarkPixels) {
 
 TEST(ShapeBinding, AMaskWithAMaterialIsAnInclusion) {
   const test::Folder folder;
-  EXPECT_EQ(test::message_of(plate + "p:mask { '" + corner_png(folder.path) +
+  EXPECT_EQ(test::message_of(test::plate_p + "p:mask { '" + corner_png(folder.path) +
                                  "', material = 'duran50' }\n"
                                  "assert(tostring(p):find('1 inclusion', 1, true))",
                              test::quiet(folder.path)),
@@ -135,10 +133,10 @@ TEST(ShapeBinding, APictureThatIsCutOffIsRefused) {
   const test::Folder folder;
   const std::string file = corner_png(folder.path);
   std::filesystem::resize_file(file, 50);
-  EXPECT_THAT(test::message_of(plate + "p:mask { '" + file + "' }", test::quiet(folder.path)),
+  EXPECT_THAT(test::message_of(test::plate_p + "p:mask { '" + file + "' }", test::quiet(folder.path)),
               HasSubstr("cannot read the picture"));
   std::ofstream(file) << "this is no picture at all";
-  EXPECT_THAT(test::message_of(plate + "p:mask { '" + file + "' }", test::quiet(folder.path)),
+  EXPECT_THAT(test::message_of(test::plate_p + "p:mask { '" + file + "' }", test::quiet(folder.path)),
               HasSubstr("cannot read the picture"));
 }
 

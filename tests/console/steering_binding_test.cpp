@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 // A plate whose crack runs, quickly solved.
-const std::string scene = R"(
+const std::string scenes = R"(
 function plate_()
   local p = plate { width = 100*mm, height = 40*mm, material = "duran50" }
   p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }
@@ -26,12 +26,12 @@ function fresh() return simulate(plate_(), { spacing = 1*mm }) end
 s = fresh()
 )";
 
-std::string after(const std::string& text) {
-  return test::message_of(scene + text);
+std::string after_scene(const std::string& text) {
+  return test::message_of(scenes + text);
 }
 
 TEST(Fork, GoesOnFromTheSameBits) {
-  EXPECT_EQ(after("s:run(10*us) t = s:fork()\n"
+  EXPECT_EQ(after_scene("s:run(10*us) t = s:fork()\n"
                   "assert(t.hash == s.hash and t.time == s.time)\n"
                   "s:run(10*us) t:run(10*us)\n"
                   "assert(t.hash == s.hash)"),
@@ -39,7 +39,7 @@ TEST(Fork, GoesOnFromTheSameBits) {
 }
 
 TEST(Fork, GoesItsOwnWay) {
-  EXPECT_EQ(after("s:run(10*us) t = s:fork()\n"
+  EXPECT_EQ(after_scene("s:run(10*us) t = s:fork()\n"
                   "t:traction { edge = 'top', stress = {0, 0} }\n"
                   "s:run(10*us) t:run(10*us)\n"
                   "whole = fresh() whole:run(20*us)\n"
@@ -48,7 +48,7 @@ TEST(Fork, GoesItsOwnWay) {
 }
 
 TEST(Rewind, GoesBackToBitsAndLoads) {
-  EXPECT_EQ(after("s:run(10*us) kept = s:fork() s:run(10*us) one = s.hash\n"
+  EXPECT_EQ(after_scene("s:run(10*us) kept = s:fork() s:run(10*us) one = s.hash\n"
                   "s:traction { edge = 'top', stress = {0, 0} } s:run(10*us)\n"
                   "s:rewind(kept) assert(s.time == kept.time and s.hash == kept.hash)\n"
                   "s:run(10*us) assert(s.hash == one)\n"
@@ -57,23 +57,23 @@ TEST(Rewind, GoesBackToBitsAndLoads) {
 }
 
 TEST(Rewind, RefusesAnotherPlateAndFilesThatWouldGoBack) {
-  EXPECT_THAT(after("s:rewind(simulate(plate_(), { spacing = 2*mm }))"),
+  EXPECT_THAT(after_scene("s:rewind(simulate(plate_(), { spacing = 2*mm }))"),
               HasSubstr("another plate or lattice"));
-  EXPECT_THAT(after("s:rewind(plate_())"), HasSubstr("expected a simulation, got a plate"));
-  EXPECT_THAT(after("s:rewind()"), HasSubstr("expected a simulation, got nothing"));
+  EXPECT_THAT(after_scene("s:rewind(plate_())"), HasSubstr("expected a simulation, got a plate"));
+  EXPECT_THAT(after_scene("s:rewind()"), HasSubstr("expected a simulation, got nothing"));
   const test::Folder folder;
-  EXPECT_THAT(test::message_of(scene + "t = s:fork() s:record { 'a.h5', every = 5*us }\n"
+  EXPECT_THAT(test::message_of(scenes + "t = s:fork() s:record { 'a.h5', every = 5*us }\n"
                                        "s:run(10*us) s:rewind(t)",
                                test::quiet(folder.path)),
               HasSubstr("rewind: its movies and records would go back in time"));
-  EXPECT_EQ(test::message_of(scene + "t = s:fork() s:record { 'a.h5', every = 5*us }\n"
+  EXPECT_EQ(test::message_of(scenes + "t = s:fork() s:record { 'a.h5', every = 5*us }\n"
                                      "s:run(10*us) s:close() s:rewind(t) assert(s.time == 0)",
                              test::quiet(folder.path)),
             "");
 }
 
 TEST(On, EveryCallsAtEvenTimesAndChangesNoBit) {
-  EXPECT_EQ(after("times = {} s:on { 'every', every = 2*us, call = function(t)\n"
+  EXPECT_EQ(after_scene("times = {} s:on { 'every', every = 2*us, call = function(t)\n"
                   "  assert(t == s.time) times[#times + 1] = t end }\n"
                   "s:run(7*us) s:run(3*us)\n"
                   "assert(#times == 6, #times .. ' calls')\n"
@@ -83,7 +83,7 @@ TEST(On, EveryCallsAtEvenTimesAndChangesNoBit) {
 }
 
 TEST(On, BreakCallsOnceAtTheFirstBond) {
-  EXPECT_EQ(after("count = 0 s:on { 'break', call = function(t)\n"
+  EXPECT_EQ(after_scene("count = 0 s:on { 'break', call = function(t)\n"
                   "  count, first, bonds = count + 1, t, s.damage.broken_bonds s:stop() end }\n"
                   "s:run(30*us)\n"
                   "assert(count == 1 and bonds >= 1 and s.time == first and first < 10*us)\n"
@@ -93,7 +93,7 @@ TEST(On, BreakCallsOnceAtTheFirstBond) {
 }
 
 TEST(On, DamageStopsACrackAtALine) {
-  EXPECT_EQ(after("s:on { 'damage', from = {60*mm, 10*mm}, to = {100*mm, 30*mm},\n"
+  EXPECT_EQ(after_scene("s:on { 'damage', from = {60*mm, 10*mm}, to = {100*mm, 30*mm},\n"
                   "       call = function() s:stop() end }\n"
                   "s:run(100*us)\n"
                   "local tip = s:cracks { from = {0, 10*mm}, to = {100*mm, 30*mm} }.right\n"
@@ -103,7 +103,7 @@ TEST(On, DamageStopsACrackAtALine) {
 }
 
 TEST(On, DamageThatIsThereAlreadyIsSeenAtOnce) {
-  EXPECT_EQ(after("s:on { 'damage', call = function(t) seen = t end } s:run(1*us)\n"
+  EXPECT_EQ(after_scene("s:on { 'damage', call = function(t) seen = t end } s:run(1*us)\n"
                   "assert(seen == 0)"),
             "");
 }
@@ -111,7 +111,7 @@ TEST(On, DamageThatIsThereAlreadyIsSeenAtOnce) {
 // What a script does between two runs may be done between two steps, to the same bits.
 TEST(On, MayChangeLoads) {
   EXPECT_EQ(
-      after(
+      after_scene(
           "s:on { 'every', every = 10*us, call = function(t)\n"
           "  if t > 5*us and t < 15*us then\n"
           "    s:traction { edge = 'top', stress = {0, 6*MPa}, time = function(t) return 1 end }\n"
@@ -124,7 +124,7 @@ TEST(On, MayChangeLoads) {
 }
 
 TEST(On, AnErrorStopsTheRunAndIsNamed) {
-  EXPECT_EQ(after("s:on { 'every', every = 5*us, call = function(t)\n"
+  EXPECT_EQ(after_scene("s:on { 'every', every = 5*us, call = function(t)\n"
                   "  if t > 7*us and not once then once = true error 'enough' end end }\n"
                   "ok, message = pcall(s.run, s, 30*us)\n"
                   "assert(not ok and tostring(message):find('on: call: the function fails at t = "
@@ -141,7 +141,7 @@ TEST(On, AWatcherMayNotRunOrCloseOrFilm) {
   for (const char* call : {"s:run(1*us)", "s:step(1)", "s:close()", "s:relax {}", "s:rewind(s)",
                            "s:movie { 'a.mp4', every = 1*us }", "s:record { 'a.h5', every = 1*us }",
                            "s:on { 'break', call = function() end }"})
-    EXPECT_THAT(after(std::string("s:on { 'every', every = 1*us, call = function() ") + call +
+    EXPECT_THAT(after_scene(std::string("s:on { 'every', every = 1*us, call = function() ") + call +
                       " end } s:run(3*us)"),
                 HasSubstr("the simulation is running (between two steps its loads may be changed, "
                           "or s:stop() ends the run)"))
@@ -149,16 +149,16 @@ TEST(On, AWatcherMayNotRunOrCloseOrFilm) {
 }
 
 TEST(On, RefusesWhatDoesNotGoTogether) {
-  EXPECT_THAT(after("s:on { 'every', call = print }"), HasSubstr("on: every is missing"));
-  EXPECT_THAT(after("s:on { 'break', every = 1*us, call = print }"),
+  EXPECT_THAT(after_scene("s:on { 'every', call = print }"), HasSubstr("on: every is missing"));
+  EXPECT_THAT(after_scene("s:on { 'break', every = 1*us, call = print }"),
               HasSubstr("every does not go with break"));
-  EXPECT_THAT(after("s:on { 'brake', call = print }"), HasSubstr("expected one of every, break, damage"));
-  EXPECT_THAT(after("s:on { 'every', every = 1*ns, call = print }"), HasSubstr("less than one time step"));
-  EXPECT_THAT(after("s:on { 'every', every = 1*us }"), HasSubstr("call is missing (a function)"));
+  EXPECT_THAT(after_scene("s:on { 'brake', call = print }"), HasSubstr("expected one of every, break, damage"));
+  EXPECT_THAT(after_scene("s:on { 'every', every = 1*ns, call = print }"), HasSubstr("less than one time step"));
+  EXPECT_THAT(after_scene("s:on { 'every', every = 1*us }"), HasSubstr("call is missing (a function)"));
 }
 
 TEST(Stop, OutsideOfARunDoesNothing) {
-  EXPECT_EQ(after("s:stop() s:run(1*us) assert(s.time > 0)"), "");
+  EXPECT_EQ(after_scene("s:stop() s:run(1*us) assert(s.time > 0)"), "");
 }
 
 }  // namespace

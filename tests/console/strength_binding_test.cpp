@@ -10,14 +10,12 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string plate = "p = plate { width = 100*mm, height = 40*mm, material = 'duran50' }\n";
-
-std::string after(const std::string& call) {
-  return test::message_of(plate + call);
+std::string after_plate(const std::string& call) {
+  return test::message_of(test::plate_p + call);
 }
 
 TEST(StrengthBinding, TakesBothDistributionsAndSaysSo) {
-  EXPECT_EQ(after("p:strength { modulus = 10, correlation = 2*mm, seed = 7 }\n"
+  EXPECT_EQ(after_plate("p:strength { modulus = 10, correlation = 2*mm, seed = 7 }\n"
                   "assert(tostring(p):find('strength scattered (Weibull modulus 10, correlated "
                   "over 2 mm, seed 7)', 1, true), tostring(p))\n"
                   "p:strength { distribution = 'normal', deviation = 0.1 }\n"
@@ -27,11 +25,11 @@ TEST(StrengthBinding, TakesBothDistributionsAndSaysSo) {
 }
 
 TEST(StrengthBinding, TheSpreadMustFitTheDistribution) {
-  EXPECT_THAT(after("p:strength {}"), HasSubstr("a weibull distribution takes modulus"));
-  EXPECT_THAT(after("p:strength { deviation = 0.1 }"), HasSubstr("takes modulus and no deviation"));
-  EXPECT_THAT(after("p:strength { distribution = 'normal', modulus = 10 }"),
+  EXPECT_THAT(after_plate("p:strength {}"), HasSubstr("a weibull distribution takes modulus"));
+  EXPECT_THAT(after_plate("p:strength { deviation = 0.1 }"), HasSubstr("takes modulus and no deviation"));
+  EXPECT_THAT(after_plate("p:strength { distribution = 'normal', modulus = 10 }"),
               HasSubstr("a normal distribution takes deviation and no modulus"));
-  EXPECT_THAT(after("p:strength { modulus = 10, deviation = 0.1 }"), HasSubstr("no deviation"));
+  EXPECT_THAT(after_plate("p:strength { modulus = 10, deviation = 0.1 }"), HasSubstr("no deviation"));
 }
 
 TEST(StrengthBinding, RefusesWhatMakesNoSense) {
@@ -42,10 +40,10 @@ TEST(StrengthBinding, RefusesWhatMakesNoSense) {
         "modulus = 5, correlation = 1/0", "modulus = 5, correlation = {}",
         "modulus = 5, seed = 1.5", "modulus = 5, seed = '1'", "modulus = 5, distribution = 'gauss'",
         "modulus = 5, sed = 1"})
-    EXPECT_THAT(after(std::string("p:strength { ") + options + " }"), HasSubstr("strength: "))
+    EXPECT_THAT(after_plate(std::string("p:strength { ") + options + " }"), HasSubstr("strength: "))
         << options;
-  EXPECT_THAT(after("p:strength(5)"), HasSubstr("strength: "));
-  EXPECT_THAT(after("p:strength()"), HasSubstr("strength: "));
+  EXPECT_THAT(after_plate("p:strength(5)"), HasSubstr("strength: "));
+  EXPECT_THAT(after_plate("p:strength()"), HasSubstr("strength: "));
 }
 
 }  // namespace

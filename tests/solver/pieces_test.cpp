@@ -10,8 +10,8 @@
 namespace hackle {
 namespace {
 
-struct Scene {
-  explicit Scene(const Plate& plate)
+struct Plates {
+  explicit Plates(const Plate& plate)
       : lattice(plate, test::numerics()), state(lattice, Precision::f64), mobile(state.layout) {
     for (double& value : mobile.x) value = 1.0;
     for (double& value : mobile.y) value = 1.0;
@@ -26,9 +26,9 @@ struct Scene {
 
 TEST(Pieces, APlateIsOneAndACutMakesTwo) {
   Plate plate = test::bare_plate(30, 20);
-  EXPECT_EQ(Scene(plate).pieces().list().size(), 1U);
+  EXPECT_EQ(Plates(plate).pieces().list().size(), 1U);
   plate.cracks.push_back({{5e-3, 0.0}, {5e-3, plate.height}});
-  const Pieces two = Scene(plate).pieces();
+  const Pieces two = Plates(plate).pieces();
   ASSERT_EQ(two.list().size(), 2U);
   EXPECT_EQ(two.list()[0].nodes, 10 * 20);
   EXPECT_EQ(two.list()[1].nodes, 20 * 20);
@@ -36,14 +36,14 @@ TEST(Pieces, APlateIsOneAndACutMakesTwo) {
 }
 
 TEST(Pieces, ANodeWithoutBondsBelongsToNone) {
-  Scene scene(test::bare_plate(30, 20));
+  Plates scene(test::bare_plate(30, 20));
   isolate(scene.lattice.grid, scene.lattice.family, 7, 7, scene.state.bonds);
   ASSERT_EQ(scene.pieces().list().size(), 1U);
   EXPECT_EQ(scene.pieces().list()[0].nodes, 599);
 }
 
 TEST(Pieces, SupportsTakeAwayMotions) {
-  Scene scene(test::bare_plate(30, 20));
+  Plates scene(test::bare_plate(30, 20));
   const auto motions = [&] { return scene.pieces().list()[0].motions.size(); };
   EXPECT_EQ(motions(), 3U);
   scene.mobile.x[scene.at(3, 4)] = 0.0;
@@ -57,7 +57,7 @@ TEST(Pieces, SupportsTakeAwayMotions) {
 }
 
 TEST(Pieces, WhatIsRigidIsTakenOutAndNothingElse) {
-  const Scene scene(test::bare_plate(31, 20));
+  const Plates scene(test::bare_plate(31, 20));
   const Pieces pieces = scene.pieces();
   NodeVectors vector(scene.state.layout);
   for (int j = 0; j < 20; ++j)
@@ -75,7 +75,7 @@ TEST(Pieces, WhatIsRigidIsTakenOutAndNothingElse) {
 }
 
 TEST(Pieces, TurningKeepsDistancesAndTheMeanPlace) {
-  const Scene scene(test::bare_plate(31, 20));
+  const Plates scene(test::bare_plate(31, 20));
   NodeVectors u(scene.state.layout);
   for (int j = 0; j < 20; ++j)
     for (int i = 0; i < 31; ++i) u.x[scene.at(i, j)] = 0.5;

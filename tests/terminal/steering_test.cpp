@@ -28,7 +28,7 @@ TEST_F(Steering, WhatIsTypedStaysThereWhileARunSpeaks) {
   terminal_.expect("note: simulation 1 has arrived\n> s.steps >");
   terminal_.enter(" 0");
   terminal_.expect("\ntrue\n>");
-  terminal_.expect("now\t0.0\n");
+  terminal_.expect("now     0.0\n");
 }
 
 TEST_F(Steering, CtrlCOnAnEmptyLinePauses) {
