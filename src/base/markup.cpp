@@ -15,7 +15,7 @@ std::string escaped(std::string_view text, std::string_view special, std::string
 }
 
 // A line that begins with one of these would be a command.
-std::string guarded(std::string line) {
+std::string guarded(const std::string& line) {
   const bool command = line.starts_with('.') || line.starts_with('\'');
   return command ? "\\&" + line : line;
 }

@@ -366,9 +366,9 @@ void Arguments::take_choice(lua_State* L, int index, const Option& option) {
   const std::string_view text = text_at(L, index);
   const auto found = std::ranges::find(option.choices, text);
   if (found == option.choices.end())
-    return wrong(option,
-                 fmt::format("{}: {} is {}{}, expected {}", doc_->name, option.name, in_quotes(text),
-                             did_you_mean(text, option.choices), expectation(option)));
+    return wrong(
+        option, fmt::format("{}: {} is {}{}, expected {}", doc_->name, option.name, in_quotes(text),
+                            did_you_mean(text, option.choices), expectation(option)));
   keep(option, Choice{static_cast<std::size_t>(found - option.choices.begin())});
 }
 

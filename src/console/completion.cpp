@@ -177,8 +177,8 @@ bool fits(const Candidate& candidate, std::string_view word) {
 void keep_fitting(Candidates& list, std::string_view word) {
   std::erase_if(list, [&](const Candidate& candidate) { return !fits(candidate, word); });
   std::ranges::sort(list, {}, &Candidate::text);
-  const auto rest = std::ranges::unique(list, {}, &Candidate::text);
-  list.erase(rest.begin(), rest.end());
+  const auto alike = [](const Candidate& a, const Candidate& b) { return a.text == b.text; };
+  list.erase(std::unique(list.begin(), list.end(), alike), list.end());
 }
 
 Completion of_word(lua_State* L, const Cursor& cursor) {

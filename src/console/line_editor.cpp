@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cwchar>
+#include <exception>
 #include <string_view>
 #include <utility>
 
@@ -77,22 +78,34 @@ struct LineEditor::Parts {
     el_get(editor, EL_CLIENTDATA, &parts);
     return *parts;
   }
-  static char* show_prompt(EditLine* editor) { return of(editor).prompt.data(); }
-  static unsigned char clear(EditLine* editor, int) {
+  // What libedit, which is C, calls throws nothing.
+  static char* show_prompt(EditLine* editor) noexcept { return of(editor).prompt.data(); }
+  static unsigned char clear(EditLine* editor, int) noexcept {
     const LineInfo* typed = el_line(editor);
     of(editor).dropped.assign(typed->buffer, typed->lastchar);
     of(editor).cleared = true;
     return CC_EOF;
   }
-  static unsigned char suspend(EditLine* editor, int) {
+  static unsigned char suspend(EditLine* editor, int) noexcept {
     el_set(editor, EL_PREP_TERM, 0);
     std::raise(SIGTSTP);
     el_set(editor, EL_PREP_TERM, 1);
     return CC_REDISPLAY;
   }
 
-  // libedit's own, but that others have their turn before a key is pressed.
-  static int next_key(EditLine* editor, wchar_t* key) {
+  // libedit's own, but that others have their turn before a key is pressed. What they throw ends
+  // the line, and read() throws it.
+  static int next_key(EditLine* editor, wchar_t* key) noexcept {
+    try {
+      give_others_their_turn(editor);
+      return read_character(key);
+    } catch (...) {
+      of(editor).failure = std::current_exception();
+      return 0;
+    }
+  }
+
+  static void give_others_their_turn(EditLine* editor) {
     const Parts& parts = of(editor);
     bool has_spoken = false;
     const auto make_room = [&] {
@@ -106,7 +119,6 @@ struct LineEditor::Parts {
       return more;
     };
     if (parts.idle) idle_until_input(idle, make_room);
-    return read_character(key);
   }
 
   // 1, or 0 at the end of the input.
@@ -128,12 +140,12 @@ struct LineEditor::Parts {
     const LineInfo* info = el_line(editor);
     return {info->buffer, info->cursor};
   }
-  static unsigned char tab(EditLine* editor, int) {
+  static unsigned char tab(EditLine* editor, int) noexcept {
     if (is_pasted() || !of(editor).completer)
       return el_insertstr(editor, "  ") == 0 ? CC_REFRESH : CC_ERROR;
     try {
       return of(editor).complete();
-    } catch (const std::exception&) {  // libedit is C
+    } catch (...) {
       return CC_ERROR;
     }
   }
@@ -165,6 +177,7 @@ struct LineEditor::Parts {
   std::string tried = "\t";  // the line behind the last Tab
   bool cleared = false;
   Idle idle;
+  std::exception_ptr failure;
   EditLine* editor = begin();
   History* lines = history_init();
 };
@@ -186,6 +199,7 @@ LineEnd LineEditor::read(const std::string& prompt, std::string& line, const Idl
   parts_->tried = "\t";
   int count = 0;
   const char* text = el_gets(parts_->editor, &count);
+  if (parts_->failure) std::rethrow_exception(std::exchange(parts_->failure, nullptr));
   if (parts_->cleared) {
     std::fputs("^C\n", stdout);
     line = parts_->dropped;

@@ -27,7 +27,8 @@ class LineEditor {
 
   // One line without its end. `cleared`: Ctrl-C was pressed on what `line` then has;
   // `end_of_input`: Ctrl-D on an empty line, or the terminal is gone. Between keys `idle` has its
-  // turn.
+  // turn; what
+  // it throws comes out here, the line being lost.
   LineEnd read(const std::string& prompt, std::string& line, const Idle& idle);
 
  private:

@@ -133,8 +133,8 @@ int at(lua_State* L) {
 
 std::span<const Function> measure_methods() {
   static constexpr std::array methods{Function{&cracks_doc, guarded<find_cracks>},
-                               Function{&pieces_doc, guarded<pieces>},
-                               Function{&at_doc, guarded<at>}};
+                                      Function{&pieces_doc, guarded<pieces>},
+                                      Function{&at_doc, guarded<at>}};
   return methods;
 }
 

@@ -94,7 +94,7 @@ int quasistatic(lua_State* L) {
 
 std::span<const Function> relax_methods() {
   static constexpr std::array methods{Function{&relax_doc, guarded<relax>},
-                               Function{&quasistatic_doc, guarded<quasistatic>}};
+                                      Function{&quasistatic_doc, guarded<quasistatic>}};
   return methods;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 
 namespace hackle {
 namespace {
@@ -34,7 +33,10 @@ constexpr auto groups = std::to_array<std::string_view>({
 
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
-  for (const auto word : std::views::split(line, ' ')) words.emplace_back(word.begin(), word.end());
+  for (std::size_t begin = 0, end = 0; end < line.size(); begin = end + 1) {
+    end = std::min(line.find(' ', begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+  }
   return words;
 }
 

@@ -144,11 +144,11 @@ int add_mask(lua_State* L) {
 
 std::span<const Function> shape_methods() {
   static constexpr std::array methods{Function{&crack_doc, guarded<add_crack>},
-                               Function{&random_cracks_doc, guarded<add_random_cracks>},
-                               Function{&notch_doc, guarded<add_notch>},
-                               Function{&hole_doc, guarded<add_hole>},
-                               Function{&inclusion_doc, guarded<add_inclusion>},
-                               Function{&mask_doc, guarded<add_mask>}};
+                                      Function{&random_cracks_doc, guarded<add_random_cracks>},
+                                      Function{&notch_doc, guarded<add_notch>},
+                                      Function{&hole_doc, guarded<add_hole>},
+                                      Function{&inclusion_doc, guarded<add_inclusion>},
+                                      Function{&mask_doc, guarded<add_mask>}};
   return methods;
 }
 

@@ -253,8 +253,9 @@ constexpr std::array fields{
 std::vector<Function> all_methods_of_simulation() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
-       {std::span<const Function>(own_methods_of_simulation), load_methods_of_simulation(), relax_methods(),
-        measure_methods(), steering_methods(), background_methods(), show_methods()})
+       {std::span<const Function>(own_methods_of_simulation), load_methods_of_simulation(),
+        relax_methods(), measure_methods(), steering_methods(), background_methods(),
+        show_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

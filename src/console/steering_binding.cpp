@@ -137,9 +137,9 @@ int rewind(lua_State* L) {
 }  // namespace
 
 std::span<const Function> steering_methods() {
-  static constexpr std::array methods{Function{&on_doc, guarded<on>}, Function{&stop_doc, guarded<stop>},
-                               Function{&fork_doc, guarded<fork>},
-                               Function{&rewind_doc, guarded<rewind>}};
+  static constexpr std::array methods{
+      Function{&on_doc, guarded<on>}, Function{&stop_doc, guarded<stop>},
+      Function{&fork_doc, guarded<fork>}, Function{&rewind_doc, guarded<rewind>}};
   return methods;
 }
 

@@ -53,6 +53,7 @@ std::string tour() {
 
 std::vector<std::string_view> tour_lines() {
   std::vector<std::string_view> codes;
+  codes.reserve(std::size(lines) + std::size(pages));
   for (const Line& line : lines) codes.push_back(line.code);
   for (const Line& line : pages) codes.push_back(line.code);
   return codes;

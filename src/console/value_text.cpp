@@ -96,11 +96,14 @@ std::string table_text(lua_State* L, int index, int depth) {
   }
   const Others named = others(L, index, count, depth);
   for (const auto& [key, value] : named.entries)
-    if (parts.size() < most_entries) parts.push_back(key + " = " + value);
+    if (parts.size() < most_entries) parts.push_back(fmt::format("{} = {}", key, value));
   const std::size_t all = static_cast<std::size_t>(count) + named.count;
   if (all > parts.size()) parts.push_back(fmt::format("... {} more", all - parts.size()));
   std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += ", ";
+    text += part;
+  }
   return "{" + text + "}";
 }
 

@@ -175,7 +175,7 @@ Run::Run(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {
 }
 
 std::shared_ptr<Run> Run::fork() const {
-  const std::shared_ptr<Run> run(new Run(std::make_unique<Parts>(*parts_)));
+  std::shared_ptr<Run> run(new Run(std::make_unique<Parts>(*parts_)));
   run->stop();
   return run;
 }

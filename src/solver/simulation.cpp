@@ -23,7 +23,6 @@ namespace hackle {
 namespace {
 
 constexpr std::int64_t steps_between_checks = 64;
-constexpr double most_steps = 1e15;  // whole numbers up to there are exact
 
 const Plate& checked(const Plate& plate, const Numerics& numerics, InstructionSet set) {
   Problems problems;

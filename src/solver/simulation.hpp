@@ -19,6 +19,8 @@
 
 namespace hackle {
 
+inline constexpr double most_steps = 1e15;  // of a run; whole numbers up to there are exact
+
 // How a run is carried out; none of it changes a bit of the result.
 struct Execution {
   int threads = 0;  // 0: one for each available core

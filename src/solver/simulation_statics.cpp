@@ -15,8 +15,6 @@ namespace hackle {
 
 namespace {
 
-constexpr double most_steps = 1e15;  // as for Simulation::run
-
 void check_tolerance(double tolerance, const char* who) {
   if (!(tolerance > 0.0 && tolerance < 1.0))
     throw Error(

@@ -30,10 +30,10 @@ std::string after_start(const std::string& text) {
 
 TEST(Background, AStartedRunGivesTheBitsOfARun) {
   EXPECT_EQ(after_start("t = s:fork()\n"
-                  "s:start(15*us) s:wait { steps = 3 } assert(s.steps == 3)\n"
-                  "s:wait { steps = 9 } s:pause() s:start(5*us) s:wait()\n"
-                  "t:run(20*us) assert(s.hash == t.hash and s.time == t.time)\n"
-                  "s:run(0.3*us) t:run(0.3*us) assert(s.hash == t.hash)"),
+                        "s:start(15*us) s:wait { steps = 3 } assert(s.steps == 3)\n"
+                        "s:wait { steps = 9 } s:pause() s:start(5*us) s:wait()\n"
+                        "t:run(20*us) assert(s.hash == t.hash and s.time == t.time)\n"
+                        "s:run(0.3*us) t:run(0.3*us) assert(s.hash == t.hash)"),
             "");
 }
 
@@ -44,48 +44,51 @@ TEST(Background, AScriptThatEndsWaitsForIt) {
 }
 
 TEST(Background, StatusSaysWhatIsGoingOn) {
-  EXPECT_EQ(after_start("local function is(state) assert(s:status().state == state) end\n"
+  EXPECT_EQ(
+      after_start("local function is(state) assert(s:status().state == state) end\n"
                   "is 'idle' s:start(5*us) is 'running' s:pause() is 'paused'\n"
                   "s:resume() is 'running' s:stop() is 'idle'\n"
                   "s:start(5*us) s:wait() is 'idle'\n"
                   "local now = s:status()\n"
                   "assert(now.steps == s.steps and now.time == s.time and now.broken_bonds == 0)"),
-            "");
+      "");
 }
 
 TEST(Background, WhatNeedsTheEndOfTheRunIsRefusedBefore) {
   for (const char* call : {"s:step(1)", "s:relax()", "s:rewind(s)",
                            "s:quasistatic { duration = 1*us, increments = 2 }"})
-    EXPECT_THAT(after_start(std::string("s:start(5*us) ") + call), HasSubstr("a run is under way until"))
+    EXPECT_THAT(after_start(std::string("s:start(5*us) ") + call),
+                HasSubstr("a run is under way until"))
         << call;
 }
 
 TEST(Background, AForkStandsStill) {
   EXPECT_EQ(after_start("s:start(5*us) t = s:fork() assert(t:status().state == 'idle')\n"
-                  "s:wait() assert(t.steps == 0)"),
+                        "s:wait() assert(t.steps == 0)"),
             "");
 }
 
 TEST(Background, LoadsChangeBetweenTwoStepsUntilTheEndOfTheRun) {
   EXPECT_EQ(after_start("s:start(20*us) s:wait { steps = 10 }\n"
-                  "s:traction { edge = 'top', stress = {0, 12*MPa}, time = function(t)\n"
-                  "  return 1 - t/(40*us) end }\n"
-                  "s:wait() assert(s.time >= 20*us)"),
+                        "s:traction { edge = 'top', stress = {0, 12*MPa}, time = function(t)\n"
+                        "  return 1 - t/(40*us) end }\n"
+                        "s:wait() assert(s.time >= 20*us)"),
             "");
 }
 
 TEST(Background, AnErrorInAFunctionEndsIt) {
-  EXPECT_THAT(after_start("s:on { 'every', every = 2*us, call = function(t)\n"
-                    "  if t > 3*us then error 'enough' end end }\n"
-                    "s:start(20*us)\n"
-                    "local ok, e = pcall(s.wait, s) assert(not ok and s:status().state == 'idle')\n"
-                    "error(e)"),
-              HasSubstr("enough"));
+  EXPECT_THAT(
+      after_start("s:on { 'every', every = 2*us, call = function(t)\n"
+                  "  if t > 3*us then error 'enough' end end }\n"
+                  "s:start(20*us)\n"
+                  "local ok, e = pcall(s.wait, s) assert(not ok and s:status().state == 'idle')\n"
+                  "error(e)"),
+      HasSubstr("enough"));
 }
 
 TEST(Background, SimulationsAreFoundByNumber) {
   EXPECT_EQ(after_start("t = s:fork() local all = simulations()\n"
-                  "assert(all[1] == s and all[2] == t and #all == 2)"),
+                        "assert(all[1] == s and all[2] == t and #all == 2)"),
             "");
 }
 

@@ -121,7 +121,8 @@ TEST_F(CompletionTest, OptionsThatAreGivenAreLeftOut) {
   EXPECT_THAT(offered("plate { "), ElementsAre("height", "material", "plane", "width"));
   EXPECT_THAT(offered("plate { width = f(1, {a = 2}), "),
               ElementsAre("height", "material", "plane"));
-  EXPECT_THAT(offered("s:movie { \"a.mp4\", "), ElementsAre("every", "field", "fps", "width", "zoom"));
+  EXPECT_THAT(offered("s:movie { \"a.mp4\", "),
+              ElementsAre("every", "field", "fps", "width", "zoom"));
   EXPECT_THAT(offered("s:movie { "), Contains("file"));
 }
 

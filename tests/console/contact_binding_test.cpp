@@ -11,7 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string small_plate = "p = plate { width = 30*mm, height = 20*mm, material = 'duran50' }\n";
+const std::string small_plate =
+    "p = plate { width = 30*mm, height = 20*mm, material = 'duran50' }\n";
 const std::string disc = "{ centre = {-4.01*mm, 10*mm}, radius = 4*mm, velocity = {50, 0}";
 
 std::string after_small_plate(const std::string& calls) {
@@ -20,18 +21,18 @@ std::string after_small_plate(const std::string& calls) {
 
 TEST(ContactBinding, IsSaidByThePlateAndTheLedger) {
   EXPECT_EQ(after_small_plate("p:contact {}\n"
-                  "assert(tostring(p):find(', contact', 1, true), tostring(p))\n"
-                  "p:contact { stiffness = 30, reach = 1 }\n"
-                  "s = simulate(p, { spacing = 1*mm })\n"
-                  "assert(s.energy.contact == 0)\n"),
+                              "assert(tostring(p):find(', contact', 1, true), tostring(p))\n"
+                              "p:contact { stiffness = 30, reach = 1 }\n"
+                              "s = simulate(p, { spacing = 1*mm })\n"
+                              "assert(s.energy.contact == 0)\n"),
             "");
 }
 
 TEST(ContactBinding, LowersTheLimitOfTheStep) {
   EXPECT_EQ(after_small_plate("local free = simulate(p, { spacing = 1*mm }).dt_limit\n"
-                  "p:contact {}\n"
-                  "local touching = simulate(p, { spacing = 1*mm }).dt_limit\n"
-                  "assert(touching < 0.8*free and touching > 0.6*free)\n"),
+                              "p:contact {}\n"
+                              "local touching = simulate(p, { spacing = 1*mm }).dt_limit\n"
+                              "assert(touching < 0.8*free and touching > 0.6*free)\n"),
             "");
 }
 
@@ -39,27 +40,28 @@ TEST(ContactBinding, RefusesWhatMakesNoSense) {
   for (const char* options :
        {"stiffness = 0", "stiffness = -1", "stiffness = 101", "stiffness = 0/0", "stiffness = 'a'",
         "reach = 0", "reach = 1.01", "reach = 1/0", "reach = {}", "reech = 1"})
-    EXPECT_THAT(after_small_plate(std::string("p:contact { ") + options + " }"), HasSubstr("contact: "))
+    EXPECT_THAT(after_small_plate(std::string("p:contact { ") + options + " }"),
+                HasSubstr("contact: "))
         << options;
   EXPECT_THAT(after_small_plate("p:contact(5)"), HasSubstr("contact: "));
 }
 
 TEST(ImpactorBinding, HitsThePlate) {
   EXPECT_EQ(after_small_plate("p:impactor " + disc + ", density = 2500 }\n" +
-                  "s = simulate(p, { spacing = 1*mm })\n"
-                  "s:run(20*us)\n"
-                  "assert(s.energy.external > 0)\n"),
+                              "s = simulate(p, { spacing = 1*mm })\n"
+                              "s:run(20*us)\n"
+                              "assert(s.energy.external > 0)\n"),
             "");
 }
 
 TEST(ImpactorBinding, MayComeInTheMiddleOfARun) {
   EXPECT_EQ(after_small_plate("s = simulate(p, { spacing = 1*mm })\n"
-                  "s:run(5*us)\n"
-                  "s:impactor " +
-                  disc +
-                  ", mass = 0.3 }\n"
-                  "s:run(20*us)\n"
-                  "assert(s.energy.external > 0)\n"),
+                              "s:run(5*us)\n"
+                              "s:impactor " +
+                              disc +
+                              ", mass = 0.3 }\n"
+                              "s:run(20*us)\n"
+                              "assert(s.energy.external > 0)\n"),
             "");
 }
 
@@ -75,7 +77,8 @@ TEST(ImpactorBinding, RefusesWhatMakesNoSense) {
         "centre = {-5*mm, 0}, radius = 1*mm, velocity = {1, 0}, density = 'steel'",
         "centre = {-5*mm, 0}, radius = 1*mm, velocity = {1, 0}, mass = 1, density = 1",
         "centre = {-5*mm, 0}, radius = 1*mm, speed = {1, 0}"})
-    EXPECT_THAT(after_small_plate(std::string("p:impactor { ") + options + " }"), HasSubstr("impactor: "))
+    EXPECT_THAT(after_small_plate(std::string("p:impactor { ") + options + " }"),
+                HasSubstr("impactor: "))
         << options;
 }
 
@@ -94,7 +97,7 @@ TEST(ImpactorBinding, RefusesADiscInsideThePlateOrTooSmallOrLight) {
 
 TEST(ImpactorBinding, KeepsAPlateFromComingToRest) {
   EXPECT_THAT(after_small_plate("p:clamp { edge = 'left', depth = 2*mm }\np:impactor " + disc +
-                    " }\nsimulate(p, { spacing = 1*mm }):relax()"),
+                                " }\nsimulate(p, { spacing = 1*mm }):relax()"),
               HasSubstr("a plate that is being hit cannot be brought to rest"));
 }
 

@@ -26,18 +26,19 @@ TEST(LoadBinding, LoadsOfAPlateAddUpAndCallsChain) {
 }
 
 TEST(LoadBinding, AChangeInARunReplacesTheLikeLoadAtThePlace) {
-  EXPECT_EQ(test::message_of(
-                plate_and_sim + "p:traction { edge = 'top', stress = {0, 1*MPa} }\n"
-                        "local s = sim() s:run(1*us)\n"
-                        "local e = s.energy.external assert(e > 0)\n"
-                        "s:traction { edge = 'top', stress = {0, 0} }:damping { rate = 0 }\n"
-                        "s:run(1*us) assert(s.energy.external == e)\n"
-                        "s:move { edge = 'left', depth = 1*mm, velocity = {-1, 0}, axis = 'x' }\n"
-                        "s:run(1*us) assert(s.energy.external > e) e = s.energy.external\n"
-                        "s:release { edge = 'left', depth = 1*mm }\n"
-                        "s:run(1*us) assert(s.energy.external == e)\n"
-                        "assert(not tostring(p):find('support'))"),
-            "");
+  EXPECT_EQ(
+      test::message_of(plate_and_sim +
+                       "p:traction { edge = 'top', stress = {0, 1*MPa} }\n"
+                       "local s = sim() s:run(1*us)\n"
+                       "local e = s.energy.external assert(e > 0)\n"
+                       "s:traction { edge = 'top', stress = {0, 0} }:damping { rate = 0 }\n"
+                       "s:run(1*us) assert(s.energy.external == e)\n"
+                       "s:move { edge = 'left', depth = 1*mm, velocity = {-1, 0}, axis = 'x' }\n"
+                       "s:run(1*us) assert(s.energy.external > e) e = s.energy.external\n"
+                       "s:release { edge = 'left', depth = 1*mm }\n"
+                       "s:run(1*us) assert(s.energy.external == e)\n"
+                       "assert(not tostring(p):find('support'))"),
+      "");
 }
 
 TEST(LoadBinding, FunctionsOfPlaceAndTimeAreCalledWithMetresAndSeconds) {
@@ -56,21 +57,21 @@ TEST(LoadBinding, FunctionsOfPlaceAndTimeAreCalledWithMetresAndSeconds) {
 }
 
 TEST(LoadBinding, AFunctionOutlivesTheScriptsHoldOnIt) {
-  EXPECT_EQ(
-      test::message_of(plate_and_sim + "do local f = function(t) return 1 end\n"
-                               "p:traction { edge = 'top', stress = {0, 1*MPa}, time = f } end\n"
-                               "local s = sim() p = nil collectgarbage() collectgarbage()\n"
-                               "for k = 1, 3 do s:run(1*us) collectgarbage() end"),
-      "");
+  EXPECT_EQ(test::message_of(plate_and_sim +
+                             "do local f = function(t) return 1 end\n"
+                             "p:traction { edge = 'top', stress = {0, 1*MPa}, time = f } end\n"
+                             "local s = sim() p = nil collectgarbage() collectgarbage()\n"
+                             "for k = 1, 3 do s:run(1*us) collectgarbage() end"),
+            "");
 }
 
 TEST(LoadBinding, AFunctionMayNotRunOrChangeTheSimulation) {
-  EXPECT_THAT(
-      test::message_of(plate_and_sim + "local s = sim()\n"
+  EXPECT_THAT(test::message_of(plate_and_sim +
+                               "local s = sim()\n"
                                "s:traction { edge = 'top', stress = {0, 1}, time = function(t)\n"
                                "  if t > 1*us then s:run(1*us) end return 1 end }\n"
                                "s:run(5*us)"),
-      HasSubstr("the simulation is running"));
+              HasSubstr("the simulation is running"));
 }
 
 TEST(LoadBinding, CoursesAreListsOfPairs) {

@@ -56,13 +56,14 @@ TEST(PlateBinding, ATextInPlaceOfOptionsIsExplained) {
 }
 
 TEST(PlateBinding, ProblemsOfTheCallAndOfTheSceneComeTogether) {
-  EXPECT_THAT(test::message_of(test::plate_p + "p:crack { from = {0, 0}, to = {1, 0}, bron = 'absent' }"),
-              testing::AllOf(HasSubstr("did you mean 'born'?"), HasSubstr("outside the plate")));
+  EXPECT_THAT(
+      test::message_of(test::plate_p + "p:crack { from = {0, 0}, to = {1, 0}, bron = 'absent' }"),
+      testing::AllOf(HasSubstr("did you mean 'born'?"), HasSubstr("outside the plate")));
 }
 
 TEST(PlateBinding, ARefusedThingIsNotOnThePlate) {
   EXPECT_EQ(test::message_of(test::plate_p + "pcall(p.crack, p, { from = {0, 0}, to = {1, 0} })\n"
-                                     "assert(not tostring(p):find('crack'))"),
+                                             "assert(not tostring(p):find('crack'))"),
             "");
 }
 
@@ -70,7 +71,8 @@ TEST(PlateBinding, ANoFailZoneIsAStripOrARectangle) {
   EXPECT_EQ(test::message_of(test::plate_p + "p:nofail { from = {0, 0}, to = {1*mm, 1*mm} }"), "");
   for (const char* bad : {"{ edge = 'top' }", "{ depth = 1*mm }", "{ from = {0, 0} }",
                           "{ edge = 'top', depth = 1*mm, from = {0, 0}, to = {1, 1} }"})
-    EXPECT_THAT(test::message_of(test::plate_p + "p:nofail " + bad), HasSubstr("the area is not clear"))
+    EXPECT_THAT(test::message_of(test::plate_p + "p:nofail " + bad),
+                HasSubstr("the area is not clear"))
         << bad;
 }
 

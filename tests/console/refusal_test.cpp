@@ -124,9 +124,9 @@ TEST(Refusal, AnUnknownQuadratureOrPlane) {
 }
 
 TEST(Refusal, ACrackOutsideThePlate) {
-  EXPECT_THAT(
-      refusal(test::plate_p + "p:crack { from = {0, 50*mm}, to = {50*mm, 20*mm} }", ErrorKind::refused),
-      HasSubstr("crack: 'from' (0 m, 50 mm) lies outside the plate"));
+  EXPECT_THAT(refusal(test::plate_p + "p:crack { from = {0, 50*mm}, to = {50*mm, 20*mm} }",
+                      ErrorKind::refused),
+              HasSubstr("crack: 'from' (0 m, 50 mm) lies outside the plate"));
 }
 
 TEST(Refusal, APlateOfMoreNodesThanMemory) {
@@ -137,8 +137,9 @@ TEST(Refusal, APlateOfMoreNodesThanMemory) {
 TEST(Refusal, AFolderThatCannotBeWritten) {
   const test::Folder folder;
   write_text(folder.path / "file", "");
-  const auto failure = test::failure_of(test::plate_p + "s = simulate(p, { spacing = 2*mm })\n" + film,
-                                        test::quiet(folder.path / "file/out"));
+  const auto failure =
+      test::failure_of(test::plate_p + "s = simulate(p, { spacing = 2*mm })\n" + film,
+                       test::quiet(folder.path / "file/out"));
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind(), ErrorKind::files);
   EXPECT_THAT(failure->what(), HasSubstr("is not a folder"));

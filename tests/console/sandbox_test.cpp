@@ -251,31 +251,5 @@ TEST_F(Jail, TheOutputFolderMayNotLeadElsewhere) {
   fs::current_path(before);
 }
 
-TEST(LuaMemory, IsLimited) {
-  ConsoleSettings settings = test::quiet();
-  settings.lua_memory = std::size_t{8} << 20U;
-  const std::string told =
-      "not enough memory: the script's Lua values exceed 8 MB (--lua-memory allows more)";
-  for (const char* greedy :
-       {"local t = {} for i = 1, 1e9 do t[i] = i end", "return ('x'):rep(1e9)",
-        "local t = {} for i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end",
-        "coroutine.wrap(function() return ('x'):rep(1e9) end)()",
-        "local s = 'x' while true do s = s .. s end", "error(('x'):rep(5e6) .. ('y'):rep(4e6))",
-        "return io.stdin:read(1e9)",
-        "local t = {} for i = 1, 1e9 do t[i] = coroutine.create(print) end",
-        "local t = {} for i = 1, 1e9 do t[i] = plate{width=1,height=1,material='duran50'} end"})
-    EXPECT_THAT(test::message_of(greedy, settings), HasSubstr(told)) << greedy;
-}
-
-TEST(LuaMemory, IsGivenBack) {
-  ConsoleSettings settings = test::quiet();
-  settings.lua_memory = std::size_t{8} << 20U;
-  EXPECT_EQ(test::message_of("for i = 1, 1000 do local s = ('x'):rep(1e6) .. i end\n"
-                             "assert(not pcall(string.rep, 'x', 1e8))\n"
-                             "assert(#('x'):rep(2e6) == 2e6)",
-                             settings),
-            "");
-}
-
 }  // namespace
 }  // namespace hackle

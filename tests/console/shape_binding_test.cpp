@@ -88,7 +88,8 @@ TEST(ShapeBinding, WhatMakesNoSenseIsRefusedByName) {
            {"mask { 'a.png', threshold = 2 }", "threshold is 2"},
            {"mask { 'a.png', from = {1, 1}, to = {0, 0} }", "the area is empty"},
        })
-    EXPECT_THAT(test::message_of(test::plate_p + "p:" + bad.call), HasSubstr(bad.message)) << bad.call;
+    EXPECT_THAT(test::message_of(test::plate_p + "p:" + bad.call), HasSubstr(bad.message))
+        << bad.call;
 }
 
 // A picture of four pixels: black in the upper left corner, white else.
@@ -133,11 +134,13 @@ TEST(ShapeBinding, APictureThatIsCutOffIsRefused) {
   const test::Folder folder;
   const std::string file = corner_png(folder.path);
   std::filesystem::resize_file(file, 50);
-  EXPECT_THAT(test::message_of(test::plate_p + "p:mask { '" + file + "' }", test::quiet(folder.path)),
-              HasSubstr("cannot read the picture"));
+  EXPECT_THAT(
+      test::message_of(test::plate_p + "p:mask { '" + file + "' }", test::quiet(folder.path)),
+      HasSubstr("cannot read the picture"));
   std::ofstream(file) << "this is no picture at all";
-  EXPECT_THAT(test::message_of(test::plate_p + "p:mask { '" + file + "' }", test::quiet(folder.path)),
-              HasSubstr("cannot read the picture"));
+  EXPECT_THAT(
+      test::message_of(test::plate_p + "p:mask { '" + file + "' }", test::quiet(folder.path)),
+      HasSubstr("cannot read the picture"));
 }
 
 }  // namespace

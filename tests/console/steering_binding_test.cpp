@@ -32,27 +32,27 @@ std::string after_scene(const std::string& text) {
 
 TEST(Fork, GoesOnFromTheSameBits) {
   EXPECT_EQ(after_scene("s:run(10*us) t = s:fork()\n"
-                  "assert(t.hash == s.hash and t.time == s.time)\n"
-                  "s:run(10*us) t:run(10*us)\n"
-                  "assert(t.hash == s.hash)"),
+                        "assert(t.hash == s.hash and t.time == s.time)\n"
+                        "s:run(10*us) t:run(10*us)\n"
+                        "assert(t.hash == s.hash)"),
             "");
 }
 
 TEST(Fork, GoesItsOwnWay) {
   EXPECT_EQ(after_scene("s:run(10*us) t = s:fork()\n"
-                  "t:traction { edge = 'top', stress = {0, 0} }\n"
-                  "s:run(10*us) t:run(10*us)\n"
-                  "whole = fresh() whole:run(20*us)\n"
-                  "assert(s.hash == whole.hash and t.hash ~= whole.hash)"),
+                        "t:traction { edge = 'top', stress = {0, 0} }\n"
+                        "s:run(10*us) t:run(10*us)\n"
+                        "whole = fresh() whole:run(20*us)\n"
+                        "assert(s.hash == whole.hash and t.hash ~= whole.hash)"),
             "");
 }
 
 TEST(Rewind, GoesBackToBitsAndLoads) {
   EXPECT_EQ(after_scene("s:run(10*us) kept = s:fork() s:run(10*us) one = s.hash\n"
-                  "s:traction { edge = 'top', stress = {0, 0} } s:run(10*us)\n"
-                  "s:rewind(kept) assert(s.time == kept.time and s.hash == kept.hash)\n"
-                  "s:run(10*us) assert(s.hash == one)\n"
-                  "s:rewind(s) assert(s.hash == one)"),
+                        "s:traction { edge = 'top', stress = {0, 0} } s:run(10*us)\n"
+                        "s:rewind(kept) assert(s.time == kept.time and s.hash == kept.hash)\n"
+                        "s:run(10*us) assert(s.hash == one)\n"
+                        "s:rewind(s) assert(s.hash == one)"),
             "");
 }
 
@@ -63,48 +63,50 @@ TEST(Rewind, RefusesAnotherPlateAndFilesThatWouldGoBack) {
   EXPECT_THAT(after_scene("s:rewind()"), HasSubstr("expected a simulation, got nothing"));
   const test::Folder folder;
   EXPECT_THAT(test::message_of(scenes + "t = s:fork() s:record { 'a.h5', every = 5*us }\n"
-                                       "s:run(10*us) s:rewind(t)",
+                                        "s:run(10*us) s:rewind(t)",
                                test::quiet(folder.path)),
               HasSubstr("rewind: its movies and records would go back in time"));
   EXPECT_EQ(test::message_of(scenes + "t = s:fork() s:record { 'a.h5', every = 5*us }\n"
-                                     "s:run(10*us) s:close() s:rewind(t) assert(s.time == 0)",
+                                      "s:run(10*us) s:close() s:rewind(t) assert(s.time == 0)",
                              test::quiet(folder.path)),
             "");
 }
 
 TEST(On, EveryCallsAtEvenTimesAndChangesNoBit) {
-  EXPECT_EQ(after_scene("times = {} s:on { 'every', every = 2*us, call = function(t)\n"
+  EXPECT_EQ(
+      after_scene("times = {} s:on { 'every', every = 2*us, call = function(t)\n"
                   "  assert(t == s.time) times[#times + 1] = t end }\n"
                   "s:run(7*us) s:run(3*us)\n"
                   "assert(#times == 6, #times .. ' calls')\n"
                   "for k, t in ipairs(times) do assert(math.abs(t - (k - 1)*2*us) < s.dt) end\n"
                   "whole = fresh() whole:run(10*us) assert(s.hash == whole.hash)"),
-            "");
+      "");
 }
 
 TEST(On, BreakCallsOnceAtTheFirstBond) {
-  EXPECT_EQ(after_scene("count = 0 s:on { 'break', call = function(t)\n"
+  EXPECT_EQ(
+      after_scene("count = 0 s:on { 'break', call = function(t)\n"
                   "  count, first, bonds = count + 1, t, s.damage.broken_bonds s:stop() end }\n"
                   "s:run(30*us)\n"
                   "assert(count == 1 and bonds >= 1 and s.time == first and first < 10*us)\n"
                   "s:run(10*us)\n"
                   "assert(count == 1 and math.abs(s.time - first - 10*us) <= s.dt)"),
-            "");
+      "");
 }
 
 TEST(On, DamageStopsACrackAtALine) {
   EXPECT_EQ(after_scene("s:on { 'damage', from = {60*mm, 10*mm}, to = {100*mm, 30*mm},\n"
-                  "       call = function() s:stop() end }\n"
-                  "s:run(100*us)\n"
-                  "local tip = s:cracks { from = {0, 10*mm}, to = {100*mm, 30*mm} }.right\n"
-                  "assert(s.time < 50*us)\n"
-                  "assert(tip > 60*mm and tip < 61*mm, 'at ' .. tip/mm)"),
+                        "       call = function() s:stop() end }\n"
+                        "s:run(100*us)\n"
+                        "local tip = s:cracks { from = {0, 10*mm}, to = {100*mm, 30*mm} }.right\n"
+                        "assert(s.time < 50*us)\n"
+                        "assert(tip > 60*mm and tip < 61*mm, 'at ' .. tip/mm)"),
             "");
 }
 
 TEST(On, DamageThatIsThereAlreadyIsSeenAtOnce) {
   EXPECT_EQ(after_scene("s:on { 'damage', call = function(t) seen = t end } s:run(1*us)\n"
-                  "assert(seen == 0)"),
+                        "assert(seen == 0)"),
             "");
 }
 
@@ -124,7 +126,8 @@ TEST(On, MayChangeLoads) {
 }
 
 TEST(On, AnErrorStopsTheRunAndIsNamed) {
-  EXPECT_EQ(after_scene("s:on { 'every', every = 5*us, call = function(t)\n"
+  EXPECT_EQ(
+      after_scene("s:on { 'every', every = 5*us, call = function(t)\n"
                   "  if t > 7*us and not once then once = true error 'enough' end end }\n"
                   "ok, message = pcall(s.run, s, 30*us)\n"
                   "assert(not ok and tostring(message):find('on: call: the function fails at t = "
@@ -134,7 +137,7 @@ TEST(On, AnErrorStopsTheRunAndIsNamed) {
                   "assert(math.abs(s.time - 10*us) < s.dt)\n"
                   "s:run(5*us) assert(math.abs(s.time - 15*us) < 2*s.dt, 'what was not reached is "
                   "not owed')"),
-            "");
+      "");
 }
 
 TEST(On, AWatcherMayNotRunOrCloseOrFilm) {
@@ -142,7 +145,7 @@ TEST(On, AWatcherMayNotRunOrCloseOrFilm) {
                            "s:movie { 'a.mp4', every = 1*us }", "s:record { 'a.h5', every = 1*us }",
                            "s:on { 'break', call = function() end }"})
     EXPECT_THAT(after_scene(std::string("s:on { 'every', every = 1*us, call = function() ") + call +
-                      " end } s:run(3*us)"),
+                            " end } s:run(3*us)"),
                 HasSubstr("the simulation is running (between two steps its loads may be changed, "
                           "or s:stop() ends the run)"))
         << call;
@@ -152,9 +155,12 @@ TEST(On, RefusesWhatDoesNotGoTogether) {
   EXPECT_THAT(after_scene("s:on { 'every', call = print }"), HasSubstr("on: every is missing"));
   EXPECT_THAT(after_scene("s:on { 'break', every = 1*us, call = print }"),
               HasSubstr("every does not go with break"));
-  EXPECT_THAT(after_scene("s:on { 'brake', call = print }"), HasSubstr("expected one of every, break, damage"));
-  EXPECT_THAT(after_scene("s:on { 'every', every = 1*ns, call = print }"), HasSubstr("less than one time step"));
-  EXPECT_THAT(after_scene("s:on { 'every', every = 1*us }"), HasSubstr("call is missing (a function)"));
+  EXPECT_THAT(after_scene("s:on { 'brake', call = print }"),
+              HasSubstr("expected one of every, break, damage"));
+  EXPECT_THAT(after_scene("s:on { 'every', every = 1*ns, call = print }"),
+              HasSubstr("less than one time step"));
+  EXPECT_THAT(after_scene("s:on { 'every', every = 1*us }"),
+              HasSubstr("call is missing (a function)"));
 }
 
 TEST(Stop, OutsideOfARunDoesNothing) {

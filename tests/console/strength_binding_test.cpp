@@ -15,21 +15,24 @@ std::string after_plate(const std::string& call) {
 }
 
 TEST(StrengthBinding, TakesBothDistributionsAndSaysSo) {
-  EXPECT_EQ(after_plate("p:strength { modulus = 10, correlation = 2*mm, seed = 7 }\n"
+  EXPECT_EQ(
+      after_plate("p:strength { modulus = 10, correlation = 2*mm, seed = 7 }\n"
                   "assert(tostring(p):find('strength scattered (Weibull modulus 10, correlated "
                   "over 2 mm, seed 7)', 1, true), tostring(p))\n"
                   "p:strength { distribution = 'normal', deviation = 0.1 }\n"
                   "assert(tostring(p):find('(deviation 0.1, seed 1)', 1, true), tostring(p))\n"
                   "simulate(p, { spacing = 2*mm })"),
-            "");
+      "");
 }
 
 TEST(StrengthBinding, TheSpreadMustFitTheDistribution) {
   EXPECT_THAT(after_plate("p:strength {}"), HasSubstr("a weibull distribution takes modulus"));
-  EXPECT_THAT(after_plate("p:strength { deviation = 0.1 }"), HasSubstr("takes modulus and no deviation"));
+  EXPECT_THAT(after_plate("p:strength { deviation = 0.1 }"),
+              HasSubstr("takes modulus and no deviation"));
   EXPECT_THAT(after_plate("p:strength { distribution = 'normal', modulus = 10 }"),
               HasSubstr("a normal distribution takes deviation and no modulus"));
-  EXPECT_THAT(after_plate("p:strength { modulus = 10, deviation = 0.1 }"), HasSubstr("no deviation"));
+  EXPECT_THAT(after_plate("p:strength { modulus = 10, deviation = 0.1 }"),
+              HasSubstr("no deviation"));
 }
 
 TEST(StrengthBinding, RefusesWhatMakesNoSense) {
