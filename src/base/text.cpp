@@ -9,6 +9,8 @@
 namespace hackle {
 namespace {
 
+constexpr std::size_t shortest_beginning = 4;
+
 // Optimal string alignment distance, three rows of the usual table.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> older(b.size() + 1), old(b.size() + 1), now(b.size() + 1);
@@ -34,7 +36,9 @@ std::optional<std::string_view> nearest(std::string_view word,
   std::optional<std::string_view> best;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (std::string_view candidate : candidates) {
-    const std::size_t distance = edit_distance(word, candidate);
+    const bool begun = word.size() >= shortest_beginning && candidate.starts_with(word);
+    const std::size_t distance = begun ? std::min<std::size_t>(1, candidate.size() - word.size())
+                                       : edit_distance(word, candidate);
     if (distance < least) {
       least = distance;
       best = candidate;

@@ -253,11 +253,12 @@ void Sweep<features>::lead(int j) {
     const int q = node.i - data_.layout.first_column() - first_;
     if (q < 0 || q >= columns_) continue;
     node.work = node.ahead = 0;
+    if (data_.ax != nullptr) {  // forces are asked for, and nothing moves
+      if (node.along_x) work_.up.x[q] = 0;
+      if (node.along_y) work_.up.y[q] = 0;
+      continue;
+    }
     const auto along = [&](Real& force, Real& v, Real move) {
-      if (data_.ax != nullptr) {
-        force = 0;
-        return;
-      }
       const Real push = move - (v + data_.kick * force);
       node.work += Real{0.5} * push * (v + move);
       node.ahead -= Real{0.5} * force * move;

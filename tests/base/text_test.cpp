@@ -17,6 +17,11 @@ TEST(Nearest, FindsSlipsOfTheFinger) {
   EXPECT_EQ(nearest("crack", words), "crack");
 }
 
+TEST(Nearest, FindsWhatGoesOn) {
+  EXPECT_EQ(nearest("trac", words), "traction");
+  EXPECT_FALSE(nearest("tra", words));
+}
+
 TEST(Nearest, SaysNothingRatherThanMislead) {
   EXPECT_FALSE(nearest("pressure", words));
   EXPECT_FALSE(nearest("", words));
