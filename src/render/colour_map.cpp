@@ -2,8 +2,10 @@
 #include "render/colour_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numbers>
 #include <sstream>
 #include <string_view>
 
@@ -20,41 +22,45 @@ namespace fs = std::filesystem;
 
 const fs::path folder = "assets/colour_maps";
 
-[[noreturn]] void refuse(const std::string& name) {
-  const std::vector<std::string> known = colour_map_names();
-  const std::vector<std::string_view> views(known.begin(), known.end());
-  throw Error(ErrorKind::refused,
-              "there is no colour map '" + name + "'" + did_you_mean(name, views),
-              "one of " + comma_list(views));
-}
+constexpr std::size_t entries = 256;
 
 }  // namespace
 
-std::vector<std::string> colour_map_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(data_file(folder)))
-    if (entry.path().extension() == ".csv") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
+ColourMap fringe_map(double least, double most) {
+  constexpr double entries_a_fringe = 64.0, most_entries = 8192.0;
+  const double fringes = std::max(most - least, 1.0);
+  const auto count =
+      static_cast<std::size_t>(std::min(std::ceil(entries_a_fringe * fringes), most_entries));
+  ColourMap map{"fringes", std::vector<Colour>(count)};
+  for (std::size_t k = 0; k < count; ++k) {
+    const double order =
+        least + (most - least) * static_cast<double>(k) / static_cast<double>(count - 1);
+    const double light = std::pow(std::sin(std::numbers::pi * order), 2);
+    // Brightness as the eye sees it: the curve of sRGB.
+    const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * std::pow(light, 1.0 / 2.2)));
+    map.colours[k] = {grey, grey, grey};
+  }
+  return map;
 }
 
 ColourMap load_colour_map(const std::string& name) {
-  const std::vector<std::string> known = colour_map_names();
-  if (std::ranges::find(known, name) == known.end()) refuse(name);
+  if (std::ranges::find(colour_map_names, name) == colour_map_names.end())
+    throw Error(ErrorKind::refused,
+                "there is no colour map '" + name + "'" + did_you_mean(name, colour_map_names),
+                "one of " + comma_list(colour_map_names));
   ColourMap map{name, {}};
   std::istringstream lines(read_text(data_file(folder / (name + ".csv"))));
-  std::size_t count = 0;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line[0] == '#') continue;
     unsigned red = 0, green = 0, blue = 0;
     const bool read = std::sscanf(line.c_str(), "%u,%u,%u", &red, &green, &blue) == 3;
-    if (!read || std::max({red, green, blue}) > 255 || count >= map.colours.size())
+    if (!read || std::max({red, green, blue}) > 255 || map.colours.size() == entries)
       throw Error(ErrorKind::files,
                   fmt::format("the colour map '{}' is damaged at '{}'", name, line));
-    map.colours[count++] = {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
-                            static_cast<std::uint8_t>(blue)};
+    map.colours.push_back({static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
+                           static_cast<std::uint8_t>(blue)});
   }
-  if (count != map.colours.size())
+  if (map.colours.size() != entries)
     throw Error(ErrorKind::files, "the colour map '" + name + "' has not 256 colours");
   return map;
 }

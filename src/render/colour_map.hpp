@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hackle {
@@ -16,14 +17,18 @@ struct Colour {
 
 struct ColourMap {
   std::string name;
-  std::array<Colour, 256> colours;
+  std::vector<Colour> colours;  // evenly from the least value to the largest, two at least
 };
+
+// Each has a file of its own in assets/colour_maps; in alphabetical order.
+inline constexpr auto colour_map_names = std::to_array<std::string_view>(
+    {"batlow", "cividis", "damage", "inferno", "roma", "viridis", "vik"});
+
+// The brightness of a polariscope with a dark field, sin^2(pi N), for orders N from least to most.
+ColourMap fringe_map(double least, double most);
 
 // The map of assets/colour_maps/NAME.csv. Throws Error (refused) for an unknown name, with the
 // nearest one, and Error (files) for a damaged file.
 ColourMap load_colour_map(const std::string& name);
-
-// Names of all maps, in alphabetical order.
-std::vector<std::string> colour_map_names();
 
 }  // namespace hackle

@@ -2,10 +2,13 @@
 #include "render/colour_map.hpp"
 
 #include <cmath>
+#include <filesystem>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "base/files.hpp"
 
 namespace hackle {
 namespace {
@@ -24,8 +27,40 @@ double lightness(Colour colour) {
 }
 
 TEST(ColourMaps, AreAllComplete) {
-  EXPECT_THAT(colour_map_names(), testing::Contains("damage"));
-  for (const std::string& name : colour_map_names()) EXPECT_NO_THROW(load_colour_map(name)) << name;
+  for (const std::string_view name : colour_map_names)
+    EXPECT_NO_THROW(load_colour_map(std::string(name))) << name;
+}
+
+TEST(ColourMaps, AreThoseOfTheFolder) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(data_file("assets/colour_maps")))
+    files.push_back(entry.path().stem().string());
+  EXPECT_THAT(files, testing::UnorderedElementsAreArray(colour_map_names));
+}
+
+TEST(ColourMaps, SayWhereTheyComeFrom) {
+  for (const std::string_view name : colour_map_names) {
+    const std::string text = read_text(data_file(fmt::format("assets/colour_maps/{}.csv", name)));
+    EXPECT_TRUE(text.find("licence") != std::string::npos || text.find("CC0") != std::string::npos)
+        << name;
+  }
+}
+
+// The two ends of a map for values of two signs are alike in lightness, its middle is not.
+TEST(ColourMaps, ThoseForTwoSignsAreEvenOnBothSides) {
+  for (const char* name : {"vik", "roma"}) {
+    const std::vector<Colour> colours = load_colour_map(name).colours;
+    EXPECT_NEAR(lightness(colours.front()), lightness(colours.back()), 0.12) << name;
+    EXPECT_GT(lightness(colours[128]) - lightness(colours.front()), 0.3) << name;
+  }
+}
+
+TEST(FringeMap, IsDarkAtWholeOrders) {
+  const ColourMap map = fringe_map(0.0, 3.0);
+  EXPECT_EQ(map.colours.front(), (Colour{0, 0, 0}));
+  EXPECT_LE(map.colours.back().red, 1);
+  const std::size_t half = (map.colours.size() - 1) / 6;
+  EXPECT_GE(map.colours[half].red, 254);
 }
 
 TEST(DamageMap, RisesEvenlyInLightness) {
