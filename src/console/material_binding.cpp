@@ -45,6 +45,11 @@ constexpr std::array material_options{
            .range = at_least(0.0),
            .fallback = "0",
            .sentence = "Thermal expansion."},
+    Option{.name = "fringe",
+           .unit = "N/m",
+           .range = at_least(0.0),
+           .fallback = "0, not known",
+           .sentence = "Stress-optic fringe value, for pictures of fringes."},
     Option{.name = "like",
            .type = OptionType::material,
            .alternative = true,
@@ -87,6 +92,7 @@ Material material_of(const Arguments& arguments) {
   material.nu = arguments.number("nu", material.nu);
   material.alpha = arguments.number("alpha", material.alpha);
   material.alphaT = arguments.number("alphaT", material.alphaT);
+  material.fringe = arguments.number("fringe", material.fringe);
   if (arguments.has("G0") || arguments.has("s0")) {
     material.G0 = arguments.number("G0");
     material.s0 = arguments.number("s0");

@@ -39,6 +39,7 @@ KnownMaterial read_material(lua_State* L, const std::string& key) {
   known.material.G0 = number_field(L, "G0");
   known.material.alpha = number_field(L, "alpha");
   known.material.alphaT = number_field(L, "alphaT");
+  known.material.fringe = number_field(L, "fringe");
   known.material.s0 = number_field(L, "s0");
   Problems problems;
   check(known.material, problems);

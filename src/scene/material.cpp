@@ -44,6 +44,10 @@ void check(const Material& material, Problems& problems) {
     problems.add(
         fmt::format("material: alphaT is {} 1/K, it must be at least 0 1/K", material.alphaT),
         "glass has 3e-6 to 9e-6, steel 12e-6");
+  if (!(material.fringe >= 0.0 && std::isfinite(material.fringe)))
+    problems.add(
+        fmt::format("material: fringe is {} N/m, it must be at least 0 N/m", material.fringe),
+        "glass has 140e3 to 210e3, Homalite-100 22e3");
   if (!(material.nu > -1.0 && material.nu < 0.5))
     problems.add(fmt::format("material: nu is {}, it must lie between -1 and 0.5", material.nu));
 }

@@ -19,7 +19,10 @@ struct Material {
   // stretch around its ends (paper Eq. 11); in [0, 1).
   double alpha = 0.0;
   double alphaT = 0.0;  // thermal expansion, 1/K, >= 0
-  double s0 = 0.0;      // critical stretch in (0, 1), given instead of G0; 0: it follows from G0
+  // Stress-optic fringe value, N/m for each fringe: wavelength over stress-optic coefficient; 0
+  // where it is not known.
+  double fringe = 0.0;
+  double s0 = 0.0;  // critical stretch in (0, 1), given instead of G0; 0: it follows from G0
 
   friend bool operator==(const Material&, const Material&) = default;
 };

@@ -16,7 +16,8 @@ Json to_json(const Material& material) {
   return {{"name", material.name},         {"E_Pa", material.E},
           {"rho_kg_m3", material.rho},     {"nu", material.nu},
           {"G0_J_m2", material.G0},        {"alpha", material.alpha},
-          {"alphaT_1_K", material.alphaT}, {"s0", material.s0}};
+          {"alphaT_1_K", material.alphaT}, {"s0", material.s0},
+          {"fringe_N_m", material.fringe}};
 }
 
 Json to_json(const std::vector<Vec2>& points) {

@@ -8,7 +8,7 @@
 namespace hackle::test {
 
 inline Material duran50() {
-  return {"Duran 50 glass", 65e9, 2235.0, 0.2, 204.0};
+  return {"Duran 50 glass", 65e9, 2235.0, 0.2, 204.0, 0.0, 0.0, 136.5e3};
 }
 
 // A plate without anything on it, `nx` by `ny` cells of 0.5 mm.

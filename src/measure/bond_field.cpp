@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "measure/bond_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "solver/bond_visit.hpp"
+
+namespace hackle {
+namespace {
+
+template <class Visit>
+void visit_bonds(const Simulation& simulation, Visit visit) {
+  hackle::visit_bonds(simulation.lattice(), simulation.state(), simulation.thermal_strain(), visit);
+}
+
+// The root of a node's tree; the path there is halved on the way.
+std::size_t root_of(std::vector<std::size_t>& parent, std::size_t node) {
+  while (parent[node] != node) node = parent[node] = parent[parent[node]];
+  return node;
+}
+
+// For each node the first node of its piece.
+std::vector<std::size_t> first_nodes(const Simulation& simulation) {
+  std::vector<std::size_t> parent(simulation.lattice().grid.nodes());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  visit_bonds(simulation, [&](const VisitedBond& bond) {
+    if (!bond.holds) return;
+    const std::size_t one = root_of(parent, bond.one), other = root_of(parent, bond.other);
+    parent[std::max(one, other)] = std::min(one, other);
+  });
+  for (std::size_t node = 0; node < parent.size(); ++node) parent[node] = root_of(parent, node);
+  return parent;
+}
+
+}  // namespace
+
+double Stress::first() const {
+  return 0.5 * (xx + yy) + shear();
+}
+double Stress::second() const {
+  return 0.5 * (xx + yy) - shear();
+}
+double Stress::shear() const {
+  return std::hypot(0.5 * (xx - yy), xy);
+}
+double Stress::von_mises() const {
+  return std::sqrt(std::max(0.0, xx * xx - xx * yy + yy * yy + 3.0 * xy * xy));
+}
+
+std::vector<Stress> stresses(const Simulation& simulation) {
+  const Grid& grid = simulation.lattice().grid;
+  std::vector<Stress> stresses(grid.nodes());
+  const double unit = 0.5 * std::pow(grid.dx, 3);  // V |xi|
+  visit_bonds(simulation, [&](const VisitedBond& bond) {
+    if (!bond.holds) return;
+    const double pull = unit * bond.c * bond.weight * bond.s / bond.xi.norm();
+    const Vec2 along = pull * bond.xi;
+    for (const std::size_t node : {bond.one, bond.other}) {
+      stresses[node].xx += along.x() * bond.xi.x();
+      stresses[node].yy += along.y() * bond.xi.y();
+      stresses[node].xy += along.x() * bond.xi.y();
+    }
+  });
+  return stresses;
+}
+
+std::vector<double> energy_densities(const Simulation& simulation) {
+  const Grid& grid = simulation.lattice().grid;
+  std::vector<double> densities(grid.nodes());
+  const double unit = 0.25 * std::pow(grid.dx, 3);  // V |xi|
+  visit_bonds(simulation, [&](const VisitedBond& bond) {
+    const double density = unit * bond.c * bond.weight * bond.xi.norm() * bond.s * bond.s;
+    densities[bond.one] += density;
+    densities[bond.other] += density;
+  });
+  return densities;
+}
+
+std::vector<double> closest_to_breaking(const Simulation& simulation) {
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  std::vector<double> shares(simulation.lattice().grid.nodes(), none);
+  visit_bonds(simulation, [&](const VisitedBond& bond) {
+    if (!bond.holds) return;
+    for (const std::size_t node : {bond.one, bond.other})
+      shares[node] = std::max(shares[node], bond.s / bond.s0);
+  });
+  std::ranges::replace(shares, none, 0.0);
+  return shares;
+}
+
+std::vector<int> piece_numbers(const Simulation& simulation) {
+  const std::vector<std::size_t> first = first_nodes(simulation);
+  std::vector<int> sizes(first.size());
+  for (const std::size_t node : first) ++sizes[node];
+  std::vector<std::size_t> pieces;
+  for (std::size_t node = 0; node < first.size(); ++node)
+    if (sizes[node] > 1) pieces.push_back(node);
+  std::ranges::stable_sort(pieces, std::greater(), [&](std::size_t node) { return sizes[node]; });
+  std::vector<int> rank(first.size());
+  for (std::size_t k = 0; k < pieces.size(); ++k) rank[pieces[k]] = static_cast<int>(k) + 1;
+  std::vector<int> numbers(first.size());
+  std::ranges::transform(first, numbers.begin(), [&](std::size_t node) { return rank[node]; });
+  return numbers;
+}
+
+}  // namespace hackle

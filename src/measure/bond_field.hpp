@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What the bonds of each node make of it: stress, energy, closeness to breaking. Values by
+// Grid::index, 0 where no bond holds. Within a horizon of an edge or a crack a node lacks bonds, so
+// its stress is that of those it has.
+#pragma once
+
+#include <vector>
+
+#include "solver/simulation.hpp"
+
+namespace hackle {
+
+// In the plate, Pa.
+struct Stress {
+  double xx = 0.0, yy = 0.0, xy = 0.0;
+
+  double first() const;      // the larger principal stress
+  double second() const;     // the smaller
+  double shear() const;      // the most in any direction of the plate: half their difference
+  double von_mises() const;  // of plane stress
+};
+
+// sigma = 1/2 sum over its bonds of c w s |xi| (e x e) V, the derivative of the energy density by a
+// uniform small strain; e the direction of the bond at rest.
+std::vector<Stress> stresses(const Simulation& simulation);
+
+// J/m3: half the energy of each bond goes to either end.
+std::vector<double> energy_densities(const Simulation& simulation);
+
+// The largest s/s0 of the bonds that hold; below 0 where all are compressed.
+std::vector<double> closest_to_breaking(const Simulation& simulation);
+
+// Which piece of the plate each node belongs to: 1 for the one with the most nodes, and so on; 0
+// where no bond holds. Of pieces alike, the one that begins nearer to the lower left corner is
+// first.
+std::vector<int> piece_numbers(const Simulation& simulation);
+
+}  // namespace hackle

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "measure/scalar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "measure/bond_field.hpp"
+
+namespace hackle {
+namespace {
+
+using Values = std::vector<float>;
+
+// What breaks a bond of the plate's own material: its critical stretch, and the stress and the
+// speed of a uniaxial wave of that strain.
+double critical_stretch(const Simulation& simulation) {
+  return simulation.lattice().calibration.s0;
+}
+double critical_stress(const Simulation& simulation) {
+  return simulation.plate().material.E * critical_stretch(simulation);
+}
+double critical_speed(const Simulation& simulation) {
+  const Lattice& lattice = simulation.lattice();
+  return critical_stretch(simulation) * std::sqrt(lattice.calibration.moduli.C11 / lattice.rho);
+}
+double critical_length(const Simulation& simulation) {
+  const Plate& plate = simulation.plate();
+  return 0.25 * critical_stretch(simulation) * std::min(plate.width, plate.height);
+}
+
+template <int least, int most>
+Ends fixed(const Simulation&) {
+  return {0.01 * least, 0.01 * most};
+}
+
+// `least` and `most` per cent of what breaks it.
+template <double (*critical)(const Simulation&), int least, int most>
+Ends share(const Simulation& simulation) {
+  return {0.01 * least * critical(simulation), 0.01 * most * critical(simulation)};
+}
+
+Ends ends_of_energy(const Simulation& simulation) {
+  const double most = 0.5 * critical_stress(simulation) * critical_stretch(simulation);
+  return {1e-4 * most, most};
+}
+
+double fringes_per_stress(const Material& material) {
+  return 1.0 / material.fringe;
+}
+
+Ends ends_of_fringes(const Simulation& simulation) {
+  check_fringes(simulation.lattice());
+  return {0.0, critical_stress(simulation) * fringes_per_stress(simulation.plate().material)};
+}
+
+Ends ends_of_temperature(const Simulation& simulation) {
+  double most = 1.0;
+  for (const MaterialOnLattice& known : simulation.lattice().materials)
+    if (known.material.alphaT > 0.0)
+      most = std::max(most, 0.5 * known.calibration.s0 / known.material.alphaT);
+  return {-most, most};
+}
+
+Values damages(const Simulation& simulation) {
+  return damage(simulation).values;
+}
+
+// Component 0 or 1 of a vector field, or its length.
+enum class Part { x, y, length };
+
+template <Field (*vectors)(const Simulation&), Part part>
+Values part_of(const Simulation& simulation) {
+  const Field field = vectors(simulation);
+  Values values(field.values.size() / 2);
+  for (std::size_t node = 0; node < values.size(); ++node) {
+    const float x = field.values[2 * node], y = field.values[2 * node + 1];
+    values[node] = part == Part::x ? x : part == Part::y ? y : std::hypot(x, y);
+  }
+  return values;
+}
+
+template <class Number>
+Values as_floats(const std::vector<Number>& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+template <auto of>
+Values stress_part(const Simulation& simulation) {
+  const std::vector<Stress> all = stresses(simulation);
+  Values values(all.size());
+  std::ranges::transform(all, values.begin(), [](const Stress& stress) {
+    return static_cast<float>(std::invoke(of, stress));
+  });
+  return values;
+}
+
+Values closeness(const Simulation& simulation) {
+  return as_floats(closest_to_breaking(simulation));
+}
+Values energies(const Simulation& simulation) {
+  return as_floats(energy_densities(simulation));
+}
+Values pieces(const Simulation& simulation) {
+  return as_floats(piece_numbers(simulation));
+}
+
+// Visits the nodes that are not void, in order.
+template <class Of>
+Values by_material(const Simulation& simulation, Of of) {
+  const Lattice& lattice = simulation.lattice();
+  Values values(lattice.grid.nodes());
+  for (int j = 0; j < lattice.grid.ny; ++j)
+    for (int i = 0; i < lattice.grid.nx; ++i)
+      if (!lattice.is_void(i, j)) {
+        const std::size_t node = lattice.grid.index(i, j);
+        values[node] = static_cast<float>(of(node, lattice.material_at(i, j).material));
+      }
+  return values;
+}
+
+Values fringes(const Simulation& simulation) {
+  check_fringes(simulation.lattice());
+  const std::vector<Stress> all = stresses(simulation);
+  return by_material(simulation, [&](std::size_t node, const Material& material) {
+    return 2.0 * all[node].shear() * fringes_per_stress(material);
+  });
+}
+
+Values strengths(const Simulation& simulation) {
+  const std::vector<float>& strength = simulation.lattice().strength;
+  return strength.empty() ? Values(simulation.lattice().grid.nodes(), 1.0F) : strength;
+}
+
+Values temperatures(const Simulation& simulation) {
+  const std::vector<double>& strain = simulation.thermal_strain();
+  return by_material(simulation, [&](std::size_t node, const Material& material) {
+    return strain.empty() || material.alphaT == 0.0 ? 0.0 : strain[node] / material.alphaT;
+  });
+}
+
+constexpr std::array<Scalar, scalar_names.size()> all{{
+    {"damage", "damage", "", "Share of a node's bonds that are broken.", "damage",
+     Sampling::largest, false, fixed<0, 50>, damages},
+    {"displacement", "displacement", "m", "How far a node has moved.", "viridis", Sampling::mean,
+     false, share<critical_length, 0, 100>, part_of<displacement, Part::length>},
+    {"displacement_x", "displacement x", "m", "Displacement along x.", "vik", Sampling::mean, false,
+     share<critical_length, -100, 100>, part_of<displacement, Part::x>},
+    {"displacement_y", "displacement y", "m", "Displacement along y.", "vik", Sampling::mean, false,
+     share<critical_length, -100, 100>, part_of<displacement, Part::y>},
+    {"speed", "speed", "m/s", "How fast a node moves.", "inferno", Sampling::mean, false,
+     share<critical_speed, 0, 50>, part_of<velocity, Part::length>},
+    {"velocity_x", "velocity x", "m/s", "Velocity along x.", "vik", Sampling::mean, false,
+     share<critical_speed, -50, 50>, part_of<velocity, Part::x>},
+    {"velocity_y", "velocity y", "m/s", "Velocity along y.", "vik", Sampling::mean, false,
+     share<critical_speed, -50, 50>, part_of<velocity, Part::y>},
+    {"stretch", "stretch/critical", "", "The bond of a node that is closest to breaking.",
+     "inferno", Sampling::largest, false, fixed<0, 100>, closeness},
+    {"energy_density", "energy", "J/m3", "Strain energy for each volume.", "inferno",
+     Sampling::largest, true, ends_of_energy, energies},
+    {"stress_xx", "stress xx", "Pa", "Normal stress along x.", "vik", Sampling::mean, false,
+     share<critical_stress, -50, 50>, stress_part<&Stress::xx>},
+    {"stress_yy", "stress yy", "Pa", "Normal stress along y.", "vik", Sampling::mean, false,
+     share<critical_stress, -50, 50>, stress_part<&Stress::yy>},
+    {"stress_xy", "stress xy", "Pa", "Shear stress.", "vik", Sampling::mean, false,
+     share<critical_stress, -50, 50>, stress_part<&Stress::xy>},
+    {"stress_1", "largest stress", "Pa", "The larger principal stress.", "vik", Sampling::mean,
+     false, share<critical_stress, -50, 50>, stress_part<&Stress::first>},
+    {"stress_2", "least stress", "Pa", "The smaller principal stress.", "vik", Sampling::mean,
+     false, share<critical_stress, -50, 50>, stress_part<&Stress::second>},
+    {"von_mises", "von Mises", "Pa", "Von Mises' stress.", "viridis", Sampling::mean, false,
+     share<critical_stress, 0, 50>, stress_part<&Stress::von_mises>},
+    {"shear", "largest shear", "Pa", "The most shear stress in any direction.", "viridis",
+     Sampling::mean, false, share<critical_stress, 0, 25>, stress_part<&Stress::shear>},
+    {"fringes", "fringes", "",
+     "Isochromatics, as a polariscope with a dark field shows them; the bar counts them.",
+     "fringes", Sampling::mean, false, ends_of_fringes, fringes},
+    {"pieces", "piece", "", "What hangs together, counted from the largest piece.", "batlow",
+     Sampling::largest, false, fixed<0, 1200>, pieces},
+    {"strength", "strength", "", "Critical stretch over that of the material.", "roma",
+     Sampling::mean, false, fixed<50, 150>, strengths},
+    {"temperature", "temperature change", "K", "Change of temperature.", "vik", Sampling::mean,
+     false, ends_of_temperature, temperatures},
+}};
+
+static_assert(std::ranges::equal(all, scalar_names, {}, &Scalar::name));
+
+}  // namespace
+
+std::span<const Scalar> scalars() {
+  return all;
+}
+
+const Scalar& scalar_of(std::string_view name) {
+  const auto found = std::ranges::find(all, name, &Scalar::name);
+  if (found != all.end()) return *found;
+  throw Error(
+      ErrorKind::refused,
+      fmt::format("there is no field '{}'{}", name.substr(0, 40), did_you_mean(name, scalar_names)),
+      "one of " + comma_list(scalar_names));
+}
+
+void check_fringes(const Lattice& lattice) {
+  Problems problems;
+  for (const MaterialOnLattice& known : lattice.materials)
+    if (known.material.fringe == 0.0)
+      problems.add(fmt::format("fringes: {} has no fringe value", known.material.name),
+                   "material { like = ..., fringe = ... } takes it, in N/m; glass has 140e3 to "
+                   "210e3, Homalite-100 22e3");
+  problems.throw_if_any();
+}
+
+}  // namespace hackle

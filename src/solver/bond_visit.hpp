@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Every bond that a plate was born with, with its stretch, for what looks at bonds one by one.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "lattice/lattice.hpp"
+#include "solver/state.hpp"
+
+namespace hackle {
+
+struct VisitedBond {
+  std::size_t one = 0, other = 0;  // its nodes, by Grid::index
+  Vec2 xi{0, 0};                   // from one to the other, in units of dx
+  double weight = 0.0;             // of its quadrature
+  double c = 0.0;                  // micromodulus, N/m6
+  double s0 = 0.0;                 // critical stretch
+  double s = 0.0;                  // stretch, less the thermal part; 0 when it is broken
+  bool holds = true;
+};
+
+// s from the relative displacement h of a bond xi, in units of dx, without cancellation. `heat` is
+// the thermal part of e = (1 + s)^2 - 1.
+inline double stretch(const Vec2& xi, const Vec2& h, double heat) {
+  const double e = h.dot(h + 2.0 * xi) / xi.squaredNorm() - heat;
+  return e / (1.0 + std::sqrt(std::max(1.0 + e, 0.0)));
+}
+
+// What the bonds of a node have from it, by Grid::index.
+struct NodeShares {
+  std::vector<double> c, s0, heat;
+  std::vector<Vec2> u;  // in units of dx
+};
+NodeShares node_shares(const Lattice& lattice, const State& state, const std::vector<double>& heat);
+
+// Calls visit(const VisitedBond&) for every bond the plate was born with, each once, in a fixed
+// order. `heat` is the thermal strain by Grid::index; empty means 0.
+template <class Visit>
+void visit_bonds(const Lattice& lattice, const State& state, const std::vector<double>& heat,
+                 Visit visit) {
+  const NodeShares nodes = node_shares(lattice, state, heat);
+  lattice.family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int bit) {
+    VisitedBond bond;
+    bond.xi = xi;
+    bond.weight = weight;
+    for (int j = 0; j < lattice.grid.ny; ++j)
+      for (int i = 0; i < lattice.grid.nx; ++i) {
+        const std::ptrdiff_t at = state.layout.at(i, j);
+        if (!lattice.bonds.holds(at, bit)) continue;
+        bond.one = lattice.grid.index(i, j);
+        bond.other = lattice.grid.index(i + a, j + b);
+        bond.c = 0.5 * (nodes.c[bond.one] + nodes.c[bond.other]);
+        bond.s0 = std::min(nodes.s0[bond.one], nodes.s0[bond.other]);
+        bond.holds = state.bonds.holds(at, bit);
+        bond.s = bond.holds ? stretch(xi, nodes.u[bond.other] - nodes.u[bond.one],
+                                      nodes.heat[bond.one] + nodes.heat[bond.other])
+                            : 0.0;
+        visit(static_cast<const VisitedBond&>(bond));
+      }
+  });
+}
+
+}  // namespace hackle
