@@ -48,8 +48,9 @@ struct Habit {
   double least;
 };
 
-constexpr std::array habits{Habit{"m", 1.0, 1e-9}, Habit{"s", 1.0, 1e-12}, Habit{"Pa", 1e9, 1.0},
-                            Habit{"J", 1e9, 1e-9}, Habit{"B", 1e12, 1.0},  Habit{"m/s", 1e3, 1e-6}};
+constexpr std::array habits{Habit{"m", 1.0, 1e-9},  Habit{"s", 1.0, 1e-12},  Habit{"Pa", 1e9, 1.0},
+                            Habit{"J", 1e9, 1e-9},  Habit{"J/m3", 1e9, 1.0}, Habit{"B", 1e12, 1.0},
+                            Habit{"m/s", 1e3, 1e-6}};
 
 const Habit* habit_of(std::string_view unit) {
   for (const Habit& habit : habits)
@@ -80,13 +81,17 @@ std::span<const Unit> units() {
   return all_units;
 }
 
+PrefixedUnit prefixed(double size, std::string_view unit) {
+  const Habit* habit = habit_of(unit);
+  if (habit == nullptr || size == 0.0 || !std::isfinite(size)) return {std::string(unit), 1.0};
+  const Prefix& prefix = prefix_for(std::abs(size), *habit);
+  return {fmt::format("{}{}", prefix.text, unit), prefix.factor};
+}
+
 std::string quantity(double value, std::string_view unit) {
   if (unit.empty()) return fmt::format("{:.4g}", value);
-  const Habit* habit = habit_of(unit);
-  if (habit == nullptr || value == 0.0 || !std::isfinite(value))
-    return fmt::format("{:.4g} {}", value, unit);
-  const Prefix& prefix = prefix_for(std::abs(value), *habit);
-  return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.text, unit);
+  const PrefixedUnit shown = prefixed(value, unit);
+  return fmt::format("{:.4g} {}", value / shown.factor, shown.name);
 }
 
 std::string grouped(long long count) {

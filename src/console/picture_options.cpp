@@ -6,6 +6,14 @@ namespace hackle {
 PictureOptions picture_of(const Arguments& arguments) {
   PictureOptions picture;
   picture.field = arguments.text_of_choice("field", picture.field);
+  picture.colours = arguments.text_of_choice("colours", picture.colours);
+  picture.cracks = arguments.flag("cracks", picture.cracks);
+  picture.thickness = arguments.number("thickness", picture.thickness);
+  if (arguments.has("range")) {
+    const Vec2 range = arguments.pair("range");
+    picture.range = Ends{range.x(), range.y()};
+  }
+  if (arguments.has("scale")) picture.logarithmic = arguments.text_of_choice("scale", "") == "log";
   if (!arguments.has("zoom")) return picture;
   const Eigen::Vector3d window = arguments.window("zoom");
   picture.zoom = Zoom{window.head<2>(), window.z()};

@@ -4,22 +4,49 @@
 
 #include "console/arguments.hpp"
 #include "output/run.hpp"
+#include "render/colour_map.hpp"
 
 namespace hackle {
 
-inline constexpr Option field_option{.name = "field",
-                                     .type = OptionType::choice,
-                                     .fallback = "damage",
-                                     .choices = field_names,
-                                     .sentence = "What is painted."};
-inline constexpr Option zoom_option{.name = "zoom",
-                                    .type = OptionType::window,
-                                    .unit = "m",
-                                    .range = above(0.0),
-                                    .fallback = "the plate",
-                                    .sentence =
-                                        "Middle and half the width of what is seen; it has "
-                                        "the shape of the plate."};
+inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
+
+// What every picture takes.
+inline constexpr std::array picture_options{
+    Option{.name = "field",
+           .type = OptionType::choice,
+           .fallback = "damage",
+           .choices = scalar_names,
+           .sentence = "What is painted."},
+    Option{.name = "range",
+           .type = OptionType::pair,
+           .fallback = "what suits the field",
+           .sentence = "Values at the two ends of the colour bar, in SI units."},
+    Option{.name = "scale",
+           .type = OptionType::choice,
+           .fallback = "what suits the field",
+           .choices = scale_names,
+           .sentence = "Of the colour bar."},
+    Option{.name = "colours",
+           .type = OptionType::choice,
+           .fallback = "what suits the field",
+           .choices = colour_map_names,
+           .sentence = "Of the colour bar."},
+    Option{.name = "cracks",
+           .type = OptionType::flag,
+           .fallback = "true",
+           .sentence = "Cracks are gaps, except in a picture of damage."},
+    Option{.name = "thickness",
+           .unit = "m",
+           .range = above(0.0),
+           .fallback = "0.005",
+           .sentence = "Of the plate, for a picture of fringes."},
+    Option{.name = "zoom",
+           .type = OptionType::window,
+           .unit = "m",
+           .range = above(0.0),
+           .fallback = "the plate",
+           .sentence = "Middle and half the width of what is seen; it has the shape of the plate."},
+};
 inline constexpr Option width_option{.name = "width",
                                      .type = OptionType::integer,
                                      .unit = "px",
@@ -27,7 +54,7 @@ inline constexpr Option width_option{.name = "width",
                                      .fallback = "1280",
                                      .sentence = "Of the picture, even."};
 
-// Field and zoom, of a function that takes both.
+// All but the width.
 PictureOptions picture_of(const Arguments& arguments);
 
 // The width too.

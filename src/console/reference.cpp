@@ -21,6 +21,7 @@
 #include "console/see_also.hpp"
 #include "console/show_binding.hpp"
 #include "console/simulation_binding.hpp"
+#include "measure/scalar.hpp"
 
 namespace hackle {
 namespace {
@@ -153,7 +154,26 @@ std::string page_of_unit(std::string_view name) {
 
 std::string page_of_list(std::string_view name) {
   if (name == "functions") return list_of_functions();
+  if (name == "fields") return list_of_fields();
   return name == "units" ? list_of_units() : "";
+}
+
+// "[m/s] How fast a node moves."
+std::string meaning(const Scalar& scalar) {
+  const std::string unit = scalar.unit.empty() ? "" : fmt::format("[{}] ", scalar.unit);
+  return unit + std::string(scalar.sentence);
+}
+
+// The line that tells of a field of pictures, if there is one of this name.
+std::string picture_line(std::string_view name) {
+  for (const Scalar& scalar : scalars())
+    if (scalar.name == name) return line_of("a field of pictures", meaning(scalar));
+  return "";
+}
+
+std::string page_of_scalar(std::string_view name) {
+  const std::string line = picture_line(name);
+  return line.empty() ? "" : fmt::format("field = \"{}\"{}", name, line);
 }
 
 }  // namespace
@@ -213,6 +233,15 @@ std::string list_of_units() {
   return text;
 }
 
+std::string list_of_fields() {
+  std::size_t column = 0;
+  for (const Scalar& scalar : scalars()) column = std::max(column, scalar.name.size());
+  std::string text = "As in show(s, { field = \"speed\" }), of frames and movies too.\n\n";
+  for (const Scalar& scalar : scalars()) text += entry(scalar.name, column, meaning(scalar));
+  text.pop_back();
+  return text;
+}
+
 std::string reference_of(const FunctionDoc& doc) {
   std::vector<OptionRow> rows;
   for (const Option& option : doc.options) rows.push_back(row_of(option));
@@ -237,7 +266,8 @@ std::string reference_of(const TypeDoc& type) {
 std::string reference_of(std::string_view name) {
   for (const auto page :
        {page_of_function, page_of_type, page_of_list, page_of_field, page_of_option, page_of_unit})
-    if (std::string text = page(name); !text.empty()) return text;
+    if (std::string text = page(name); !text.empty()) return text + picture_line(name);
+  if (std::string text = page_of_scalar(name); !text.empty()) return text;
   const std::vector<std::string> all = topics();
   const std::vector<std::string_view> known(all.begin(), all.end());
   throw Error(ErrorKind::refused,
@@ -247,7 +277,7 @@ std::string reference_of(std::string_view name) {
 }
 
 std::vector<std::string> topics() {
-  std::set<std::string_view> names{"functions", "units", "materials"};
+  std::set<std::string_view> names{"functions", "units", "materials", "fields"};
   for (const FunctionDoc* doc : all_docs()) {
     names.insert(doc->name);
     for (const Option& option : doc->options) names.insert(option.name);
@@ -257,6 +287,7 @@ std::vector<std::string> topics() {
     for (const Property& field : type->fields) names.insert(field.name);
   }
   for (const Unit& unit : units()) names.insert(unit.name);
+  names.insert(scalar_names.begin(), scalar_names.end());
   return {names.begin(), names.end()};
 }
 

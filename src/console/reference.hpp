@@ -29,6 +29,8 @@ std::string call_name(const FunctionDoc& doc);
 std::string list_of_functions();
 // The unit constants by dimension.
 std::string list_of_units();
+// What pictures can show, a sentence each.
+std::string list_of_fields();
 
 // Signature, sentence, table of options, example, what else to read.
 std::string reference_of(const FunctionDoc& doc);

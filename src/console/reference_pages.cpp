@@ -12,6 +12,7 @@
 #include "console/reference.hpp"
 #include "console/see_also.hpp"
 #include "console/tour.hpp"
+#include "measure/scalar.hpp"
 
 namespace hackle {
 namespace {
@@ -66,6 +67,14 @@ std::string unit_table() {
   return text + "\n";
 }
 
+std::string scalar_table() {
+  std::string text = "## Fields of pictures\n\n| field | unit | |\n|---|---|---|\n";
+  for (const Scalar& scalar : scalars())
+    text += fmt::format("| {} | {} | {} |\n", markdown_code(scalar.name), markdown(scalar.unit),
+                        markdown(scalar.sentence));
+  return text + "\n";
+}
+
 std::string material_table() {
   const Materials materials(data_file("assets/materials.lua"));
   std::string text = "## Materials\n\n| name | | source |\n|---|---|---|\n";
@@ -99,7 +108,7 @@ std::string markdown_reference() {
   std::string text = "## Functions\n\n";
   for (const Function& function : all_functions()) text += function_section(*function.doc);
   for (const TypeDoc* type : all_types()) text += type_section(*type);
-  return text + unit_table() + material_table();
+  return text + scalar_table() + unit_table() + material_table();
 }
 
 std::string roff_reference() {
@@ -109,6 +118,9 @@ std::string roff_reference() {
   std::string text = ".SH SCENE LANGUAGE\nLua 5.4, all numbers in SI units.\n" +
                      roff_example(first) + ".SS Functions\n" + roff_functions(all_functions());
   for (const TypeDoc* type : all_types()) text += roff_type(*type);
+  text += ".SS Fields of pictures\n";
+  for (const Scalar& scalar : scalars())
+    text += fmt::format(".TP\n{}\n{}\n", roff_code(scalar.name), roff(scalar.sentence));
   std::vector<std::string_view> names;
   for (const Unit& unit : units()) names.push_back(unit.name);
   return text + ".SS Units\n" + comma_list(names) + "\n";

@@ -46,16 +46,6 @@ inline constexpr std::array region_options{
            .sentence = "Of the disc."},
 };
 
-// Two tables of options as one.
-template <std::size_t n, std::size_t m>
-constexpr std::array<Option, n + m> joined(const std::array<Option, n>& one,
-                                           const std::array<Option, m>& other) {
-  std::array<Option, n + m> all{};
-  for (std::size_t k = 0; k < n; ++k) all[k] = one[k];
-  for (std::size_t k = 0; k < m; ++k) all[n + k] = other[k];
-  return all;
-}
-
 // What the arguments of a function with region_options say; nothing when they give none of them.
 // Adds a problem when they mix the ways or give half of one.
 Region region_of(Arguments& arguments, const Plate& plate, std::string_view who);

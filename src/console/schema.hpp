@@ -3,6 +3,8 @@
 // reference pages all read it.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 #include <string>
@@ -70,6 +72,15 @@ enum class Call {
   values,   // f(value, ...): the options in order
   free,     // the function looks at its arguments itself
 };
+
+// The options of both.
+template <std::size_t A, std::size_t B>
+constexpr std::array<Option, A + B> joined(const std::array<Option, A>& first,
+                                           const std::array<Option, B>& second) {
+  std::array<Option, A + B> all;
+  std::ranges::copy(second, std::ranges::copy(first, all.begin()).out);
+  return all;
+}
 
 struct FunctionDoc {
   std::string_view name;

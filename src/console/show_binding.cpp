@@ -17,24 +17,23 @@
 namespace hackle {
 namespace {
 
-constexpr std::array show_options{field_option, zoom_option};
-
 constexpr FunctionDoc show_doc{
     .name = "show",
     .leading = "s",
     .sentence =
         "Shows a simulation as it is in the terminal; where there is none, as show_1.png, "
         "show_2.png, ... in the output folder.",
-    .options = show_options,
+    .options = picture_options,
     .example = "show(s) show(s, { zoom = {60*mm, 20*mm, 10*mm} })"};
 
-constexpr std::array watch_options{
-    Option{.name = "every",
-           .unit = "s",
-           .range = above(0.0),
-           .alternative = true,
-           .sentence = "Simulated time from picture to picture; without it no more are drawn."},
-    field_option, zoom_option};
+constexpr auto watch_options = joined(
+    std::array{Option{
+        .name = "every",
+        .unit = "s",
+        .range = above(0.0),
+        .alternative = true,
+        .sentence = "Simulated time from picture to picture; without it no more are drawn."}},
+    picture_options);
 
 constexpr FunctionDoc watch_doc{
     .name = "watch",

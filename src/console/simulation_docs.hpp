@@ -114,17 +114,17 @@ inline constexpr Option every_option{.name = "every",
                                      .required = true,
                                      .sentence = "Simulated time from one to the next."};
 
-inline constexpr std::array movie_options{
-    file_option,
-    field_option,
-    every_option,
-    zoom_option,
-    width_option,
-    Option{.name = "fps",
-           .range = between(1.0, 240.0),
-           .fallback = "30",
-           .sentence = "Frames a second when it is played."},
-};
+inline constexpr auto movie_options = joined(
+    std::array{
+        file_option,
+        every_option,
+        width_option,
+        Option{.name = "fps",
+               .range = between(1.0, 240.0),
+               .fallback = "30",
+               .sentence = "Frames a second when it is played."},
+    },
+    picture_options);
 
 inline constexpr FunctionDoc movie_doc{
     .name = "movie",
@@ -133,7 +133,8 @@ inline constexpr FunctionDoc movie_doc{
     .options = movie_options,
     .example = "s:movie { \"crack.mp4\", field = \"damage\", every = 0.25*us }"};
 
-inline constexpr std::array frame_options{file_option, field_option, zoom_option, width_option};
+inline constexpr auto frame_options =
+    joined(std::array{file_option, width_option}, picture_options);
 
 inline constexpr FunctionDoc frame_doc{.name = "frame",
                                        .owner = "s",

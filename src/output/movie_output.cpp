@@ -27,24 +27,23 @@ MovieOutput::MovieOutput(std::filesystem::path path, const MovieOptions& options
 
 void MovieOutput::observe(const Simulation& simulation) {
   if (!painting_)
-    painting_ = std::make_unique<Worker<Shot>>(waiting_shots, [this](const Shot& s) { paint(s); });
+    painting_ = std::make_unique<Worker<Work>>(waiting_shots, [this](const Work& w) { paint(w); });
   schedule_.advance();
-  hand_over(
-      {field_of(options_.picture.field, simulation), simulation.time(), impactors(simulation)});
+  hand_over(shot_of(options_.picture, simulation));
 }
 
-void MovieOutput::hand_over(Shot shot) {
+void MovieOutput::hand_over(Work work) {
   try {
-    painting_->push(std::move(shot));
+    painting_->push(std::move(work));
   } catch (...) {
     failed_ = true;
     throw;
   }
 }
 
-void MovieOutput::paint(const Shot& shot) {
+void MovieOutput::paint(const Work& work) {
   double seconds = 0.0;
-  if (!shot.field) {
+  if (!work) {
     painter_.reset();
     encoder_->finish();
     encode_seconds_ = encoder_->seconds();
@@ -54,7 +53,7 @@ void MovieOutput::paint(const Shot& shot) {
   {
     const Stopwatch watch(seconds);
     if (!painter_) painter_ = std::make_unique<PlatePainter>(style_);
-    image = painter_->paint(*shot.field, shot.time, shot.discs);
+    image = painter_->paint(*work);
   }
   render_seconds_ += seconds;
   if (!encoder_) {
@@ -78,7 +77,7 @@ Expected MovieOutput::expected(double until, std::int64_t most_looks) const {
 
 void MovieOutput::close() {
   if (failed_ || complete_ || !painting_) return;
-  hand_over({});
+  hand_over(std::nullopt);
   failed_ = true;  // unless the next line returns
   painting_->finish();
   failed_ = false;

@@ -27,14 +27,10 @@ class MovieOutput : public Output {
   void add_seconds(StageSeconds& wall) const override;
 
  private:
-  // The field at one time; without a field, the end of the movie.
-  struct Shot {
-    std::optional<Field> field;
-    double time = 0.0;
-    std::vector<Circle> discs;
-  };
-  void paint(const Shot& shot);
-  void hand_over(Shot shot);
+  // Without a shot, the end of the movie.
+  using Work = std::optional<Shot>;
+  void paint(const Work& work);
+  void hand_over(Work work);
 
   std::filesystem::path path_;
   MovieOptions options_;
@@ -48,7 +44,7 @@ class MovieOutput : public Output {
   // Created with the first frame, on the painting thread, where GL wants to live and die.
   std::unique_ptr<PlatePainter> painter_;
   std::unique_ptr<Encoder> encoder_;
-  std::unique_ptr<Worker<Shot>> painting_;
+  std::unique_ptr<Worker<Work>> painting_;
 };
 
 }  // namespace hackle

@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "render/colour_map.hpp"
 
 namespace hackle {
 namespace {
@@ -45,18 +46,51 @@ void check(const char* output, const Zoom& zoom, const Grid& grid, Problems& pro
                            place_text(grid.centre + half)));
 }
 
+bool is_fringes(const PictureOptions& options) {
+  return options.field == fringes_name;
+}
+
+bool is_logarithmic(const PictureOptions& options) {
+  return options.logarithmic.value_or(scalar_of(options.field).logarithmic);
+}
+
+// What suits the field; a logarithmic scale of four decades where it has none of its own.
+Ends ends_of(const Scalar& scalar, const PictureOptions& options, const Simulation& simulation) {
+  Ends ends = scalar.ends(simulation);
+  if (is_fringes(options)) ends.most *= options.thickness;
+  if (is_logarithmic(options) && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
+  return ends;
+}
+
+void check_range(const char* output, const PictureOptions& options, Problems& problems) {
+  const auto [least, most] = *options.range;
+  if (!(std::isfinite(least) && std::isfinite(most) && least < most))
+    problems.add(fmt::format("{}: range is {{{}, {}}}, it must go from a smaller to a larger value",
+                             output, least, most));
+  else if (is_logarithmic(options) && least <= 0.0)
+    problems.add(fmt::format("{}: range begins at {}, on a logarithmic scale it must be above 0",
+                             output, least));
+}
+
 }  // namespace
 
 void check(const char* output, const PictureOptions& options, const Grid& grid) {
   Problems problems;
-  if (std::ranges::find(field_names, options.field) == field_names.end())
+  if (std::ranges::find(scalar_names, options.field) == scalar_names.end())
     problems.add(fmt::format("{}: there is no field '{}'{}", output, options.field,
-                             did_you_mean(options.field, field_names)),
-                 "one of " + comma_list(field_names));
+                             did_you_mean(options.field, scalar_names)),
+                 "one of " + comma_list(scalar_names));
+  if (!options.colours.empty() &&
+      std::ranges::find(colour_map_names, options.colours) == colour_map_names.end())
+    problems.add(fmt::format("{}: there are no colours '{}'{}", output, options.colours,
+                             did_you_mean(options.colours, colour_map_names)),
+                 "one of " + comma_list(colour_map_names));
   if (options.width < least_width || options.width > most_width || options.width % 2 != 0)
     problems.add(fmt::format("{}: width is {} px, it must be even and between {} and {} px", output,
                              options.width, least_width, most_width));
   if (options.zoom) check(output, *options.zoom, grid, problems);
+  problems.throw_if_any();
+  if (options.range) check_range(output, options, problems);
   problems.throw_if_any();
 }
 
@@ -74,16 +108,22 @@ Window window_of(const PictureOptions& options, const Grid& grid) {
 }
 
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation) {
+  const Scalar& scalar = scalar_of(options.field);
   PictureStyle style;
   style.grid = simulation.lattice().grid;
   style.window = window_of(options, style.grid);
   style.width = options.width;
   style.title = simulation.plate().material.name;
-  // A straight crack has damage 0.4 to 0.5 on its sides: the whole map up to there, the rest
-  // saturates.
-  style.colour_map = "damage";
-  style.least = 0.0;
-  style.most = 0.5;
+  style.colour_map = options.colours.empty() ? std::string(scalar.colours) : options.colours;
+  const Ends ends = options.range.value_or(ends_of(scalar, options, simulation));
+  style.least = ends.least;
+  style.most = ends.most;
+  style.logarithmic = is_logarithmic(options);
+  style.sampling = scalar.sampling;
+  style.label = scalar.label;
+  style.unit = scalar.unit;
+  if (is_fringes(options))
+    style.title += fmt::format(", {} thick", quantity(options.thickness, "m"));
   return style;
 }
 
@@ -95,25 +135,28 @@ Image paint(const Simulation& simulation, const PictureOptions& options,
     style.width = bare->width;
     style.bare_height = bare->height;
   }
-  return PlatePainter(style).paint(field_of(options.field, simulation), simulation.time(),
-                                   impactors(simulation));
+  return PlatePainter(style).paint(shot_of(options, simulation));
 }
 
 int widest_picture(const PictureOptions& options, const Grid& grid, const Extent& most) {
   const Grid seen = part(grid, window_of(options, grid));
   for (int width = std::min(most.width, most_width) / 2 * 2; width >= least_width; width -= 2)
-    if (make_layout(seen, width).height <= most.height) return width;
+    if (make_layout(seen, width, label_ems(options.field)).height <= most.height) return width;
   return 0;
 }
 
-// Pictures show the background where a value is no number.
-Field field_of(const std::string&, const Simulation& simulation) {
-  Field field = damage(simulation);
+Shot shot_of(const PictureOptions& options, const Simulation& simulation) {
+  Shot shot{
+      scalar_of(options.field).values(simulation), {}, simulation.time(), impactors(simulation)};
+  if (is_fringes(options))
+    for (float& order : shot.values) order *= static_cast<float>(options.thickness);
+  if (options.cracks && options.field != "damage") shot.gaps = damage(simulation).values;
+  // Pictures show the background where a value is no number.
   const std::vector<std::uint8_t>& material = simulation.lattice().material;
   for (std::size_t node = 0; node < material.size(); ++node)
     if (material[node] == Lattice::void_node)
-      field.values[node] = std::numeric_limits<float>::quiet_NaN();
-  return field;
+      shot.values[node] = std::numeric_limits<float>::quiet_NaN();
+  return shot;
 }
 
 }  // namespace hackle

@@ -17,6 +17,7 @@ void check(const char* output, const PictureOptions& options, const Grid& grid);
 // The cells that the options look at.
 Window window_of(const PictureOptions& options, const Grid& grid);
 
+// Throws Error (refused) when the materials lack what the field needs.
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation);
 
 // A picture without texts and bars, stretched to fill these px.
@@ -33,7 +34,7 @@ Image paint(const Simulation& simulation, const PictureOptions& options,
 // 0 when the smallest does not.
 int widest_picture(const PictureOptions& options, const Grid& grid, const Extent& most);
 
-// The field by its name, one of field_names; nan where there is no material.
-Field field_of(const std::string& name, const Simulation& simulation);
+// What the picture shows of the state as it is; nan where there is no material.
+Shot shot_of(const PictureOptions& options, const Simulation& simulation);
 
 }  // namespace hackle

@@ -2,7 +2,6 @@
 // A simulation and what it leaves behind: movies, pictures, run files, the summary.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "measure/scalar.hpp"
 #include "output/rehearsal.hpp"
 #include "output/summary.hpp"
 #include "solver/simulation.hpp"
@@ -26,9 +26,14 @@ struct Zoom {
 
 // How a picture is made.
 struct PictureOptions {
-  std::string field = "damage";  // one of field_names
-  int width = 1280;              // px, even, 320..7680; the height follows from the plate
-  std::optional<Zoom> zoom;      // the whole plate if not given
+  std::string field = "damage";     // one of scalar_names
+  int width = 1280;                 // px, even, 320..7680; the height follows from the plate
+  std::optional<Ends> range;        // of the colour bar, SI; what suits the field if not given
+  std::optional<bool> logarithmic;  // as the field has it if not given
+  std::string colours;              // one of colour_map_names, or "" for what suits the field
+  bool cracks = true;               // cracks are gaps, except in a picture of damage
+  double thickness = 5e-3;          // m, of the plate, for fringes
+  std::optional<Zoom> zoom;         // the whole plate if not given
 };
 
 struct MovieOptions {
@@ -40,9 +45,6 @@ struct MovieOptions {
 struct RecordOptions {
   double every = 0.0;  // simulated seconds from record to record, at least a step
 };
-
-// What can be painted so far.
-inline constexpr std::array<std::string_view, 1> field_names{"damage"};
 
 inline constexpr double default_output_limit = 20e9;  // bytes
 

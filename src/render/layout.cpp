@@ -25,7 +25,12 @@ Grid part(const Grid& grid, const Window& window) {
   return {window.nx, window.ny, grid.dx, grid.centre + grid.dx * middle};
 }
 
-Layout make_layout(const Grid& grid, int width) {
+double label_ems(const std::string& name) {
+  constexpr double letter = 0.6, behind = 1.0;
+  return std::max(shortest_label, letter * static_cast<double>(name.size()) + behind);
+}
+
+Layout make_layout(const Grid& grid, int width, double label) {
   Layout layout;
   layout.width = width;
   layout.font = std::max(10.0, std::round(0.0175 * width));
@@ -45,7 +50,7 @@ Layout make_layout(const Grid& grid, int width) {
 
   // The legend: the name of the field, the bar, then its ticks below.
   const int legend = layout.plate.bottom() + margin * 5 / 6;
-  const int bar_x = side + static_cast<int>(std::ceil(6.0 * layout.font));
+  const int bar_x = side + static_cast<int>(std::ceil(label * layout.font));
   const int bar_height = static_cast<int>(std::round(0.8 * layout.font));
   layout.bar = {bar_x, legend, static_cast<int>(0.28 * width), bar_height};
   const int legend_height =

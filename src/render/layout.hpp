@@ -2,6 +2,8 @@
 // Where the parts of a picture lie. Pure arithmetic.
 #pragma once
 
+#include <string>
+
 #include "lattice/grid.hpp"
 
 namespace hackle {
@@ -38,8 +40,11 @@ struct Layout {
 
 // For a picture `width` px wide, even. Cells are whole pixels when they are at least 3 px, so that
 // all look alike. A tall plate is made smaller until the plate is at most as high as the picture is
-// wide.
-Layout make_layout(const Grid& grid, int width);
+// wide. `label` is what the name before the colour bar takes, in units of the font.
+inline constexpr double shortest_label = 6.0;
+Layout make_layout(const Grid& grid, int width, double label = shortest_label);
+// What a name takes, with some room behind it.
+double label_ems(const std::string& name);
 
 // The plate alone fills the picture: width x height px, even or not, whatever its shape.
 Layout bare_layout(int width, int height);

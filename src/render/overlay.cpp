@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <vector>
 
 #include <cairo.h>
 #include <fmt/format.h>
@@ -85,7 +86,9 @@ class Canvas {
 
 void draw_colours(Canvas& canvas, const Rectangle& bar, const ColourMap& map) {
   for (int x = 0; x < bar.width; ++x) {
-    canvas.colour(map.colours[static_cast<std::size_t>(x * 255 / std::max(1, bar.width - 1))]);
+    const std::size_t last = map.colours.size() - 1;
+    const auto pixel = static_cast<std::size_t>(x), pixels = static_cast<std::size_t>(bar.width);
+    canvas.colour(map.colours[pixel * last / std::max<std::size_t>(1, pixels - 1)]);
     canvas.fill(bar.x + x, bar.y, 1, bar.height);
   }
 }
@@ -100,22 +103,40 @@ double tick_step(double span, double bar_width, double font) {
   return span;
 }
 
+// Where ticks stand: neat values, on a logarithmic scale powers of ten.
+std::vector<double> ticks(const OverlayText& text, double bar_width, double font) {
+  std::vector<double> values;
+  if (text.logarithmic) {
+    constexpr double slack = 1e-9;
+    const int first = static_cast<int>(std::ceil(std::log10(text.least) - slack));
+    const int last = static_cast<int>(std::floor(std::log10(text.most) + slack));
+    for (int power = first; power <= last; ++power) values.push_back(std::pow(10.0, power));
+    return values;
+  }
+  const double span = text.most - text.least;
+  const double step = tick_step(span, bar_width, font);
+  const auto first = static_cast<int>(std::ceil(text.least / step - 1e-9));
+  const auto last = static_cast<int>(std::floor(text.most / step + 1e-9));
+  for (int k = first; k <= last; ++k) values.push_back(k * step);
+  return values;
+}
+
+double share_of(double value, const OverlayText& text) {
+  if (text.logarithmic) return std::log(value / text.least) / std::log(text.most / text.least);
+  return (value - text.least) / (text.most - text.least);
+}
+
 void draw_ticks(Canvas& canvas, const Layout& layout, const OverlayText& text) {
   const Rectangle& bar = layout.bar;
-  const double span = text.most - text.least;
-  const double step = tick_step(span, bar.width, layout.small_font);
   const double base = bar.bottom() + 0.4 * layout.font + 0.85 * layout.small_font;
   canvas.colour(quiet_colour);
-  const int intervals = static_cast<int>(span / step + 1e-9);
-  for (int tick = 0; tick <= intervals; ++tick) {
-    const double value = text.least + tick * step;
-    const double share = (value - text.least) / span;
-    const bool last = share > 1.0 - 1e-6;
+  for (const double value : ticks(text, bar.width, layout.small_font)) {
+    const double share = share_of(value, text);
     const double x = bar.x + std::round(share * (bar.width - 1));
     canvas.fill(x, bar.bottom(), 1, std::round(0.25 * layout.font));
-    const double shown = std::abs(value) < 1e-12 * span ? 0.0 : value;
-    // The last colour stands for everything above, too.
-    canvas.write(fmt::format("{}{:.4g}", last ? "≥" : "", shown), x, base, layout.small_font, 0.5);
+    // The last colour stands for everything above, too, and the first for everything below.
+    const char* beyond = share > 1.0 - 1e-6 ? "≥" : share < 1e-6 && value != 0.0 ? "≤" : "";
+    canvas.write(fmt::format("{}{:.4g}", beyond, value), x, base, layout.small_font, 0.5);
   }
 }
 
@@ -147,8 +168,7 @@ void draw_frame(Image& image, const Layout& layout, const ColourMap& map, const 
   draw_ticks(canvas, layout, text);
   draw_scale(canvas, layout, text.metres_per_pixel);
   canvas.colour(text_colour);
-  const std::string name = text.unit.empty() ? text.field : text.field + " (" + text.unit + ")";
-  canvas.write(name, layout.caption.x, layout.bar.bottom(), layout.font, 0.0);
+  canvas.write(text.label, layout.caption.x, layout.bar.bottom(), layout.font, 0.0);
   if (!text.title.empty())
     canvas.write(text.title, layout.caption.x, layout.caption.y + layout.font, layout.font, 0.0);
 }

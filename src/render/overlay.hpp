@@ -15,10 +15,10 @@ namespace hackle {
 // What the texts say.
 struct OverlayText {
   std::string title;   // may be empty
-  std::string field;   // "damage"
-  std::string unit;    // may be empty
-  double least = 0.0;  // value at the left end of the colour bar
+  std::string label;   // of the colour bar, "speed (m/s)"
+  double least = 0.0;  // value at the left end of the colour bar, in the unit of the label
   double most = 1.0;   // value at its right end; larger ones have its colour
+  bool logarithmic = false;
   double metres_per_pixel = 0.0;
 };
 

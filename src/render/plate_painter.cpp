@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "render/plate_painter.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/units.hpp"
 #include "render/colour_map.hpp"
 #include "render/gl_context.hpp"
 #include "render/gl_functions.hpp"
@@ -37,7 +40,7 @@ class Texture {
   GLuint id_ = 0;
 };
 
-constexpr GLint field_unit = 0, colour_map_unit = 1;
+constexpr GLint field_unit = 0, colour_map_unit = 1, damage_unit = 2;
 
 void check(const Grid& grid) {
   GLint most = 0;
@@ -52,9 +55,24 @@ Window window_of(const PictureStyle& style) {
   return style.window.value_or(Window{0, 0, style.grid.nx, style.grid.ny});
 }
 
+// As the colour bar has it: with the prefix that suits its larger end.
+PrefixedUnit unit_of(const PictureStyle& style) {
+  return prefixed(std::max(std::abs(style.least), std::abs(style.most)), style.unit);
+}
+
+std::string bar_label(const PictureStyle& style) {
+  return style.unit.empty() ? style.label
+                            : fmt::format("{} ({})", style.label, unit_of(style).name);
+}
+
 Layout layout_of(const PictureStyle& style, const Grid& seen) {
   if (style.bare_height > 0) return bare_layout(style.width, style.bare_height);
-  return make_layout(seen, style.width);
+  return make_layout(seen, style.width, label_ems(bar_label(style)));
+}
+
+ColourMap map_of(const PictureStyle& style) {
+  if (style.colour_map == fringes_name) return fringe_map(style.least, style.most);
+  return load_colour_map(style.colour_map);
 }
 
 }  // namespace
@@ -64,7 +82,7 @@ struct PlatePainter::Parts {
       : style(std::move(style_)),
         seen(part(style.grid, window_of(style))),
         layout(layout_of(style, seen)),
-        map(load_colour_map(style.colour_map)),
+        map(map_of(style)),
         context(layout.width, layout.height),
         gl(load_gl_functions()),
         program(gl, "field") {
@@ -74,14 +92,16 @@ struct PlatePainter::Parts {
     gl.BindVertexArray(no_vertices);
     gl.ActiveTexture(GL_TEXTURE0 + colour_map_unit);
     colours.bind();
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 256, 1, 0, GL_RGB, GL_UNSIGNED_BYTE,
-                 map.colours.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, static_cast<GLsizei>(map.colours.size()), 1, 0, GL_RGB,
+                 GL_UNSIGNED_BYTE, map.colours.data());
     program.use();
     gl.Uniform1i(program.uniform("field"), field_unit);
+    gl.Uniform1i(program.uniform("damage"), damage_unit);
     gl.Uniform1i(program.uniform("colour_map"), colour_map_unit);
+    gl.Uniform1i(program.uniform("largest"), style.sampling == Sampling::largest ? 1 : 0);
+    gl.Uniform1i(program.uniform("logarithmic"), style.logarithmic ? 1 : 0);
     set_window(window_of(style));
-    gl.Uniform2f(program.uniform("range"), static_cast<float>(style.least),
-                 static_cast<float>(style.most));
+    set_range();
     gl.Uniform4f(program.uniform("background"), background_colour.red / 255.0F,
                  background_colour.green / 255.0F, background_colour.blue / 255.0F, 1.0F);
   }
@@ -99,11 +119,24 @@ struct PlatePainter::Parts {
                  static_cast<float>(window.ny));
   }
 
-  void draw_field(const Field& field) {
-    gl.ActiveTexture(GL_TEXTURE0 + field_unit);
-    values.bind();
+  void set_range() {
+    const auto end = [&](double value) {
+      return static_cast<float>(style.logarithmic ? std::log(value) : value);
+    };
+    gl.Uniform2f(program.uniform("range"), end(style.least), end(style.most));
+  }
+
+  void set_values(GLint unit, const Texture& texture, const std::vector<float>& numbers) {
+    gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    texture.bind();
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, style.grid.nx, style.grid.ny, 0, GL_RED, GL_FLOAT,
-                 field.values.data());
+                 numbers.data());
+  }
+
+  void draw_field(const Shot& shot) {
+    set_values(field_unit, values, shot.values);
+    if (!shot.gaps.empty()) set_values(damage_unit, gaps, shot.gaps);
+    gl.Uniform1i(program.uniform("gaps"), shot.gaps.empty() ? 0 : 1);
     glDisable(GL_SCISSOR_TEST);
     glClearColor(background_colour.red / 255.0F, background_colour.green / 255.0F,
                  background_colour.blue / 255.0F, 1.0F);
@@ -114,13 +147,14 @@ struct PlatePainter::Parts {
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 
-  OverlayText text_for(const Field& field) const {
+  OverlayText text() const {
+    const PrefixedUnit unit = unit_of(style);
     OverlayText text;
     text.title = style.title;
-    text.field = field.name;
-    text.unit = field.unit;
-    text.least = style.least;
-    text.most = style.most;
+    text.label = bar_label(style);
+    text.least = style.least / unit.factor;
+    text.most = style.most / unit.factor;
+    text.logarithmic = style.logarithmic;
     text.metres_per_pixel = seen.nx * seen.dx / layout.plate.width;
     return text;
   }
@@ -132,7 +166,7 @@ struct PlatePainter::Parts {
   GlContext context;  // before everything that lives in it
   GlFunctions gl;
   ShaderProgram program;
-  Texture values, colours;
+  Texture values, gaps, colours;
   GLuint no_vertices = 0;
 };
 
@@ -147,15 +181,15 @@ int PlatePainter::height() const {
   return parts_->layout.height;
 }
 
-Image PlatePainter::paint(const Field& field, double time, const std::vector<Circle>& discs) {
+Image PlatePainter::paint(const Shot& shot) {
   parts_->context.make_current();
-  parts_->draw_field(field);
+  parts_->draw_field(shot);
   Image image = parts_->context.finish();
   if (parts_->style.bare_height == 0) {
-    draw_frame(image, parts_->layout, parts_->map, parts_->text_for(field));
-    draw_time(image, parts_->layout, time);
+    draw_frame(image, parts_->layout, parts_->map, parts_->text());
+    draw_time(image, parts_->layout, shot.time);
   }
-  draw_discs(image, parts_->layout, parts_->seen, discs);
+  draw_discs(image, parts_->layout, parts_->seen, shot.discs);
   return image;
 }
 

@@ -9,7 +9,7 @@
 
 #include "base/image.hpp"
 #include "lattice/grid.hpp"
-#include "measure/field.hpp"
+#include "measure/scalar.hpp"
 #include "render/layout.hpp"
 
 namespace hackle {
@@ -20,10 +20,22 @@ struct PictureStyle {
   std::optional<Window> window;       // what is seen of it; all if not given
   int width = 1280;                   // px, even
   int bare_height = 0;                // px; above 0 the plate alone, stretched to fill the picture
-  std::string colour_map = "damage";  // a file of assets/colour_maps, without its ending
-  double least = 0.0;                 // the values at the two ends of the colour bar, in SI
-  double most = 0.5;
-  std::string title;  // may be empty
+  std::string colour_map = "damage";  // one of colour_map_names, or fringes_name
+  double least = 0.0;                 // the values at the two ends of the colour bar, in SI;
+  double most = 0.5;                  // least < most, and above 0 if the scale is logarithmic
+  bool logarithmic = false;
+  Sampling sampling = Sampling::largest;
+  std::string title;             // may be empty
+  std::string label = "damage";  // of the colour bar
+  std::string unit;              // of the values, SI; may be empty
+};
+
+// What is painted at one time, by Grid::index.
+struct Shot {
+  std::vector<float> values;  // nan where the background is to be seen
+  std::vector<float> gaps;    // damage, to be seen as gaps of the plate; empty where it is not
+  double time = 0.0;          // s
+  std::vector<Circle> discs;
 };
 
 // Owns a GL context, so it must be used, and destroyed, by the thread that created it.
@@ -37,9 +49,8 @@ class PlatePainter {
   int width() const;   // px, even unless bare
   int height() const;  // px, even, from the shape of what is seen; or as the style says
 
-  // `field` has one component. `time` in s. Discs are drawn where they are now, over the plate as
-  // it was at rest.
-  Image paint(const Field& field, double time, const std::vector<Circle>& discs = {});
+  // Discs are drawn where they are now, over the plate as it was at rest.
+  Image paint(const Shot& shot);
 
  private:
   struct Parts;

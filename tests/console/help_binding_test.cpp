@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "console/help_binding.hpp"
 
+#include <regex>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "console/reference.hpp"
 #include "console/scripts.hpp"
 #include "console/tour.hpp"
+#include "measure/scalar.hpp"
 
 namespace hackle {
 namespace {
@@ -36,7 +38,8 @@ TEST(Help, AloneIsATourThatRuns) {
 }
 
 TEST(Help, FitsAnyTerminal) {
-  std::vector<std::string> calls{"help()", "help 'functions'", "help 'units'", "help 'materials'"};
+  std::vector<std::string> calls{"help()", "help 'functions'", "help 'units'", "help 'materials'",
+                                 "help 'fields'"};
   for (const FunctionDoc* doc : all_docs()) calls.push_back(fmt::format("help '{}'", doc->name));
   for (const std::string& call : calls) {
     std::istringstream lines(printed(call));
@@ -53,9 +56,18 @@ TEST(Help, ListsEveryFunction) {
     EXPECT_THAT(text, HasSubstr("  " + call_name(*doc) + " "));
 }
 
+TEST(Help, ListsEveryFieldOfPicturesAndTellsOfEach) {
+  const std::string list = printed("help 'fields'");
+  for (const Scalar& scalar : scalars()) {
+    EXPECT_THAT(list, HasSubstr(fmt::format("\n  {} ", scalar.name)));
+    const std::string page = printed(fmt::format("help '{}'", scalar.name));
+    EXPECT_THAT(std::regex_replace(page, std::regex("\n +"), " "), HasSubstr(scalar.sentence));
+  }
+}
+
 TEST(Help, OnAFunctionShowsItsOptionsExampleAndNeighbours) {
   const std::string text = printed("help \"movie\"");
-  EXPECT_THAT(text, HasSubstr("s:movie { file, field, every, zoom, width, fps }\nFilms"));
+  EXPECT_THAT(text, HasSubstr("s:movie { file, every, width, fps, field, range,"));
   EXPECT_THAT(text,
               testing::ContainsRegex("width +integer +between 320 and 7680 px; default 1280"));
   EXPECT_THAT(text, HasSubstr("\nexample:\n  s:movie {"));

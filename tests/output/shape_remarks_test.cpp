@@ -65,12 +65,12 @@ TEST(ShapeRemarks, TellOfNodesWithoutABond) {
 // What is cut out has no damage to show.
 TEST(Painting, LeavesOutWhatIsCutOut) {
   const Simulation simulation(cut(rectangle({4e-3, 4e-3}, {8e-3, 8e-3})), test::numerics(), {1});
-  const Field field = field_of("damage", simulation);
+  const Shot shot = shot_of({}, simulation);
   const Lattice& lattice = simulation.lattice();
   int left_out = 0;
   for (int j = 0; j < lattice.grid.ny; ++j)
     for (int i = 0; i < lattice.grid.nx; ++i) {
-      const bool nothing = std::isnan(field.values[lattice.grid.index(i, j)]);
+      const bool nothing = std::isnan(shot.values[lattice.grid.index(i, j)]);
       EXPECT_EQ(nothing, lattice.is_void(i, j)) << i << "," << j;
       left_out += nothing ? 1 : 0;
     }

@@ -24,7 +24,7 @@ class Overlay : public testing::TestWithParam<int> {
  protected:
   Layout layout = make_layout({200, 80, 0.5e-3, {0.05, 0.02}}, GetParam());
   Image image{layout.width, layout.height};
-  OverlayText text{"", "damage", "", 0.0, 0.5, 0.1 / layout.plate.width};
+  OverlayText text{"", "damage", 0.0, 0.5, false, 0.1 / layout.plate.width};
 };
 
 TEST_P(Overlay, DrawsBarScaleAndTimeWhereTheyBelong) {
@@ -35,6 +35,32 @@ TEST_P(Overlay, DrawsBarScaleAndTimeWhereTheyBelong) {
   EXPECT_EQ(lit(image, layout.caption), 0);
   draw_time(image, layout, 22.5e-6);
   EXPECT_GT(lit(image, layout.caption), 0);
+}
+
+// Pixels of the row right below the bar that are lit, one a tick.
+int tick_count(const Image& image, const Layout& layout) {
+  return lit(image, {layout.bar.x, layout.bar.bottom(), layout.bar.width, 1});
+}
+
+TEST_P(Overlay, TicksAreNeatWhateverTheRange) {
+  struct Case {
+    double least, most;
+    bool logarithmic;
+    int fewest, most_ticks;
+  };
+  for (const Case& c : {Case{0.0, 0.5, false, 2, 6},
+                        {-65.0, 65.0, false, 2, 6},
+                        {0.123, 0.789, false, 1, 6},
+                        {13.0, 1.3e5, true, 4, 4},
+                        {1.0, 1e4, true, 5, 5}}) {
+    Image fresh{layout.width, layout.height};
+    text.least = c.least;
+    text.most = c.most;
+    text.logarithmic = c.logarithmic;
+    draw_frame(fresh, layout, load_colour_map("damage"), text);
+    EXPECT_GE(tick_count(fresh, layout), c.fewest) << c.least << " " << c.most;
+    EXPECT_LE(tick_count(fresh, layout), c.most_ticks) << c.least << " " << c.most;
+  }
 }
 
 TEST_P(Overlay, DrawsDiscsWhereTheyAreAndNowhereElse) {
