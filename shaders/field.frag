@@ -47,6 +47,7 @@ Sample under_pixel() {
 
 void main() {
   Sample seen = under_pixel();
+  // 0 has no logarithm; what is below the range has its least colour anyway.
   float value = logarithmic ? log(max(seen.value, 1e-30)) : seen.value;
   float share = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
   // From the centre of the first entry to the centre of the last.

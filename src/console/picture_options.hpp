@@ -9,6 +9,8 @@
 namespace hackle {
 
 inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
+// The default of what each field has for itself.
+inline constexpr std::string_view suits_the_field = "what suits the field";
 
 // What every picture takes.
 inline constexpr std::array picture_options{
@@ -19,16 +21,16 @@ inline constexpr std::array picture_options{
            .sentence = "What is painted."},
     Option{.name = "range",
            .type = OptionType::pair,
-           .fallback = "what suits the field",
+           .fallback = suits_the_field,
            .sentence = "Values at the two ends of the colour bar, in SI units."},
     Option{.name = "scale",
            .type = OptionType::choice,
-           .fallback = "what suits the field",
+           .fallback = suits_the_field,
            .choices = scale_names,
            .sentence = "Of the colour bar."},
     Option{.name = "colours",
            .type = OptionType::choice,
-           .fallback = "what suits the field",
+           .fallback = suits_the_field,
            .choices = colour_map_names,
            .sentence = "Of the colour bar."},
     Option{.name = "cracks",

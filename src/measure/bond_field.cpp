@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -53,7 +54,7 @@ double Stress::von_mises() const {
 std::vector<Stress> stresses(const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
   std::vector<Stress> stresses(grid.nodes());
-  const double unit = 0.5 * std::pow(grid.dx, 3);  // V |xi|
+  const double unit = 0.5 * std::pow(grid.dx, 3);  // of 1/2 |xi| V
   visit_bonds(simulation, [&](const VisitedBond& bond) {
     if (!bond.holds) return;
     const double pull = unit * bond.c * bond.weight * bond.s / bond.xi.norm();
@@ -70,7 +71,7 @@ std::vector<Stress> stresses(const Simulation& simulation) {
 std::vector<double> energy_densities(const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
   std::vector<double> densities(grid.nodes());
-  const double unit = 0.25 * std::pow(grid.dx, 3);  // V |xi|
+  const double unit = 0.25 * std::pow(grid.dx, 3);  // of 1/2 c s^2/2 |xi| V
   visit_bonds(simulation, [&](const VisitedBond& bond) {
     const double density = unit * bond.c * bond.weight * bond.xi.norm() * bond.s * bond.s;
     densities[bond.one] += density;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -26,6 +27,7 @@ double critical_speed(const Simulation& simulation) {
   const Lattice& lattice = simulation.lattice();
   return critical_stretch(simulation) * std::sqrt(lattice.calibration.moduli.C11 / lattice.rho);
 }
+// How far an edge is from its place when the shorter side is stretched by half of that.
 double critical_length(const Simulation& simulation) {
   const Plate& plate = simulation.plate();
   return 0.25 * critical_stretch(simulation) * std::min(plate.width, plate.height);
@@ -207,8 +209,8 @@ void check_fringes(const Lattice& lattice) {
   for (const MaterialOnLattice& known : lattice.materials)
     if (known.material.fringe == 0.0)
       problems.add(fmt::format("fringes: {} has no fringe value", known.material.name),
-                   "material { like = ..., fringe = ... } takes it, in N/m; glass has 140e3 to "
-                   "210e3, Homalite-100 22e3");
+                   "material { like = ..., fringe = ... } takes it, in N/m; duran50 and "
+                   "homalite100 have one");
   problems.throw_if_any();
 }
 

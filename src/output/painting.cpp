@@ -141,7 +141,7 @@ Image paint(const Simulation& simulation, const PictureOptions& options,
 int widest_picture(const PictureOptions& options, const Grid& grid, const Extent& most) {
   const Grid seen = part(grid, window_of(options, grid));
   for (int width = std::min(most.width, most_width) / 2 * 2; width >= least_width; width -= 2)
-    if (make_layout(seen, width, label_ems(options.field)).height <= most.height) return width;
+    if (make_layout(seen, width).height <= most.height) return width;
   return 0;
 }
 

@@ -22,7 +22,7 @@ struct ColourMap {
 
 // Each has a file of its own in assets/colour_maps; in alphabetical order.
 inline constexpr auto colour_map_names = std::to_array<std::string_view>(
-    {"batlow", "cividis", "damage", "inferno", "roma", "viridis", "vik"});
+    {"batlow", "cividis", "damage", "inferno", "roma", "vik", "viridis"});
 
 // The brightness of a polariscope with a dark field, sin^2(pi N), for orders N from least to most.
 ColourMap fringe_map(double least, double most);

@@ -40,7 +40,8 @@ struct Layout {
 
 // For a picture `width` px wide, even. Cells are whole pixels when they are at least 3 px, so that
 // all look alike. A tall plate is made smaller until the plate is at most as high as the picture is
-// wide. `label` is what the name before the colour bar takes, in units of the font.
+// wide. `label` is what the name before the colour bar takes, in units of the font; the height does
+// not depend on it.
 inline constexpr double shortest_label = 6.0;
 Layout make_layout(const Grid& grid, int width, double label = shortest_label);
 // What a name takes, with some room behind it.
