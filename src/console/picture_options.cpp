@@ -14,6 +14,12 @@ PictureOptions picture_of(const Arguments& arguments) {
     picture.range = Ends{range.x(), range.y()};
   }
   if (arguments.has("scale")) picture.logarithmic = arguments.text_of_choice("scale", "") == "log";
+  if (arguments.has("follow")) picture.follow = arguments.choice<Toward>("follow");
+  picture.rotation = arguments.number("rotate", picture.rotation);
+  picture.deformed = arguments.flag("deformed", picture.deformed);
+  if (arguments.has("magnify")) picture.magnification = arguments.number("magnify");
+  picture.bonds = arguments.flag("bonds", picture.bonds);
+  picture.background = arguments.choice<Background>("background");
   if (!arguments.has("zoom")) return picture;
   const Eigen::Vector3d window = arguments.window("zoom");
   picture.zoom = Zoom{window.head<2>(), window.z()};

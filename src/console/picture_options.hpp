@@ -2,6 +2,8 @@
 // What a picture shows and how large it is, as several functions take it.
 #pragma once
 
+#include <numbers>
+
 #include "console/arguments.hpp"
 #include "output/run.hpp"
 #include "render/colour_map.hpp"
@@ -48,6 +50,33 @@ inline constexpr std::array picture_options{
            .range = above(0.0),
            .fallback = "the plate",
            .sentence = "Middle and half the width of what is seen; it has the shape of the plate."},
+    Option{.name = "follow",
+           .type = OptionType::choice,
+           .fallback = "nothing",
+           .choices = toward_names,
+           .sentence = "The zoom goes where the damage is that is foremost in this direction."},
+    Option{.name = "rotate",
+           .unit = "rad",
+           .range = between(-2.0 * std::numbers::pi, 2.0 * std::numbers::pi),
+           .fallback = "0",
+           .sentence = "Turns the picture counterclockwise; 90*deg for a plate on end."},
+    Option{.name = "deformed",
+           .type = OptionType::flag,
+           .fallback = "false",
+           .sentence = "The plate as it is displaced, magnified."},
+    Option{.name = "magnify",
+           .range = between(0.0, 1e9),
+           .fallback = "what suits the plate",
+           .sentence = "How many times as large displacements are shown, in a deformed plate."},
+    Option{.name = "bonds",
+           .type = OptionType::flag,
+           .fallback = "false",
+           .sentence = "Draws every bond of what is seen, for a zoom on a few nodes."},
+    Option{.name = "background",
+           .type = OptionType::choice,
+           .fallback = "dark",
+           .choices = background_names,
+           .sentence = "Around the plate; transparent in a PNG."},
 };
 inline constexpr Option width_option{.name = "width",
                                      .type = OptionType::integer,

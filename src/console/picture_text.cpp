@@ -5,18 +5,18 @@
 
 #include "base/units.hpp"
 #include "measure/field.hpp"
+#include "output/view.hpp"
 
 namespace hackle {
 namespace {
 
 // With texts where there are pixels enough to read them.
 Image paint_for(const Terminal& terminal, const Simulation& simulation, PictureOptions options) {
-  const Grid& grid = simulation.lattice().grid;
   if (terminal.graphics != Graphics::symbols)
-    options.width = widest_picture(options, grid, room_for_picture(terminal));
+    options.width = widest_picture(options, simulation, room_for_picture(terminal));
   if (terminal.graphics != Graphics::symbols && options.width > 0)
     return paint(simulation, options);
-  const Window window = window_of(options, grid);
+  const Window window = window_of(options, simulation);
   const double shape = static_cast<double>(window.nx) / window.ny;
   return paint(simulation, options, bare_picture(terminal, shape));
 }

@@ -2,7 +2,9 @@
 #include "measure/cracks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 
 #include "solver/pieces.hpp"
 
@@ -34,6 +36,23 @@ Cracks cracks(Field damage, const Grid& grid, const Box& area) {
   found.bands = most_bands(damage, grid);
   found.fork = fork_place(damage, grid);
   return found;
+}
+
+std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& direction) {
+  double most = -std::numeric_limits<double>::infinity();
+  Box box{};
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      if (damage.values[grid.index(i, j)] <= on_crack) continue;
+      const Vec2 place = grid.from_centre(i, j);
+      const double along = direction.dot(place);
+      if (along < most - 0.5) continue;
+      box = along > most + 0.5 ? Box{place, place}
+                               : Box{box.least.cwiseMin(place), box.most.cwiseMax(place)};
+      most = std::max(most, along);
+    }
+  if (std::isinf(most)) return std::nullopt;
+  return grid.centre + 0.5 * grid.dx * (box.least + box.most);
 }
 
 std::vector<int> piece_sizes(const Simulation& simulation) {

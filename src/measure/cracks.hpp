@@ -21,6 +21,10 @@ struct Cracks {
 
 Cracks cracks(Field damage, const Grid& grid, const Box& area);
 
+// The place, m, of the node on a crack that lies farthest along `direction`; of several, within
+// half a spacing, their middle. Nothing when there is none.
+std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& direction);
+
 // Nodes of each part whose bonds hold it together, the largest first; a node without bonds is none.
 std::vector<int> piece_sizes(const Simulation& simulation);
 

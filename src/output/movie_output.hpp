@@ -10,6 +10,7 @@
 #include "movie/encoder.hpp"
 #include "output/output.hpp"
 #include "output/painting.hpp"
+#include "output/run.hpp"
 #include "output/schedule.hpp"
 
 namespace hackle {

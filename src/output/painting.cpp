@@ -9,42 +9,14 @@
 
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "measure/links.hpp"
+#include "output/view.hpp"
 #include "render/colour_map.hpp"
 
 namespace hackle {
 namespace {
 
 constexpr int least_width = 320, most_width = 7680;  // px
-
-std::string place_text(const Vec2& place) {
-  return fmt::format("{{{}, {}}}", quantity(place.x(), "m"), quantity(place.y(), "m"));
-}
-
-// Half the size of the lattice and of the window that Zoom describes, m.
-Vec2 half_size(const Grid& grid) {
-  return 0.5 * grid.dx * Vec2(grid.nx, grid.ny);
-}
-Vec2 half_size(const Zoom& zoom, const Grid& grid) {
-  return zoom.half_width * Vec2(1.0, static_cast<double>(grid.ny) / grid.nx);
-}
-
-void check(const char* output, const Zoom& zoom, const Grid& grid, Problems& problems) {
-  const double most = grid.nx * grid.dx;
-  if (!(zoom.half_width >= grid.dx && zoom.half_width <= most)) {
-    problems.add(
-        fmt::format("{}: half the width of zoom is {}, it must lie between {} and {}", output,
-                    quantity(zoom.half_width, "m"), quantity(grid.dx, "m"), quantity(most, "m")),
-        "the spacing of nodes, and the width of the plate");
-    return;
-  }
-  const Vec2 half = half_size(grid), reach = half + half_size(zoom, grid);
-  // Written so that nan is out of reach.
-  if (((zoom.centre - grid.centre).array().abs() < reach.array()).all()) return;
-  problems.add(fmt::format("{}: zoom shows nothing of the plate, its middle is {}", output,
-                           place_text(zoom.centre)),
-               fmt::format("the plate reaches from {} to {}", place_text(grid.centre - half),
-                           place_text(grid.centre + half)));
-}
 
 bool is_fringes(const PictureOptions& options) {
   return options.field == fringes_name;
@@ -72,6 +44,14 @@ void check_range(const char* output, const PictureOptions& options, Problems& pr
                              output, least));
 }
 
+std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
+  std::vector<std::uint8_t> bytes(shares.size());
+  std::ranges::transform(shares, bytes.begin(), [](float share) {
+    return static_cast<std::uint8_t>(std::lround(255.0F * share));
+  });
+  return bytes;
+}
+
 }  // namespace
 
 void check(const char* output, const PictureOptions& options, const Grid& grid) {
@@ -88,30 +68,20 @@ void check(const char* output, const PictureOptions& options, const Grid& grid) 
   if (options.width < least_width || options.width > most_width || options.width % 2 != 0)
     problems.add(fmt::format("{}: width is {} px, it must be even and between {} and {} px", output,
                              options.width, least_width, most_width));
-  if (options.zoom) check(output, *options.zoom, grid, problems);
+  check_view(output, options, grid, problems);
   problems.throw_if_any();
   if (options.range) check_range(output, options, problems);
   problems.throw_if_any();
-}
-
-Window window_of(const PictureOptions& options, const Grid& grid) {
-  Window window{0, 0, grid.nx, grid.ny};
-  if (!options.zoom) return window;
-  const Vec2 size = 2.0 / grid.dx * half_size(*options.zoom, grid);
-  window.nx = std::max(1, static_cast<int>(std::lround(size.x())));
-  window.ny = std::max(1, static_cast<int>(std::lround(size.y())));
-  const Vec2 corner =
-      grid.from_centre(options.zoom->centre) + 0.5 * Vec2(grid.nx - window.nx, grid.ny - window.ny);
-  window.left = static_cast<int>(std::lround(corner.x()));
-  window.bottom = static_cast<int>(std::lround(corner.y()));
-  return window;
 }
 
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation) {
   const Scalar& scalar = scalar_of(options.field);
   PictureStyle style;
   style.grid = simulation.lattice().grid;
-  style.window = window_of(options, style.grid);
+  style.window = window_of(options, simulation);
+  style.rotation = options.rotation;
+  style.magnification = magnification_of(options, simulation);
+  style.background = options.background;
   style.width = options.width;
   style.title = simulation.plate().material.name;
   style.colour_map = options.colours.empty() ? std::string(scalar.colours) : options.colours;
@@ -138,19 +108,27 @@ Image paint(const Simulation& simulation, const PictureOptions& options,
   return PlatePainter(style).paint(shot_of(options, simulation));
 }
 
-int widest_picture(const PictureOptions& options, const Grid& grid, const Extent& most) {
-  const Grid seen = part(grid, window_of(options, grid));
+int widest_picture(const PictureOptions& options, const Simulation& simulation,
+                   const Extent& most) {
+  const Grid seen = part(simulation.lattice().grid, window_of(options, simulation));
   for (int width = std::min(most.width, most_width) / 2 * 2; width >= least_width; width -= 2)
     if (make_layout(seen, width).height <= most.height) return width;
   return 0;
 }
 
 Shot shot_of(const PictureOptions& options, const Simulation& simulation) {
-  Shot shot{
-      scalar_of(options.field).values(simulation), {}, simulation.time(), impactors(simulation)};
+  Shot shot;
+  shot.values = scalar_of(options.field).values(simulation);
+  shot.time = simulation.time();
+  shot.discs = impactors(simulation);
   if (is_fringes(options))
     for (float& order : shot.values) order *= static_cast<float>(options.thickness);
-  if (options.cracks && options.field != "damage") shot.gaps = damage(simulation).values;
+  if (options.cracks && options.field != "damage") shot.gaps = in_255ths(damage(simulation).values);
+  if (magnification_of(options, simulation) > 0.0) {
+    shot.displacement = displacement(simulation).values;
+    shot.links = links(simulation);
+  }
+  if (options.follow) shot.window = followed(window_of(options, simulation), options, simulation);
   // Pictures show the background where a value is no number.
   const std::vector<std::uint8_t>& material = simulation.lattice().material;
   for (std::size_t node = 0; node < material.size(); ++node)

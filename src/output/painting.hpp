@@ -5,17 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "output/run.hpp"
+#include "output/picture.hpp"
 #include "render/plate_painter.hpp"
+#include "solver/simulation.hpp"
 
 namespace hackle {
 
 // Throws Error (refused) with every problem of the options on that lattice; `output` names who
 // asks.
 void check(const char* output, const PictureOptions& options, const Grid& grid);
-
-// The cells that the options look at.
-Window window_of(const PictureOptions& options, const Grid& grid);
 
 // Throws Error (refused) when the materials lack what the field needs.
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation);
@@ -32,7 +30,7 @@ Image paint(const Simulation& simulation, const PictureOptions& options,
 
 // The width in px of the largest picture with texts that fits into these px, at most `most.width`;
 // 0 when the smallest does not.
-int widest_picture(const PictureOptions& options, const Grid& grid, const Extent& most);
+int widest_picture(const PictureOptions& options, const Simulation& simulation, const Extent& most);
 
 // What the picture shows of the state as it is; nan where there is no material.
 Shot shot_of(const PictureOptions& options, const Simulation& simulation);

@@ -10,31 +10,13 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "measure/scalar.hpp"
+#include "output/picture.hpp"
 #include "output/rehearsal.hpp"
 #include "output/summary.hpp"
 #include "solver/simulation.hpp"
 #include "store/run_file.hpp"
 
 namespace hackle {
-
-// What a picture looks at: a window of the plate's shape, rounded to whole cells of the lattice.
-struct Zoom {
-  Vec2 centre{0, 0};        // m; the window must show some of the plate
-  double half_width = 0.0;  // m, from one spacing to the plate's width
-};
-
-// How a picture is made.
-struct PictureOptions {
-  std::string field = "damage";     // one of scalar_names
-  int width = 1280;                 // px, even, 320..7680; the height follows from the plate
-  std::optional<Ends> range;        // of the colour bar, SI; what suits the field if not given
-  std::optional<bool> logarithmic;  // as the field has it if not given
-  std::string colours;              // one of colour_map_names, or "" for what suits the field
-  bool cracks = true;               // cracks are gaps, except in a picture of damage
-  double thickness = 5e-3;          // m, of the plate, for fringes
-  std::optional<Zoom> zoom;         // the whole plate if not given
-};
 
 struct MovieOptions {
   PictureOptions picture;

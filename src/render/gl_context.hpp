@@ -1,32 +1,42 @@
 // SPDX-License-Identifier: MIT
-// An off-screen OpenGL 3.3 core context that draws into memory. OSMesa today; what is outside this
-// pair does not know, so that EGL can take its place.
+// An off-screen OpenGL 3.3 core context that draws into memory. What is outside this pair does not
+// know which library draws.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "base/image.hpp"
+#include "render/gl_functions.hpp"
 
 namespace hackle {
 
+// OSMesa, and EGL without a surface, for systems whose Mesa has no OSMesa any more.
+enum class GlLibrary { osmesa, egl };
+inline constexpr std::array<std::string_view, 2> gl_library_names{"osmesa", "egl"};
+
+// What the environment variable HACKLE_GL says, or OSMesa. Throws Error (refused) for a name that
+// there is not.
+GlLibrary chosen_gl_library();
+
 class GlContext {
  public:
-  using Function = void (*)();
-
   // A context for pictures of this size, current on the calling thread, which must be the only one
-  // to use it. Throws Error (run_failed).
-  GlContext(int width, int height);
+  // to use it. Throws Error (run_failed) when the library gives none.
+  GlContext(int width, int height, GlLibrary library = chosen_gl_library());
   ~GlContext();
 
   // Sends the GL calls of this thread to this context, as the constructor does.
   void make_current();
 
-  // The entry point of a GL function. Never null, even for unknown names: check the version
-  // instead.
-  static Function function(const char* name);
+  const GlFunctions& functions() const;
 
-  // The pixels of the default framebuffer after everything drawn so far, top row first.
+  // The framebuffer that finish() reads, bound at first.
+  GLuint target() const;
+
+  // The pixels of the target after everything drawn so far, the top row first.
   const Image& finish();
 
   // What draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".

@@ -2,6 +2,7 @@
 #include "render/plate_painter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,47 +10,18 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "render/camera.hpp"
+#include "render/cell_mesh.hpp"
 #include "render/colour_map.hpp"
+#include "render/colour_pass.hpp"
 #include "render/gl_context.hpp"
-#include "render/gl_functions.hpp"
 #include "render/layout.hpp"
+#include "render/mesh_pass.hpp"
 #include "render/overlay.hpp"
-#include "render/shader_program.hpp"
+#include "render/samples.hpp"
 
 namespace hackle {
 namespace {
-
-// A texture that is read texel by texel.
-class Texture {
- public:
-  Texture() {
-    glGenTextures(1, &id_);
-    glBindTexture(GL_TEXTURE_2D, id_);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-      glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-      glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  }
-  ~Texture() { glDeleteTextures(1, &id_); }
-  Texture(const Texture&) = delete;
-  Texture& operator=(const Texture&) = delete;
-
-  void bind() const { glBindTexture(GL_TEXTURE_2D, id_); }
-
- private:
-  GLuint id_ = 0;
-};
-
-constexpr GLint field_unit = 0, colour_map_unit = 1, damage_unit = 2;
-
-void check(const Grid& grid) {
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-  if (grid.nx <= most && grid.ny <= most) return;
-  throw Error(ErrorKind::refused,
-              fmt::format("a picture of {} x {} nodes is not possible: OpenGL takes {} a side",
-                          grid.nx, grid.ny, most));
-}
 
 Window window_of(const PictureStyle& style) {
   return style.window.value_or(Window{0, 0, style.grid.nx, style.grid.ny});
@@ -75,6 +47,26 @@ ColourMap map_of(const PictureStyle& style) {
   return load_colour_map(style.colour_map);
 }
 
+std::array<float, 4> background_of(const PictureStyle& style) {
+  if (style.background == Background::transparent) return {0.0F, 0.0F, 0.0F, 0.0F};
+  return {background_colour.red / 255.0F, background_colour.green / 255.0F,
+          background_colour.blue / 255.0F, 1.0F};
+}
+
+Colouring colouring_of(const PictureStyle& style, const ColourMap& map) {
+  return {map, style.least, style.most, style.logarithmic, background_of(style)};
+}
+
+// Whether cells are not all rectangles of the same size.
+bool needs_mesh(const PictureStyle& style) {
+  return style.magnification > 0.0 || style.rotation != 0.0;
+}
+
+// How many points show so many cells on so many pixels: one a cell where cells are whole pixels.
+int points_for(int cells, int pixels) {
+  return pixels % cells == 0 ? cells : pixels;
+}
+
 }  // namespace
 
 struct PlatePainter::Parts {
@@ -84,67 +76,75 @@ struct PlatePainter::Parts {
         layout(layout_of(style, seen)),
         map(map_of(style)),
         context(layout.width, layout.height),
-        gl(load_gl_functions()),
-        program(gl, "field") {
-    check(style.grid);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.GenVertexArrays(1, &no_vertices);  // core profile wants one bound, even without attributes
-    gl.BindVertexArray(no_vertices);
-    gl.ActiveTexture(GL_TEXTURE0 + colour_map_unit);
-    colours.bind();
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, static_cast<GLsizei>(map.colours.size()), 1, 0, GL_RGB,
-                 GL_UNSIGNED_BYTE, map.colours.data());
-    program.use();
-    gl.Uniform1i(program.uniform("field"), field_unit);
-    gl.Uniform1i(program.uniform("damage"), damage_unit);
-    gl.Uniform1i(program.uniform("colour_map"), colour_map_unit);
-    gl.Uniform1i(program.uniform("largest"), style.sampling == Sampling::largest ? 1 : 0);
-    gl.Uniform1i(program.uniform("logarithmic"), style.logarithmic ? 1 : 0);
-    set_window(window_of(style));
-    set_range();
-    gl.Uniform4f(program.uniform("background"), background_colour.red / 255.0F,
-                 background_colour.green / 255.0F, background_colour.blue / 255.0F, 1.0F);
+        colour_pass(gl, colouring_of(style, map)) {
+    if (needs_mesh(style)) mesh_pass.emplace(gl, layout.plate.width, layout.plate.height);
   }
-  ~Parts() {
-    context.make_current();  // the textures go to the context they came from
-    gl.DeleteVertexArrays(1, &no_vertices);
-  }
+  ~Parts() { context.make_current(); }  // its objects go to the context they came from
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  void set_window(const Window& window) {
-    gl.Uniform2f(program.uniform("origin"), static_cast<float>(window.left),
-                 static_cast<float>(window.bottom));
-    gl.Uniform2f(program.uniform("cells"), static_cast<float>(window.nx),
-                 static_cast<float>(window.ny));
-  }
-
-  void set_range() {
-    const auto end = [&](double value) {
-      return static_cast<float>(style.logarithmic ? std::log(value) : value);
-    };
-    gl.Uniform2f(program.uniform("range"), end(style.least), end(style.most));
-  }
-
-  void set_values(GLint unit, const Texture& texture, const std::vector<float>& numbers) {
-    gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    texture.bind();
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, style.grid.nx, style.grid.ny, 0, GL_RED, GL_FLOAT,
-                 numbers.data());
-  }
-
   void draw_field(const Shot& shot) {
-    set_values(field_unit, values, shot.values);
-    if (!shot.gaps.empty()) set_values(damage_unit, gaps, shot.gaps);
-    gl.Uniform1i(program.uniform("gaps"), shot.gaps.empty() ? 0 : 1);
-    glDisable(GL_SCISSOR_TEST);
-    glClearColor(background_colour.red / 255.0F, background_colour.green / 255.0F,
-                 background_colour.blue / 255.0F, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
-    // OpenGL counts rows from the bottom.
-    glViewport(layout.plate.x, layout.height - layout.plate.bottom(), layout.plate.width,
-               layout.plate.height);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    const Window window = shot.window.value_or(window_of(style));
+    if (mesh_pass)
+      draw_mesh(shot, window);
+    else
+      draw_cells(shot, window);
+    copy_to_picture();
+  }
+
+  void draw_cells(const Shot& shot, const Window& window) {
+    width = points_for(window.nx, layout.plate.width);
+    height = points_for(window.ny, layout.plate.height);
+    colour_pass.paint(width, height,
+                      samples(shot.values, style.grid, window, width, height, style.sampling),
+                      gaps(shot, window));
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, colour_pass.framebuffer().id());
+  }
+
+  void draw_mesh(const Shot& shot, const Window& window) {
+    const Displaced displaced{shot.displacement, shot.links, style.magnification};
+    Window cells = seen_cells(window, style.rotation, style.grid, displaced);
+    const Blocks blocks = blocks_of(cells, window, layout.plate.width, layout.plate.height);
+    cells.nx = blocks.columns * blocks.size;
+    cells.ny = blocks.rows * blocks.size;
+    width = blocks.columns;
+    height = blocks.rows;
+    const auto values = samples(shot.values, style.grid, cells, width, height, style.sampling);
+    // Single cells open where bonds are broken; blocks of them hide what is broken inside.
+    const bool opens = blocks.size == 1 && !shot.links.empty();
+    colour_pass.paint(width, height, values,
+                      opens ? std::vector<std::uint8_t>() : gaps(shot, cells));
+    auto places = corners(blocks, cells, style.grid, displaced,
+                          Camera(style.grid, window, style.rotation, layout.plate));
+    hide_void(values, places);
+    mesh_pass->paint(blocks, places, colour_pass.colours(), background_of(style));
+    width = layout.plate.width;
+    height = layout.plate.height;
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, mesh_pass->framebuffer().id());
+  }
+
+  std::vector<std::uint8_t> gaps(const Shot& shot, const Window& window) const {
+    if (shot.gaps.empty()) return {};
+    return samples(shot.gaps, style.grid, window, width, height);
+  }
+
+  // What has no value has no size.
+  static void hide_void(const std::vector<float>& values, std::vector<float>& places) {
+    for (std::size_t block = 0; block < values.size(); ++block)
+      if (std::isnan(values[block]))
+        std::fill_n(places.begin() + static_cast<std::ptrdiff_t>(8 * block), 8, 0.0F);
+  }
+
+  // From the framebuffer that is read, of `width` x `height`, to where the plate is.
+  void copy_to_picture() {
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.target());
+    const auto [red, green, blue, alpha] = background_of(style);
+    gl.ClearColor(red, green, blue, alpha);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    const Rectangle& plate = layout.plate;
+    const int below = layout.height - plate.bottom();  // OpenGL counts rows from the bottom
+    gl.BlitFramebuffer(0, 0, width, height, plate.x, below, plate.right(), below + plate.height,
+                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
 
   OverlayText text() const {
@@ -164,10 +164,10 @@ struct PlatePainter::Parts {
   Layout layout;
   ColourMap map;
   GlContext context;  // before everything that lives in it
-  GlFunctions gl;
-  ShaderProgram program;
-  Texture values, gaps, colours;
-  GLuint no_vertices = 0;
+  const GlFunctions& gl = context.functions();
+  ColourPass colour_pass;
+  std::optional<MeshPass> mesh_pass;
+  int width = 0, height = 0;  // of what was drawn last, px
 };
 
 PlatePainter::PlatePainter(PictureStyle style) : parts_(std::make_unique<Parts>(std::move(style))) {

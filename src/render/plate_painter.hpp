@@ -2,6 +2,7 @@
 // A complete picture of a plate: the field in colours, colour bar, time and scale bar.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "lattice/grid.hpp"
 #include "measure/scalar.hpp"
 #include "render/layout.hpp"
+#include "render/theme.hpp"
 
 namespace hackle {
 
@@ -18,6 +20,8 @@ namespace hackle {
 struct PictureStyle {
   Grid grid;
   std::optional<Window> window;       // what is seen of it; all if not given
+  double rotation = 0.0;              // rad, counterclockwise, about the middle of what is seen
+  double magnification = 0.0;         // of displacements; 0 is the plate at rest
   int width = 1280;                   // px, even
   int bare_height = 0;                // px; above 0 the plate alone, stretched to fill the picture
   std::string colour_map = "damage";  // one of colour_map_names, or fringes_name
@@ -28,14 +32,18 @@ struct PictureStyle {
   std::string title;             // may be empty
   std::string label = "damage";  // of the colour bar
   std::string unit;              // of the values, SI; may be empty
+  Background background = Background::dark;
 };
 
-// What is painted at one time, by Grid::index.
+// What is painted at one time, by Grid::index: at most 14 bytes a node.
 struct Shot {
-  std::vector<float> values;  // nan where the background is to be seen
-  std::vector<float> gaps;    // damage, to be seen as gaps of the plate; empty where it is not
-  double time = 0.0;          // s
+  std::vector<float> values;        // nan where the background is to be seen
+  std::vector<std::uint8_t> gaps;   // damage in 255ths, to be seen as gaps; empty where it is not
+  std::vector<float> displacement;  // m, x and y; empty for the plate at rest
+  std::vector<std::uint8_t> links;  // of Link, when there are displacements
+  double time = 0.0;                // s
   std::vector<Circle> discs;
+  std::optional<Window> window;  // as large as that of the style, which it stands in for
 };
 
 // Owns a GL context, so it must be used, and destroyed, by the thread that created it.
@@ -49,7 +57,7 @@ class PlatePainter {
   int width() const;   // px, even unless bare
   int height() const;  // px, even, from the shape of what is seen; or as the style says
 
-  // Discs are drawn where they are now, over the plate as it was at rest.
+  // Discs are drawn where they are, over the plate, displaced or not.
   Image paint(const Shot& shot);
 
  private:

@@ -45,7 +45,7 @@ TEST(Files, AMissingFileIsNamed) {
 }
 
 TEST(Files, ShadersAndAssetsAreFound) {
-  EXPECT_TRUE(fs::exists(data_file("shaders/field.frag")));
+  EXPECT_TRUE(fs::exists(data_file("shaders/colours.frag")));
   EXPECT_THAT(failure([] { data_file("shaders/none.frag"); }), testing::HasSubstr("HACKLE_DATA"));
 }
 

@@ -50,5 +50,24 @@ TEST(Pieces, AreListedTheLargestFirst) {
   EXPECT_EQ(piece_sizes(Simulation(plate, test::numerics(), {1})), (std::vector<int>{400, 200}));
 }
 
+TEST(Foremost, IsTheFarthestNodeOnACrackInThatDirection) {
+  Field damage = none();
+  EXPECT_FALSE(foremost(damage, grid, {1, 0}));
+  damage.values[grid.index(2, 1)] = 0.5F;
+  damage.values[grid.index(5, 3)] = 0.5F;
+  damage.values[grid.index(7, 4)] = on_crack;  // not on it
+  EXPECT_EQ(foremost(damage, grid, {1, 0}).value(), Vec2(5.5, 3.5));
+  EXPECT_EQ(foremost(damage, grid, {-1, 0}).value(), Vec2(2.5, 1.5));
+  EXPECT_EQ(foremost(damage, grid, {0, 1}).value(), Vec2(5.5, 3.5));
+  EXPECT_EQ(foremost(damage, grid, {0, -1}).value(), Vec2(2.5, 1.5));
+}
+
+TEST(Foremost, OfTwoBranchesIsTheMiddle) {
+  Field damage = none();
+  for (const int j : {1, 4}) damage.values[grid.index(6, j)] = 0.5F;
+  damage.values[grid.index(3, 5)] = 0.5F;
+  EXPECT_EQ(foremost(damage, grid, {1, 0}).value(), Vec2(6.5, 3.0));
+}
+
 }  // namespace
 }  // namespace hackle

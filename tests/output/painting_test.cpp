@@ -13,41 +13,13 @@ namespace {
 
 using testing::HasSubstr;
 
+// Of the edge-cracked plate at 0.5 mm.
 const Grid grid{200, 80, 0.5e-3, {0.05, 0.02}};
 
 PictureOptions zoomed(double x, double y, double half_width) {
   PictureOptions options;
   options.zoom = Zoom{{x, y}, half_width};
   return options;
-}
-
-TEST(Painting, LooksAtTheWholePlateUnlessZoomed) {
-  const Window window = window_of({}, grid);
-  EXPECT_EQ(window.left, 0);
-  EXPECT_EQ(window.bottom, 0);
-  EXPECT_EQ(window.nx, 200);
-  EXPECT_EQ(window.ny, 80);
-}
-
-TEST(Painting, AZoomIsAWindowOfThePlatesShapeInWholeCells) {
-  struct Case {
-    double x, y, half;
-    Window window;
-  };
-  for (const Case& c : {Case{0.05, 0.02, 0.05, {0, 0, 200, 80}},
-                        {0.06, 0.02, 0.01, {100, 32, 40, 16}},
-                        {0.0, 0.0, 0.01, {-20, -8, 40, 16}},
-                        {0.1, 0.04, 0.1, {0, 0, 400, 160}},
-                        {0.05, 0.02, 0.5e-3, {99, 40, 2, 1}}}) {
-    SCOPED_TRACE(testing::Message() << c.x << " " << c.y << " " << c.half);
-    const PictureOptions options = zoomed(c.x, c.y, c.half);
-    EXPECT_NO_THROW(check("frame", options, grid));
-    const Window window = window_of(options, grid);
-    EXPECT_EQ(window.left, c.window.left);
-    EXPECT_EQ(window.bottom, c.window.bottom);
-    EXPECT_EQ(window.nx, c.window.nx);
-    EXPECT_EQ(window.ny, c.window.ny);
-  }
 }
 
 TEST(Painting, RefusesAZoomThatShowsNothing) {
@@ -87,12 +59,26 @@ TEST(Painting, ABarePictureHasThePixelsThatWereAskedFor) {
 }
 
 TEST(Painting, TheWidestPictureFits) {
-  EXPECT_EQ(widest_picture({}, grid, {1281, 2000}), 1280);
-  EXPECT_EQ(widest_picture({}, grid, {300, 2000}), 0);
-  EXPECT_EQ(widest_picture({}, grid, {2000, 50}), 0);
-  const int width = widest_picture({}, grid, {2000, 400});
+  const Simulation simulation(test::edge_crack(12e6), test::numerics(), {1});
+  EXPECT_EQ(widest_picture({}, simulation, {1281, 2000}), 1280);
+  EXPECT_EQ(widest_picture({}, simulation, {300, 2000}), 0);
+  EXPECT_EQ(widest_picture({}, simulation, {2000, 50}), 0);
+  const int width = widest_picture({}, simulation, {2000, 400});
   EXPECT_LE(make_layout(grid, width).height, 400);
   EXPECT_GT(make_layout(grid, width + 2).height, 400);
+}
+
+TEST(Painting, AShotHoldsNoMoreThanItsPictureShows) {
+  const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  const std::size_t nodes = simulation.lattice().grid.nodes();
+  PictureOptions options;
+  EXPECT_TRUE(shot_of(options, simulation).gaps.empty());
+  EXPECT_TRUE(shot_of(options, simulation).displacement.empty());
+  options.field = "stress_1";
+  EXPECT_EQ(shot_of(options, simulation).gaps.size(), nodes);
+  options.deformed = true;
+  EXPECT_EQ(shot_of(options, simulation).displacement.size(), 2 * nodes);
+  EXPECT_EQ(shot_of(options, simulation).links.size(), nodes);
 }
 
 }  // namespace

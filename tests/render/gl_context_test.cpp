@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 
-#include <GL/gl.h>
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
@@ -11,10 +10,16 @@
 namespace hackle {
 namespace {
 
-TEST(GlContext, ClearsToBlueGreenRedAlpha) {
-  GlContext context(4, 2);
-  glClearColor(1.0F, 0.5F, 0.0F, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
+using testing::HasSubstr;
+
+// Of both libraries.
+class GlContextOf : public testing::TestWithParam<GlLibrary> {};
+
+TEST_P(GlContextOf, ClearsToBlueGreenRedAlpha) {
+  GlContext context(4, 2, GetParam());
+  const GlFunctions& gl = context.functions();
+  gl.ClearColor(1.0F, 0.5F, 0.0F, 1.0F);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
   const Image& image = context.finish();
   ASSERT_EQ(image.pixels.size(), 32U);
   EXPECT_EQ(image.pixels[0], 0);
@@ -23,27 +28,62 @@ TEST(GlContext, ClearsToBlueGreenRedAlpha) {
   EXPECT_EQ(image.pixels[3], 255);
 }
 
-TEST(GlContext, TheTopRowComesFirst) {
-  GlContext context(4, 4);
-  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(0, 3, 4, 1);  // the topmost row: OpenGL counts from the bottom
-  glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
+TEST_P(GlContextOf, TheTopRowComesFirst) {
+  GlContext context(4, 4, GetParam());
+  const GlFunctions& gl = context.functions();
+  gl.ClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(0, 3, 4, 1);  // the topmost row: OpenGL counts from the bottom
+  gl.ClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
   const Image& image = context.finish();
   EXPECT_EQ(image.pixels[0], 255);
   EXPECT_EQ(image.pixels[4 * 4], 0);
 }
 
-TEST(GlContext, NamesWhatDraws) {
-  EXPECT_FALSE(GlContext(4, 4).renderer().empty());
+TEST_P(GlContextOf, NamesWhatDraws) {
+  EXPECT_FALSE(GlContext(4, 4, GetParam()).renderer().empty());
 }
+
+TEST_P(GlContextOf, SeveralLiveSideBySide) {
+  GlContext one(4, 4, GetParam());
+  {
+    GlContext other(8, 8, GetParam());
+    other.functions().ClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+    other.functions().Clear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(other.finish().pixels.back(), 255);
+  }
+  one.make_current();
+  one.functions().ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+  one.functions().Clear(GL_COLOR_BUFFER_BIT);
+  EXPECT_EQ(one.finish().pixels.back(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Libraries, GlContextOf, testing::Values(GlLibrary::osmesa, GlLibrary::egl),
+                         [](const auto& of) {
+                           return std::string(gl_library_names[static_cast<std::size_t>(of.param)]);
+                         });
 
 TEST(GlContext, RefusesTheDriverThatCrashes) {
   setenv("GALLIUM_DRIVER", "swr", 1);
   EXPECT_THROW(GlContext(4, 4), Error);
   unsetenv("GALLIUM_DRIVER");
+}
+
+TEST(GlContext, TheEnvironmentChoosesTheLibrary) {
+  unsetenv("HACKLE_GL");
+  EXPECT_EQ(chosen_gl_library(), GlLibrary::osmesa);
+  setenv("HACKLE_GL", "egl", 1);
+  EXPECT_EQ(chosen_gl_library(), GlLibrary::egl);
+  setenv("HACKLE_GL", "elg", 1);
+  try {
+    chosen_gl_library();
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean 'egl'"));
+  }
+  unsetenv("HACKLE_GL");
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "render/camera.hpp"
+#include "render/cell_mesh.hpp"
 #include "render/colour_map.hpp"
 #include "render/layout.hpp"
 #include "render/overlay.hpp"
@@ -21,7 +24,10 @@ PictureStyle style(int nx, int ny, int width = 640) {
 }
 
 Shot shot(const PictureStyle& style, float value, double time = 0.0) {
-  return {std::vector<float>(style.grid.nodes(), value), {}, time, {}};
+  Shot shot;
+  shot.values.assign(style.grid.nodes(), value);
+  shot.time = time;
+  return shot;
 }
 
 Colour pixel(const Image& image, int x, int y) {
@@ -98,8 +104,8 @@ TEST(PlatePainter, ALogarithmicScaleHasADecadeForADecade) {
 TEST(PlatePainter, CracksAreGapsAndDamageAsOfARoughFaceIsNot) {
   PictureStyle s = style(8, 8);
   Shot f = shot(s, 0.5F);
-  f.gaps.assign(f.values.size(), 0.1F);
-  f.gaps[s.grid.index(2, 1)] = 0.41F;  // 20 of 48 bonds: the side of a straight crack
+  f.gaps.assign(f.values.size(), 26);  // 0.1
+  f.gaps[s.grid.index(2, 1)] = 105;    // 20 of 48 bonds: the side of a straight crack
   const Image image = PlatePainter(s).paint(f);
   expect_near(cell(image, s, 2, 1), background_colour);
   expect_near(cell(image, s, 3, 1), load_colour_map("damage").colours.back());
@@ -177,6 +183,113 @@ TEST(PlatePainter, AWindowOfEverythingIsTheWholePlate) {
   const Image whole = PlatePainter(s).paint(f);
   s.window = Window{0, 0, 40, 16};
   EXPECT_EQ(PlatePainter(s).paint(f).pixels, whole.pixels);
+}
+
+// Whole rows move up by two cells at the crack between rows 7 and 8.
+TEST(PlatePainter, ADisplacedPlateOpensAtItsCrack) {
+  PictureStyle s = style(24, 16);
+  s.window = Window{-4, -4, 32, 24};
+  s.magnification = 1000.0;
+  Shot f = shot(s, 0.5F);
+  f.displacement.assign(2 * s.grid.nodes(), 0.0F);
+  f.links.assign(s.grid.nodes(), Link::right | Link::above | Link::above_left | Link::above_right);
+  for (int i = 0; i < 24; ++i) {
+    f.links[s.grid.index(i, 7)] = Link::right;
+    for (int j = 8; j < 16; ++j) f.displacement[2 * s.grid.index(i, j) + 1] = 2e-6F;
+  }
+  const Image image = PlatePainter(s).paint(f);
+  PictureStyle seen = s;
+  seen.grid = part(s.grid, *s.window);
+  const Colour bright = load_colour_map("damage").colours.back();
+  for (int i = 4; i < 28; ++i)
+    for (int j = 0; j < 24; ++j)
+      expect_near(cell(image, seen, i, j),
+                  (j >= 4 && j < 12) || (j >= 14 && j < 22) ? bright : background_colour);
+}
+
+TEST(PlatePainter, APlateOnEndIsTheSamePlate) {
+  PictureStyle s = style(16, 8);
+  Shot f = shot(s, 0.0F);
+  f.values[s.grid.index(15, 0)] = 1.0F;
+  s.rotation = std::numbers::pi / 2;
+  s.window = whole_window(s.grid, s.rotation, 0);
+  const Image image = PlatePainter(s).paint(f);
+  PictureStyle seen = s;
+  seen.grid = {8, 16, s.grid.dx, s.grid.centre};
+  const ColourMap map = load_colour_map("damage");
+  expect_near(cell(image, seen, 7, 15), map.colours.back());  // right and below: right and above
+  expect_near(cell(image, seen, 0, 15), map.colours.front());
+  expect_near(cell(image, seen, 7, 0), map.colours.front());
+}
+
+// A cell at 45 degrees has its edges between the two colours somewhere.
+TEST(PlatePainter, EdgesOfATurnedPlateAreSmooth) {
+  PictureStyle s = style(16, 8);
+  s.rotation = std::numbers::pi / 4;
+  s.window = whole_window(s.grid, s.rotation, 0);
+  const Image image = PlatePainter(s).paint(shot(s, 0.5F));
+  const Colour bright = load_colour_map("damage").colours.back();
+  int between = 0;
+  const Rectangle plate = make_layout(part(s.grid, *s.window), s.width).plate;
+  for (int y = plate.y + 2; y < plate.bottom() - 2; ++y)
+    for (int x = plate.x + 2; x < plate.right() - 2; ++x) {
+      const int red = pixel(image, x, y).red;
+      between += red > background_colour.red + 20 && red < bright.red - 20 ? 1 : 0;
+    }
+  EXPECT_GT(between, plate.width);
+}
+
+TEST(PlatePainter, CellsWithoutMaterialHideNothingWhenTheyAreDisplaced) {
+  PictureStyle s = style(8, 8);
+  s.magnification = 1.0;
+  Shot f = shot(s, 0.5F);
+  f.displacement.assign(2 * s.grid.nodes(), 0.0F);
+  f.links.assign(s.grid.nodes(), 0);
+  // The void cell is drawn last, and thrown onto its neighbour.
+  f.values[s.grid.index(7, 7)] = std::nanf("");
+  f.displacement[2 * s.grid.index(7, 7)] = -1e-3F;
+  const Image image = PlatePainter(s).paint(f);
+  expect_near(cell(image, s, 6, 7), load_colour_map("damage").colours.back());
+  expect_near(cell(image, s, 7, 7), background_colour);
+}
+
+TEST(PlatePainter, ATransparentBackgroundHasNoColour) {
+  PictureStyle s = style(4, 4);
+  s.background = Background::transparent;
+  Shot f = shot(s, 0.5F);
+  f.values[s.grid.index(2, 1)] = std::nanf("");
+  const Image image = PlatePainter(s).paint(f);
+  const Rectangle plate = make_layout(s.grid, s.width).plate;
+  const auto alpha = [&](double x, double y) {
+    const int column = plate.x + static_cast<int>(x * plate.width);
+    const int row = plate.bottom() - 1 - static_cast<int>(y * plate.height);
+    return image.pixels[static_cast<std::size_t>(row * image.stride() + 4 * column + 3)];
+  };
+  EXPECT_EQ(alpha(0.625, 0.375), 0);
+  EXPECT_EQ(alpha(0.375, 0.375), 255);
+  EXPECT_EQ(image.pixels[3], 0);
+}
+
+TEST(PlatePainter, AShotLooksWhereItsWindowIs) {
+  PictureStyle s = style(16, 8);
+  Shot f = shot(s, 0.0F);
+  f.values[s.grid.index(12, 3)] = 1.0F;
+  s.window = Window{0, 2, 8, 4};
+  PlatePainter painter(s);
+  f.window = Window{8, 2, 8, 4};
+  PictureStyle seen = s;
+  seen.grid = part(s.grid, *f.window);
+  expect_near(cell(painter.paint(f), seen, 4, 1), load_colour_map("damage").colours.back());
+}
+
+TEST(PlatePainter, ALatticeOfMoreNodesThanATextureTakesIsPainted) {
+  const PictureStyle s = style(40000, 4, 640);
+  Shot f = shot(s, 0.0F);
+  f.values[s.grid.index(39999, 0)] = 1.0F;
+  const Image image = PlatePainter(s).paint(f);
+  const Rectangle plate = make_layout(s.grid, s.width).plate;
+  expect_near(pixel(image, plate.right() - 1, plate.bottom() - 1),
+              load_colour_map("damage").colours.back());
 }
 
 TEST(PlatePainter, ABarePictureIsFilledToItsEdges) {

@@ -9,17 +9,17 @@
 namespace hackle {
 namespace {
 
-TEST(ShaderProgram, TheFieldShadersHaveTheirUniforms) {
+TEST(ShaderProgram, TheColourShadersHaveTheirUniforms) {
   const GlContext context(4, 4);
-  const GlFunctions gl = load_gl_functions();
-  const ShaderProgram program(gl, "field");
-  for (const char* name : {"field", "colour_map", "cells", "range", "background"})
+  const GlFunctions& gl = context.functions();
+  const ShaderProgram program(gl, "colours");
+  for (const char* name : {"values", "damage", "colour_map", "range", "background"})
     EXPECT_GE(program.uniform(name), 0) << name;
 }
 
 TEST(ShaderProgram, AnErrorNamesFileAndLine) {
   const GlContext context(4, 4);
-  const GlFunctions gl = load_gl_functions();
+  const GlFunctions& gl = context.functions();
   try {
     compile_shader(gl, GL_FRAGMENT_SHADER, "shaders/bad.frag",
                    "#version 330 core\nvoid main() {\n  nonsense;\n}\n");

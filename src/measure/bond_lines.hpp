@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The bonds of a part of the plate one by one, for a drawing of the lattice.
+#pragma once
+
+#include <vector>
+
+#include "solver/simulation.hpp"
+
+namespace hackle {
+
+// From node (i, j) to (i + column, j + row).
+struct BondLine {
+  int i = 0, j = 0;
+  int column = 0, row = 0;
+  bool holds = true;
+};
+
+// Columns and rows of nodes, each from the first to the last.
+struct NodeBlock {
+  int left = 0, right = 0;
+  int bottom = 0, top = 0;
+};
+
+// Every bond the plate was born with that is kept by a node of the block; the broken ones last.
+std::vector<BondLine> bond_lines(const Simulation& simulation, const NodeBlock& block);
+
+}  // namespace hackle

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "render/camera.hpp"
+
+#include <cmath>
+
+namespace hackle {
+namespace {
+
+// Enough for `size` cells, and such that its middle is that of `count` cells.
+int cells_around(double size, int count) {
+  // A right angle has a cosine of 6e-17, which must not make room for one more cell.
+  constexpr double slack = 1e-9;
+  const int cells = static_cast<int>(std::ceil(size - slack));
+  return cells + (cells + count) % 2;
+}
+
+}  // namespace
+
+Camera::Camera(const Grid& grid, const Window& window, double rotation, const Rectangle& plate)
+    : grid_(grid),
+      plate_(plate),
+      middle_(window.left + 0.5 * window.nx, window.bottom + 0.5 * window.ny),
+      half_(0.5 * window.nx, 0.5 * window.ny),
+      cos_(std::cos(rotation)),
+      sin_(std::sin(rotation)) {
+}
+
+Vec2 Camera::share(const Vec2& cells) const {
+  const Vec2 from = cells - middle_;
+  return Vec2(cos_ * from.x() - sin_ * from.y(), sin_ * from.x() + cos_ * from.y())
+      .cwiseQuotient(half_);
+}
+
+Vec2 Camera::pixel(const Vec2& place) const {
+  const Vec2 at = share(grid_.from_centre(place) + 0.5 * Vec2(grid_.nx, grid_.ny));
+  return {plate_.x + 0.5 * plate_.width * (1.0 + at.x()),
+          plate_.y + 0.5 * plate_.height * (1.0 - at.y())};
+}
+
+Vec2 Camera::pixels_a_metre() const {
+  return {0.5 * plate_.width / (half_.x() * grid_.dx),
+          0.5 * plate_.height / (half_.y() * grid_.dx)};
+}
+
+Window whole_window(const Grid& grid, double rotation, int margin) {
+  const double c = std::abs(std::cos(rotation)), s = std::abs(std::sin(rotation));
+  Window window;
+  window.nx = cells_around(c * grid.nx + s * grid.ny, grid.nx) + 2 * margin;
+  window.ny = cells_around(s * grid.nx + c * grid.ny, grid.ny) + 2 * margin;
+  window.left = (grid.nx - window.nx) / 2;
+  window.bottom = (grid.ny - window.ny) / 2;
+  return window;
+}
+
+}  // namespace hackle

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "render/cell_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace hackle {
+namespace {
+
+// The nodes around a corner of the lattice: lower left, lower right, upper left, upper right.
+constexpr int around = 4;
+using Places = std::array<Vec2, around>;
+
+class Corners {
+ public:
+  Corners(const Grid& grid, const Displaced& displaced) : grid_(grid), displaced_(displaced) {}
+
+  // Of the corner between columns i - 1 and i and rows j - 1 and j, in cells from the lower left
+  // corner of the lattice: where each node around it sees it. Nodes beyond the lattice do not
+  // count.
+  Places at(int i, int j) const {
+    const Vec2 at_rest(i, j);
+    Places places;
+    places.fill(at_rest);
+    if (displaced_.displacement.empty()) return places;
+    std::array<unsigned, around> group = groups(i, j);
+    for (int k = 0; k < around; ++k)
+      places[static_cast<std::size_t>(k)] += mean(i, j, group[static_cast<std::size_t>(k)]);
+    return places;
+  }
+
+ private:
+  bool has(int i, int j) const { return grid_.contains(i, j); }
+  bool linked(int i, int j, std::uint8_t bit) const {
+    return has(i, j) && (displaced_.links[grid_.index(i, j)] & bit) != 0;
+  }
+
+  // For each node around it, bits of those it hangs together with, itself included.
+  std::array<unsigned, around> groups(int i, int j) const {
+    std::array<unsigned, around> group{1, 2, 4, 8};
+    const auto join = [&](std::size_t one, std::size_t other) {
+      const unsigned both = group[one] | group[other];
+      for (std::size_t k = 0; k < around; ++k)
+        if ((both >> k & 1U) != 0) group[k] = both;
+    };
+    if (linked(i - 1, j - 1, Link::right)) join(0, 1);
+    if (linked(i - 1, j, Link::right)) join(2, 3);
+    if (linked(i - 1, j - 1, Link::above)) join(0, 2);
+    if (linked(i, j - 1, Link::above)) join(1, 3);
+    if (linked(i - 1, j - 1, Link::above_right)) join(0, 3);
+    if (linked(i, j - 1, Link::above_left)) join(1, 2);
+    return group;
+  }
+
+  // Of the displacement of the nodes of a group, magnified, in cells.
+  Vec2 mean(int i, int j, unsigned group) const {
+    Vec2 sum(0, 0);
+    int count = 0;
+    for (int k = 0; k < around; ++k) {
+      const int column = i - 1 + k % 2, row = j - 1 + k / 2;
+      if ((group >> k & 1U) == 0 || !has(column, row)) continue;
+      const float* u = &displaced_.displacement[2 * grid_.index(column, row)];
+      sum += Vec2(u[0], u[1]);
+      ++count;
+    }
+    return count == 0 ? sum : Vec2(displaced_.magnification / (count * grid_.dx) * sum);
+  }
+
+  const Grid& grid_;
+  const Displaced& displaced_;
+};
+
+// m, magnified.
+double farthest(const Displaced& displaced) {
+  float most = 0.0F;
+  for (const float u : displaced.displacement) most = std::max(most, std::abs(u));
+  return std::numbers::sqrt2 * displaced.magnification * static_cast<double>(most);
+}
+
+}  // namespace
+
+Blocks blocks_of(const Window& window, const Window& seen, int width, int height) {
+  Blocks blocks;
+  blocks.size = std::max(1, std::min(seen.nx / std::max(width, 1), seen.ny / std::max(height, 1)));
+  blocks.columns = (window.nx + blocks.size - 1) / blocks.size;
+  blocks.rows = (window.ny + blocks.size - 1) / blocks.size;
+  return blocks;
+}
+
+Window seen_cells(const Window& window, double rotation, const Grid& grid,
+                  const Displaced& displaced) {
+  const double c = std::abs(std::cos(rotation)), s = std::abs(std::sin(rotation));
+  const double reach = farthest(displaced) / grid.dx + 1.0;
+  const double half_x = 0.5 * (c * window.nx + s * window.ny) + reach;
+  const double half_y = 0.5 * (s * window.nx + c * window.ny) + reach;
+  const double x = window.left + 0.5 * window.nx, y = window.bottom + 0.5 * window.ny;
+  const auto inside = [](double cells, int count) {
+    return static_cast<int>(std::clamp(cells, 0.0, static_cast<double>(count)));
+  };
+  const int left = inside(x - half_x, grid.nx), bottom = inside(y - half_y, grid.ny);
+  const int right = inside(std::ceil(x + half_x), grid.nx);
+  const int top = inside(std::ceil(y + half_y), grid.ny);
+  return {left, bottom, right - left, top - bottom};
+}
+
+std::vector<float> corners(const Blocks& blocks, const Window& window, const Grid& grid,
+                           const Displaced& displaced, const Camera& camera) {
+  std::vector<float> list(8 * blocks.count());
+  const Corners lattice(grid, displaced);
+  // Corner k of its nodes is corner 3 - k of the block that such a node belongs to.
+  const auto put = [&](int column, int row, std::size_t corner, const Vec2& place) {
+    if (column < 0 || row < 0 || column >= blocks.columns || row >= blocks.rows) return;
+    const Vec2 share = camera.share(place);
+    const std::size_t block =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks.columns) +
+        static_cast<std::size_t>(column);
+    list[8 * block + 2 * corner] = static_cast<float>(share.x());
+    list[8 * block + 2 * corner + 1] = static_cast<float>(share.y());
+  };
+  for (int row = 0; row <= blocks.rows; ++row)
+    for (int column = 0; column <= blocks.columns; ++column) {
+      const int i = std::clamp(window.left + column * blocks.size, 0, grid.nx);
+      const int j = std::clamp(window.bottom + row * blocks.size, 0, grid.ny);
+      const Places places = lattice.at(i, j);
+      for (std::size_t k = 0; k < around; ++k)
+        put(column - 1 + static_cast<int>(k % 2), row - 1 + static_cast<int>(k / 2), 3 - k,
+            places[k]);
+    }
+  return list;
+}
+
+std::vector<std::uint32_t> triangles(const Blocks& blocks) {
+  std::vector<std::uint32_t> order;
+  order.reserve(6 * blocks.count());
+  for (std::uint32_t first = 0; first < 4 * blocks.count(); first += 4)
+    for (const std::uint32_t corner : {0U, 1U, 2U, 2U, 1U, 3U}) order.push_back(first + corner);
+  return order;
+}
+
+}  // namespace hackle

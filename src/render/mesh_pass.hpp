@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Displaced cells, anti-aliased, on the graphics library.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "render/cell_mesh.hpp"
+#include "render/gl_objects.hpp"
+#include "render/shader_program.hpp"
+
+namespace hackle {
+
+class MeshPass {
+ public:
+  // For a part of the picture of so many px.
+  MeshPass(const GlFunctions& gl, int width, int height);
+
+  // Draws every block in its colour, one texel a block, over `background` into framebuffer().
+  void paint(const Blocks& blocks, std::span<const float> corners, const Texture& colours,
+             const std::array<float, 4>& background);
+
+  // Several samples a pixel: to be copied into the picture.
+  const Framebuffer& framebuffer() const { return framebuffer_; }
+
+ private:
+  const GlFunctions& gl_;
+  int width_, height_;
+  ShaderProgram program_;
+  VertexArray vertices_;
+  Framebuffer framebuffer_;
+  std::size_t ordered_ = 0;  // blocks that the order of vertices is for
+};
+
+}  // namespace hackle
