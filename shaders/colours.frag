@@ -1,34 +1,63 @@
 #version 330 core
-// Values in colours, one texel for one fragment.
+// Values of one field, or of two, in colours: one texel for one fragment.
 
 out vec4 colour;
 
 uniform sampler2D values;      // row 0 at the bottom; nan where there is no material
+uniform sampler2D second;      // the same of a second field, where there is one
 uniform sampler2D damage;      // the same, 0..1, where cracks are to be seen as gaps
 uniform sampler2D colour_map;  // one row
-uniform vec2 range;            // values at the two ends of the colour map; their logarithms if need be
+uniform sampler2D second_map;
+uniform vec2 range;         // values at the two ends of the colour map; their logarithms if need be
+uniform vec2 second_range;
 uniform bool logarithmic;
+uniform bool second_logarithmic;
+uniform int arrangement;  // where the second field is seen: 0 nowhere, 1 below and 2 right of `split`,
+                          // 3 over the first one, the more the larger it is
+uniform vec2 split;       // texels
 uniform bool gaps;
 uniform vec4 background;  // where there is no material; premultiplied
 
 // Damage of both sides of a straight crack is 0.4 to 0.5.
 const vec2 gap = vec2(0.25, 0.4);
 
-vec4 entry(float value) {
+float share(float value, vec2 ends, bool is_logarithmic) {
   // 0 has no logarithm; what is below the range has its least colour anyway.
-  float at = logarithmic ? log(max(value, 1e-30)) : value;
-  float share = clamp((at - range.x) / (range.y - range.x), 0.0, 1.0);
-  float last = float(textureSize(colour_map, 0).x - 1);
-  float place = share * last;
+  float at = is_logarithmic ? log(max(value, 1e-30)) : value;
+  return clamp((at - ends.x) / (ends.y - ends.x), 0.0, 1.0);
+}
+
+vec4 entry(sampler2D map, float share_of_range) {
+  float last = float(textureSize(map, 0).x - 1);
+  float place = share_of_range * last;
   float below = min(floor(place), last - 1.0);
-  vec4 one = texelFetch(colour_map, ivec2(below, 0), 0);
-  vec4 other = texelFetch(colour_map, ivec2(below + 1.0, 0), 0);
+  vec4 one = texelFetch(map, ivec2(below, 0), 0);
+  vec4 other = texelFetch(map, ivec2(below + 1.0, 0), 0);
   return mix(one, other, place - below);
+}
+
+bool shows_second() {
+  return (arrangement == 1 && gl_FragCoord.y < split.y) ||
+         (arrangement == 2 && gl_FragCoord.x > split.x);
+}
+
+vec4 of_second(ivec2 at, out float opacity) {
+  opacity = share(texelFetch(second, at, 0).r, second_range, second_logarithmic);
+  return entry(second_map, opacity);
 }
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   float value = texelFetch(values, at, 0).r;
+  float opacity = 0.0;
+  if (shows_second())
+    colour = of_second(at, opacity);
+  else
+    colour = entry(colour_map, share(value, range, logarithmic));
+  if (arrangement == 3) {
+    vec4 over = of_second(at, opacity);
+    colour = mix(colour, over, opacity);
+  }
   float open = gaps ? smoothstep(gap.x, gap.y, texelFetch(damage, at, 0).r) : 0.0;
-  colour = isnan(value) ? background : mix(entry(value), background, open);
+  colour = isnan(value) ? background : mix(colour, background, open);
 }

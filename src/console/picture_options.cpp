@@ -7,6 +7,12 @@ PictureOptions picture_of(const Arguments& arguments) {
   PictureOptions picture;
   picture.field = arguments.text_of_choice("field", picture.field);
   picture.colours = arguments.text_of_choice("colours", picture.colours);
+  if (arguments.has("second")) picture.second = arguments.text_of_choice("second", "");
+  picture.arrangement = arguments.choice<Arrangement>("arrange");
+  if (arguments.has("second_range")) {
+    const Vec2 range = arguments.pair("second_range");
+    picture.second_range = Ends{range.x(), range.y()};
+  }
   picture.cracks = arguments.flag("cracks", picture.cracks);
   picture.thickness = arguments.number("thickness", picture.thickness);
   if (arguments.has("range")) {

@@ -18,30 +18,79 @@ namespace {
 
 constexpr int least_width = 320, most_width = 7680;  // px
 
-bool is_fringes(const PictureOptions& options) {
-  return options.field == fringes_name;
+// A field and how it is to be painted.
+struct FieldChoice {
+  const Scalar& scalar;
+  std::optional<Ends> range;
+  std::string colours;
+  bool logarithmic = false;
+  double thickness = 0.0;  // m
+
+  bool is_fringes() const { return scalar.name == fringes_name; }
+};
+
+FieldChoice first_field(const PictureOptions& options) {
+  const Scalar& scalar = scalar_of(options.field);
+  return {scalar, options.range, options.colours, options.logarithmic.value_or(scalar.logarithmic),
+          options.thickness};
 }
 
-bool is_logarithmic(const PictureOptions& options) {
-  return options.logarithmic.value_or(scalar_of(options.field).logarithmic);
+FieldChoice second_field(const PictureOptions& options) {
+  const Scalar& scalar = scalar_of(*options.second);
+  return {scalar, options.second_range, "", scalar.logarithmic, options.thickness};
 }
 
 // What suits the field; a logarithmic scale of four decades where it has none of its own.
-Ends ends_of(const Scalar& scalar, const PictureOptions& options, const Simulation& simulation) {
-  Ends ends = scalar.ends(simulation);
-  if (is_fringes(options)) ends.most *= options.thickness;
-  if (is_logarithmic(options) && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
+Ends ends_of(const FieldChoice& field, const Simulation& simulation) {
+  if (field.range) return *field.range;
+  Ends ends = field.scalar.ends(simulation);
+  if (field.is_fringes()) ends.most *= field.thickness;
+  if (field.logarithmic && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
   return ends;
 }
 
-void check_range(const char* output, const PictureOptions& options, Problems& problems) {
-  const auto [least, most] = *options.range;
+FieldStyle style_of(const FieldChoice& field, const Simulation& simulation) {
+  FieldStyle style;
+  style.colour_map = field.colours.empty() ? std::string(field.scalar.colours) : field.colours;
+  const Ends ends = ends_of(field, simulation);
+  style.least = ends.least;
+  style.most = ends.most;
+  style.logarithmic = field.logarithmic;
+  style.sampling = field.scalar.sampling;
+  style.label = field.scalar.label;
+  style.unit = field.scalar.unit;
+  return style;
+}
+
+// nan where there is no material: pictures show the background there.
+std::vector<float> values_of(const FieldChoice& field, const Simulation& simulation) {
+  std::vector<float> values = field.scalar.values(simulation);
+  if (field.is_fringes())
+    for (float& order : values) order *= static_cast<float>(field.thickness);
+  const std::vector<std::uint8_t>& material = simulation.lattice().material;
+  for (std::size_t node = 0; node < material.size(); ++node)
+    if (material[node] == Lattice::void_node)
+      values[node] = std::numeric_limits<float>::quiet_NaN();
+  return values;
+}
+
+void check_field(const char* output, const std::string& name, Problems& problems) {
+  if (std::ranges::find(scalar_names, name) != scalar_names.end()) return;
+  problems.add(
+      fmt::format("{}: there is no field '{}'{}", output, name, did_you_mean(name, scalar_names)),
+      "one of " + comma_list(scalar_names));
+}
+
+void check_range(const char* output, const char* option, const FieldChoice& field,
+                 Problems& problems) {
+  if (!field.range) return;
+  const auto [least, most] = *field.range;
   if (!(std::isfinite(least) && std::isfinite(most) && least < most))
-    problems.add(fmt::format("{}: range is {{{}, {}}}, it must go from a smaller to a larger value",
-                             output, least, most));
-  else if (is_logarithmic(options) && least <= 0.0)
-    problems.add(fmt::format("{}: range begins at {}, on a logarithmic scale it must be above 0",
-                             output, least));
+    problems.add(fmt::format("{}: {} is {{{}, {}}}, it must go from a smaller to a larger value",
+                             output, option, least, most));
+  else if (field.logarithmic && least <= 0.0)
+    problems.add(fmt::format("{}: {} begins at {}, on a logarithmic scale it must be above 0",
+                             output, option, least));
 }
 
 std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
@@ -56,10 +105,8 @@ std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
 
 void check(const char* output, const PictureOptions& options, const Grid& grid) {
   Problems problems;
-  if (std::ranges::find(scalar_names, options.field) == scalar_names.end())
-    problems.add(fmt::format("{}: there is no field '{}'{}", output, options.field,
-                             did_you_mean(options.field, scalar_names)),
-                 "one of " + comma_list(scalar_names));
+  check_field(output, options.field, problems);
+  if (options.second) check_field(output, *options.second, problems);
   if (!options.colours.empty() &&
       std::ranges::find(colour_map_names, options.colours) == colour_map_names.end())
     problems.add(fmt::format("{}: there are no colours '{}'{}", output, options.colours,
@@ -70,12 +117,12 @@ void check(const char* output, const PictureOptions& options, const Grid& grid) 
                              options.width, least_width, most_width));
   check_view(output, options, grid, problems);
   problems.throw_if_any();
-  if (options.range) check_range(output, options, problems);
+  check_range(output, "range", first_field(options), problems);
+  if (options.second) check_range(output, "second_range", second_field(options), problems);
   problems.throw_if_any();
 }
 
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation) {
-  const Scalar& scalar = scalar_of(options.field);
   PictureStyle style;
   style.grid = simulation.lattice().grid;
   style.window = window_of(options, simulation);
@@ -83,16 +130,11 @@ PictureStyle style_of(const PictureOptions& options, const Simulation& simulatio
   style.magnification = magnification_of(options, simulation);
   style.background = options.background;
   style.width = options.width;
+  style.field = style_of(first_field(options), simulation);
+  if (options.second) style.second = style_of(second_field(options), simulation);
+  style.arrangement = options.arrangement;
   style.title = simulation.plate().material.name;
-  style.colour_map = options.colours.empty() ? std::string(scalar.colours) : options.colours;
-  const Ends ends = options.range.value_or(ends_of(scalar, options, simulation));
-  style.least = ends.least;
-  style.most = ends.most;
-  style.logarithmic = is_logarithmic(options);
-  style.sampling = scalar.sampling;
-  style.label = scalar.label;
-  style.unit = scalar.unit;
-  if (is_fringes(options))
+  if (first_field(options).is_fringes())
     style.title += fmt::format(", {} thick", quantity(options.thickness, "m"));
   return style;
 }
@@ -118,22 +160,17 @@ int widest_picture(const PictureOptions& options, const Simulation& simulation,
 
 Shot shot_of(const PictureOptions& options, const Simulation& simulation) {
   Shot shot;
-  shot.values = scalar_of(options.field).values(simulation);
+  shot.values = values_of(first_field(options), simulation);
+  if (options.second) shot.second = values_of(second_field(options), simulation);
   shot.time = simulation.time();
   shot.discs = impactors(simulation);
-  if (is_fringes(options))
-    for (float& order : shot.values) order *= static_cast<float>(options.thickness);
-  if (options.cracks && options.field != "damage") shot.gaps = in_255ths(damage(simulation).values);
+  if (options.cracks && options.field != "damage" && options.second != "damage")
+    shot.gaps = in_255ths(damage(simulation).values);
   if (magnification_of(options, simulation) > 0.0) {
     shot.displacement = displacement(simulation).values;
     shot.links = links(simulation);
   }
   if (options.follow) shot.window = followed(window_of(options, simulation), options, simulation);
-  // Pictures show the background where a value is no number.
-  const std::vector<std::uint8_t>& material = simulation.lattice().material;
-  for (std::size_t node = 0; node < material.size(); ++node)
-    if (material[node] == Lattice::void_node)
-      shot.values[node] = std::numeric_limits<float>::quiet_NaN();
   return shot;
 }
 

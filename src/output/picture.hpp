@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "measure/scalar.hpp"
-#include "render/theme.hpp"
+#include "render/picture_style.hpp"
 
 namespace hackle {
 
@@ -24,17 +24,20 @@ inline constexpr std::array<std::string_view, 4> toward_names{"right", "left", "
 
 // How a picture is made.
 struct PictureOptions {
-  std::string field = "damage";         // one of scalar_names
-  int width = 1280;                     // px, even, 320..7680; the height follows from the plate
-  std::optional<Ends> range;            // of the colour bar, SI; what suits the field if not given
-  std::optional<bool> logarithmic;      // as the field has it if not given
-  std::string colours;                  // one of colour_map_names, or "" for what suits the field
-  bool cracks = true;                   // cracks are gaps, except in a picture of damage
-  double thickness = 5e-3;              // m, of the plate, for fringes
-  std::optional<Zoom> zoom;             // the whole plate if not given
-  std::optional<Toward> follow;         // the zoom goes where the foremost damage is
-  double rotation = 0.0;                // rad, counterclockwise
-  bool deformed = false;                // displacements are shown,
+  std::string field = "damage";       // one of scalar_names
+  int width = 1280;                   // px, even, 320..7680; the height follows from the plate
+  std::optional<Ends> range;          // of the colour bar, SI; what suits the field if not given
+  std::optional<bool> logarithmic;    // as the field has it if not given
+  std::string colours;                // one of colour_map_names, or "" for what suits the field
+  std::optional<std::string> second;  // another of scalar_names
+  std::optional<Ends> second_range;   // as range
+  Arrangement arrangement = Arrangement::below;  // of the second field
+  bool cracks = true;                            // cracks are gaps, except in a picture of damage
+  double thickness = 5e-3;                       // m, of the plate, for fringes
+  std::optional<Zoom> zoom;                      // the whole plate if not given
+  std::optional<Toward> follow;                  // the zoom goes where the foremost damage is
+  double rotation = 0.0;                         // rad, counterclockwise
+  bool deformed = false;                         // displacements are shown,
   std::optional<double> magnification;  // so many times as large; what suits the plate if not given
   bool bonds = false;                   // drawn one by one
   Background background = Background::dark;

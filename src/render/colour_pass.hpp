@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Values into colours, on the graphics library.
+// Values of one field, or of two, into colours, on the graphics library.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include "render/colour_map.hpp"
 #include "render/gl_objects.hpp"
+#include "render/picture_style.hpp"
 #include "render/shader_program.hpp"
+#include "scene/vec2.hpp"
 
 namespace hackle {
 
@@ -17,28 +19,39 @@ struct Colouring {
   ColourMap map;
   double least = 0.0, most = 1.0;  // values at its ends
   bool logarithmic = false;
-  std::array<float, 4>
-      background{};  // where a value is nan: red, green, blue, alpha; premultiplied
+};
+
+// Numbers in rows from the bottom.
+struct Points {
+  int width = 0, height = 0;
+  std::vector<float> values, second;  // nan where there is no material; second may be empty
+  std::vector<std::uint8_t> gaps;     // damage in 255ths, to be seen as gaps; may be empty
+  Vec2 middle{0, 0};                  // of the plate, where its halves meet, in points
 };
 
 class ColourPass {
  public:
-  ColourPass(const GlFunctions& gl, const Colouring& colouring);
+  // `background`, premultiplied red, green, blue and alpha, is seen where a value is nan.
+  ColourPass(const GlFunctions& gl, const std::array<float, 4>& background,
+             const Colouring& colouring);
+  // From now on the second values of points are seen, too.
+  void set_second(const Colouring& colouring, Arrangement arrangement);
 
-  // Draws `width` x `height` values, rows from the bottom, into colours(). `gaps` is damage in
-  // 255ths, to be seen as gaps, or nothing. Leaves its framebuffer and its program bound.
-  void paint(int width, int height, std::span<const float> values,
-             std::span<const std::uint8_t> gaps);
+  // Draws the points into colours(). Leaves its framebuffer and its program bound.
+  void paint(const Points& points);
 
   const Texture& colours() const { return colours_; }
   // That colours() is the pixels of.
   const Framebuffer& framebuffer() const { return framebuffer_; }
 
  private:
+  void set_colouring(const Colouring& colouring, const Texture& map, const char* range,
+                     const char* logarithmic);
+
   const GlFunctions& gl_;
   ShaderProgram program_;
   VertexArray triangle_;
-  Texture map_, values_, gaps_, colours_;
+  Texture map_, values_, second_map_, second_, gaps_, colours_;
   Framebuffer framebuffer_;
   int width_ = 0, height_ = 0;  // of colours_
 };

@@ -21,24 +21,24 @@ void Texture::bind(GLint unit) const {
   gl_.BindTexture(GL_TEXTURE_2D, id_);
 }
 
-void Texture::set_numbers(int width, int height, const float* numbers) {
+void Texture::set_numbers(int width, int height, const float* numbers) const {
   set(GL_R32F, width, height, GL_RED, GL_FLOAT, numbers);
 }
 
-void Texture::set_bytes(int width, int height, const std::uint8_t* bytes) {
+void Texture::set_bytes(int width, int height, const std::uint8_t* bytes) const {
   set(GL_R8, width, height, GL_RED, GL_UNSIGNED_BYTE, bytes);
 }
 
-void Texture::set_colours(int width, int height, const Colour* colours) {
+void Texture::set_colours(int width, int height, const Colour* colours) const {
   set(GL_RGB8, width, height, GL_RGB, GL_UNSIGNED_BYTE, colours);
 }
 
-void Texture::make_room(int width, int height) {
+void Texture::make_room(int width, int height) const {
   set(GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
 }
 
 void Texture::set(GLint stored, int width, int height, GLenum format, GLenum type,
-                  const void* pixels) {
+                  const void* pixels) const {
   gl_.BindTexture(GL_TEXTURE_2D, id_);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, stored, width, height, 0, format, type, pixels);

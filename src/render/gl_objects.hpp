@@ -23,14 +23,15 @@ class Texture {
   // To the texture unit of that number, for sampler uniforms.
   void bind(GLint unit) const;
   // Rows from the bottom.
-  void set_numbers(int width, int height, const float* numbers);
-  void set_bytes(int width, int height, const std::uint8_t* bytes);  // 255 is read as 1
-  void set_colours(int width, int height, const Colour* colours);
-  void make_room(int width, int height);  // for colours with alpha, to be drawn into
+  void set_numbers(int width, int height, const float* numbers) const;
+  void set_bytes(int width, int height, const std::uint8_t* bytes) const;  // 255 is read as 1
+  void set_colours(int width, int height, const Colour* colours) const;
+  void make_room(int width, int height) const;  // for colours with alpha, to be drawn into
   GLuint id() const { return id_; }
 
  private:
-  void set(GLint stored, int width, int height, GLenum format, GLenum type, const void* pixels);
+  void set(GLint stored, int width, int height, GLenum format, GLenum type,
+           const void* pixels) const;
   const GlFunctions& gl_;
   GLuint id_ = 0;
 };

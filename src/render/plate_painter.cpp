@@ -28,23 +28,23 @@ Window window_of(const PictureStyle& style) {
 }
 
 // As the colour bar has it: with the prefix that suits its larger end.
-PrefixedUnit unit_of(const PictureStyle& style) {
-  return prefixed(std::max(std::abs(style.least), std::abs(style.most)), style.unit);
+PrefixedUnit unit_of(const FieldStyle& field) {
+  return prefixed(std::max(std::abs(field.least), std::abs(field.most)), field.unit);
 }
 
-std::string bar_label(const PictureStyle& style) {
-  return style.unit.empty() ? style.label
-                            : fmt::format("{} ({})", style.label, unit_of(style).name);
+std::string bar_label(const FieldStyle& field) {
+  return field.unit.empty() ? field.label
+                            : fmt::format("{} ({})", field.label, unit_of(field).name);
 }
 
 Layout layout_of(const PictureStyle& style, const Grid& seen) {
   if (style.bare_height > 0) return bare_layout(style.width, style.bare_height);
-  return make_layout(seen, style.width, label_ems(bar_label(style)));
+  return make_layout(seen, style.width, label_ems(bar_label(style.field)));
 }
 
-ColourMap map_of(const PictureStyle& style) {
-  if (style.colour_map == fringes_name) return fringe_map(style.least, style.most);
-  return load_colour_map(style.colour_map);
+ColourMap map_of(const FieldStyle& field) {
+  if (field.colour_map == fringes_name) return fringe_map(field.least, field.most);
+  return load_colour_map(field.colour_map);
 }
 
 std::array<float, 4> background_of(const PictureStyle& style) {
@@ -53,8 +53,8 @@ std::array<float, 4> background_of(const PictureStyle& style) {
           background_colour.blue / 255.0F, 1.0F};
 }
 
-Colouring colouring_of(const PictureStyle& style, const ColourMap& map) {
-  return {map, style.least, style.most, style.logarithmic, background_of(style)};
+Colouring colouring_of(const FieldStyle& field) {
+  return {map_of(field), field.least, field.most, field.logarithmic};
 }
 
 // Whether cells are not all rectangles of the same size.
@@ -74,9 +74,9 @@ struct PlatePainter::Parts {
       : style(std::move(style_)),
         seen(part(style.grid, window_of(style))),
         layout(layout_of(style, seen)),
-        map(map_of(style)),
         context(layout.width, layout.height),
-        colour_pass(gl, colouring_of(style, map)) {
+        colour_pass(gl, background_of(style), colouring_of(style.field)) {
+    if (style.second) colour_pass.set_second(colouring_of(*style.second), style.arrangement);
     if (needs_mesh(style)) mesh_pass.emplace(gl, layout.plate.width, layout.plate.height);
   }
   ~Parts() { context.make_current(); }  // its objects go to the context they came from
@@ -89,16 +89,13 @@ struct PlatePainter::Parts {
       draw_mesh(shot, window);
     else
       draw_cells(shot, window);
-    copy_to_picture();
   }
 
   void draw_cells(const Shot& shot, const Window& window) {
-    width = points_for(window.nx, layout.plate.width);
-    height = points_for(window.ny, layout.plate.height);
-    colour_pass.paint(width, height,
-                      samples(shot.values, style.grid, window, width, height, style.sampling),
-                      gaps(shot, window));
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, colour_pass.framebuffer().id());
+    const int width = points_for(window.nx, layout.plate.width);
+    const int height = points_for(window.ny, layout.plate.height);
+    colour_pass.paint(points_of(shot, window, width, height));
+    copy_to_picture(colour_pass.framebuffer(), width, height);
   }
 
   void draw_mesh(const Shot& shot, const Window& window) {
@@ -107,25 +104,28 @@ struct PlatePainter::Parts {
     const Blocks blocks = blocks_of(cells, window, layout.plate.width, layout.plate.height);
     cells.nx = blocks.columns * blocks.size;
     cells.ny = blocks.rows * blocks.size;
-    width = blocks.columns;
-    height = blocks.rows;
-    const auto values = samples(shot.values, style.grid, cells, width, height, style.sampling);
+    Points points = points_of(shot, cells, blocks.columns, blocks.rows);
     // Single cells open where bonds are broken; blocks of them hide what is broken inside.
-    const bool opens = blocks.size == 1 && !shot.links.empty();
-    colour_pass.paint(width, height, values,
-                      opens ? std::vector<std::uint8_t>() : gaps(shot, cells));
+    if (blocks.size == 1 && !shot.links.empty()) points.gaps.clear();
+    colour_pass.paint(points);
     auto places = corners(blocks, cells, style.grid, displaced,
                           Camera(style.grid, window, style.rotation, layout.plate));
-    hide_void(values, places);
+    hide_void(points.values, places);
     mesh_pass->paint(blocks, places, colour_pass.colours(), background_of(style));
-    width = layout.plate.width;
-    height = layout.plate.height;
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, mesh_pass->framebuffer().id());
+    copy_to_picture(mesh_pass->framebuffer(), layout.plate.width, layout.plate.height);
   }
 
-  std::vector<std::uint8_t> gaps(const Shot& shot, const Window& window) const {
-    if (shot.gaps.empty()) return {};
-    return samples(shot.gaps, style.grid, window, width, height);
+  // Spread evenly over the window.
+  Points points_of(const Shot& shot, const Window& window, int width, int height) const {
+    Points points{width, height, {}, {}, {}, {}};
+    points.values = samples(shot.values, style.grid, window, width, height, style.field.sampling);
+    if (style.second)
+      points.second =
+          samples(shot.second, style.grid, window, width, height, style.second->sampling);
+    if (!shot.gaps.empty()) points.gaps = samples(shot.gaps, style.grid, window, width, height);
+    points.middle = {width * (0.5 * style.grid.nx - window.left) / window.nx,
+                     height * (0.5 * style.grid.ny - window.bottom) / window.ny};
+    return points;
   }
 
   // What has no value has no size.
@@ -135,8 +135,9 @@ struct PlatePainter::Parts {
         std::fill_n(places.begin() + static_cast<std::ptrdiff_t>(8 * block), 8, 0.0F);
   }
 
-  // From the framebuffer that is read, of `width` x `height`, to where the plate is.
-  void copy_to_picture() {
+  // All `width` x `height` px of it, to where the plate is.
+  void copy_to_picture(const Framebuffer& from, int width, int height) {
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.target());
     const auto [red, green, blue, alpha] = background_of(style);
     gl.ClearColor(red, green, blue, alpha);
@@ -148,13 +149,13 @@ struct PlatePainter::Parts {
   }
 
   OverlayText text() const {
-    const PrefixedUnit unit = unit_of(style);
+    const PrefixedUnit unit = unit_of(style.field);
     OverlayText text;
     text.title = style.title;
-    text.label = bar_label(style);
-    text.least = style.least / unit.factor;
-    text.most = style.most / unit.factor;
-    text.logarithmic = style.logarithmic;
+    text.label = bar_label(style.field);
+    text.least = style.field.least / unit.factor;
+    text.most = style.field.most / unit.factor;
+    text.logarithmic = style.field.logarithmic;
     text.metres_per_pixel = seen.nx * seen.dx / layout.plate.width;
     return text;
   }
@@ -162,12 +163,10 @@ struct PlatePainter::Parts {
   PictureStyle style;
   Grid seen;
   Layout layout;
-  ColourMap map;
   GlContext context;  // before everything that lives in it
   const GlFunctions& gl = context.functions();
   ColourPass colour_pass;
   std::optional<MeshPass> mesh_pass;
-  int width = 0, height = 0;  // of what was drawn last, px
 };
 
 PlatePainter::PlatePainter(PictureStyle style) : parts_(std::make_unique<Parts>(std::move(style))) {
@@ -186,7 +185,7 @@ Image PlatePainter::paint(const Shot& shot) {
   parts_->draw_field(shot);
   Image image = parts_->context.finish();
   if (parts_->style.bare_height == 0) {
-    draw_frame(image, parts_->layout, parts_->map, parts_->text());
+    draw_frame(image, parts_->layout, map_of(parts_->style.field), parts_->text());
     draw_time(image, parts_->layout, shot.time);
   }
   draw_discs(image, parts_->layout, parts_->seen, shot.discs);

@@ -5,39 +5,18 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/image.hpp"
-#include "lattice/grid.hpp"
-#include "measure/scalar.hpp"
-#include "render/layout.hpp"
-#include "render/theme.hpp"
+#include "measure/field.hpp"
+#include "render/picture_style.hpp"
 
 namespace hackle {
 
-// What all pictures of one series have in common.
-struct PictureStyle {
-  Grid grid;
-  std::optional<Window> window;       // what is seen of it; all if not given
-  double rotation = 0.0;              // rad, counterclockwise, about the middle of what is seen
-  double magnification = 0.0;         // of displacements; 0 is the plate at rest
-  int width = 1280;                   // px, even
-  int bare_height = 0;                // px; above 0 the plate alone, stretched to fill the picture
-  std::string colour_map = "damage";  // one of colour_map_names, or fringes_name
-  double least = 0.0;                 // the values at the two ends of the colour bar, in SI;
-  double most = 0.5;                  // least < most, and above 0 if the scale is logarithmic
-  bool logarithmic = false;
-  Sampling sampling = Sampling::largest;
-  std::string title;             // may be empty
-  std::string label = "damage";  // of the colour bar
-  std::string unit;              // of the values, SI; may be empty
-  Background background = Background::dark;
-};
-
-// What is painted at one time, by Grid::index: at most 14 bytes a node.
+// What is painted at one time, by Grid::index: of one field at most 14 bytes a node.
 struct Shot {
   std::vector<float> values;        // nan where the background is to be seen
+  std::vector<float> second;        // of the second field, if the style has one
   std::vector<std::uint8_t> gaps;   // damage in 255ths, to be seen as gaps; empty where it is not
   std::vector<float> displacement;  // m, x and y; empty for the plate at rest
   std::vector<std::uint8_t> links;  // of Link, when there are displacements

@@ -72,9 +72,9 @@ TEST(PlatePainter, ClampsValuesOutsideTheRange) {
 
 TEST(PlatePainter, AMeanIsTheMeanOfTheCellsUnderAPixel) {
   PictureStyle s = style(4000, 1600, 640);
-  s.sampling = Sampling::mean;
-  s.least = -1.0;
-  s.most = 1.0;
+  s.field.sampling = Sampling::mean;
+  s.field.least = -1.0;
+  s.field.most = 1.0;
   Shot f = shot(s, 0.0F);
   for (int j = 0; j < s.grid.ny; ++j)
     for (int i = 0; i < s.grid.nx; ++i)
@@ -89,9 +89,9 @@ TEST(PlatePainter, AMeanIsTheMeanOfTheCellsUnderAPixel) {
 
 TEST(PlatePainter, ALogarithmicScaleHasADecadeForADecade) {
   PictureStyle s = style(5, 4);
-  s.logarithmic = true;
-  s.least = 1.0;
-  s.most = 1e4;
+  s.field.logarithmic = true;
+  s.field.least = 1.0;
+  s.field.most = 1e4;
   Shot f = shot(s, 0.0F);
   for (int i = 0; i < 5; ++i) f.values[s.grid.index(i, 1)] = std::pow(10.0F, static_cast<float>(i));
   const Image image = PlatePainter(s).paint(f);
@@ -113,9 +113,9 @@ TEST(PlatePainter, CracksAreGapsAndDamageAsOfARoughFaceIsNot) {
 
 TEST(PlatePainter, FringesAreDarkAtWholeOrders) {
   PictureStyle s = style(9, 4);
-  s.colour_map = fringes_name;
-  s.sampling = Sampling::mean;
-  s.most = 4.0;
+  s.field.colour_map = fringes_name;
+  s.field.sampling = Sampling::mean;
+  s.field.most = 4.0;
   Shot f = shot(s, 0.0F);
   for (int i = 0; i < 9; ++i) f.values[s.grid.index(i, 1)] = 0.5F * static_cast<float>(i);
   const Image image = PlatePainter(s).paint(f);
@@ -251,6 +251,54 @@ TEST(PlatePainter, CellsWithoutMaterialHideNothingWhenTheyAreDisplaced) {
   const Image image = PlatePainter(s).paint(f);
   expect_near(cell(image, s, 6, 7), load_colour_map("damage").colours.back());
   expect_near(cell(image, s, 7, 7), background_colour);
+}
+
+// Values of 0 and 1 of both fields, in colours of their own.
+PictureStyle two_fields(Arrangement arrangement) {
+  PictureStyle s = style(8, 8);
+  s.second = FieldStyle{};
+  s.second->colour_map = "viridis";
+  s.second->most = 1.0;
+  s.arrangement = arrangement;
+  return s;
+}
+
+TEST(PlatePainter, ASecondFieldIsSeenInItsHalf) {
+  const Colour first = load_colour_map("damage").colours.back();
+  const Colour second = load_colour_map("viridis").colours.back();
+  for (const Arrangement arrangement : {Arrangement::below, Arrangement::right}) {
+    const PictureStyle s = two_fields(arrangement);
+    Shot f = shot(s, 1.0F);
+    f.second.assign(s.grid.nodes(), 1.0F);
+    const Image image = PlatePainter(s).paint(f);
+    for (int j = 0; j < 8; ++j)
+      for (int i = 0; i < 8; ++i) {
+        const bool is_second = arrangement == Arrangement::below ? j < 4 : i >= 4;
+        expect_near(cell(image, s, i, j), is_second ? second : first);
+      }
+  }
+}
+
+TEST(PlatePainter, HalvesMeetAtTheMidlineOfThePlateNotOfTheWindow) {
+  PictureStyle s = two_fields(Arrangement::below);
+  s.window = Window{0, 0, 6, 6};
+  Shot f = shot(s, 1.0F);
+  f.second.assign(s.grid.nodes(), 1.0F);
+  PictureStyle seen = s;
+  seen.grid = part(s.grid, *s.window);
+  const Image image = PlatePainter(s).paint(f);
+  expect_near(cell(image, seen, 2, 3), load_colour_map("viridis").colours.back());
+  expect_near(cell(image, seen, 2, 4), load_colour_map("damage").colours.back());
+}
+
+TEST(PlatePainter, ASecondFieldOverTheFirstIsOpaqueWhereItIsLarge) {
+  const PictureStyle s = two_fields(Arrangement::over);
+  Shot f = shot(s, 1.0F);
+  f.second.assign(s.grid.nodes(), 0.0F);
+  f.second[s.grid.index(3, 3)] = 1.0F;
+  const Image image = PlatePainter(s).paint(f);
+  expect_near(cell(image, s, 3, 3), load_colour_map("viridis").colours.back());
+  expect_near(cell(image, s, 4, 3), load_colour_map("damage").colours.back());
 }
 
 TEST(PlatePainter, ATransparentBackgroundHasNoColour) {
