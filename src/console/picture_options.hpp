@@ -3,6 +3,7 @@
 #pragma once
 
 #include "console/arguments.hpp"
+#include "console/overlay_options.hpp"
 #include "output/run.hpp"
 #include "render/colour_map.hpp"
 
@@ -12,8 +13,8 @@ inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
 // The default of what each field has for itself.
 inline constexpr std::string_view suits_the_field = "what suits the field";
 
-// What every picture takes.
-inline constexpr std::array picture_options{
+// What of the plate a picture shows, and how.
+inline constexpr std::array view_options{
     Option{.name = "field",
            .type = OptionType::choice,
            .fallback = "damage",
@@ -49,6 +50,8 @@ inline constexpr std::array picture_options{
            .fallback = "the plate",
            .sentence = "Middle and half the width of what is seen; it has the shape of the plate."},
 };
+// What every picture takes.
+inline constexpr auto picture_options = joined(view_options, overlay_options);
 inline constexpr Option width_option{.name = "width",
                                      .type = OptionType::integer,
                                      .unit = "px",

@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "output/chart_data.hpp"
 #include "render/colour_map.hpp"
 
 namespace hackle {
@@ -72,6 +73,13 @@ void check_range(const char* output, const PictureOptions& options, Problems& pr
                              output, least));
 }
 
+std::string title_of(const PictureOptions& options, const Simulation& simulation) {
+  if (options.overlay.title) return *options.overlay.title;
+  const std::string& name = simulation.plate().material.name;
+  if (!is_fringes(options)) return name;
+  return fmt::format("{}, {} thick", name, quantity(options.thickness, "m"));
+}
+
 }  // namespace
 
 void check(const char* output, const PictureOptions& options, const Grid& grid) {
@@ -113,7 +121,8 @@ PictureStyle style_of(const PictureOptions& options, const Simulation& simulatio
   style.grid = simulation.lattice().grid;
   style.window = window_of(options, style.grid);
   style.width = options.width;
-  style.title = simulation.plate().material.name;
+  style.overlay = options.overlay;
+  style.title = title_of(options, simulation);
   style.colour_map = options.colours.empty() ? std::string(scalar.colours) : options.colours;
   const Ends ends = options.range.value_or(ends_of(scalar, options, simulation));
   style.least = ends.least;
@@ -122,8 +131,6 @@ PictureStyle style_of(const PictureOptions& options, const Simulation& simulatio
   style.sampling = scalar.sampling;
   style.label = scalar.label;
   style.unit = scalar.unit;
-  if (is_fringes(options))
-    style.title += fmt::format(", {} thick", quantity(options.thickness, "m"));
   return style;
 }
 
@@ -140,8 +147,10 @@ Image paint(const Simulation& simulation, const PictureOptions& options,
 
 int widest_picture(const PictureOptions& options, const Grid& grid, const Extent& most) {
   const Grid seen = part(grid, window_of(options, grid));
+  OverlayText text;
+  text.parts = options.overlay;
   for (int width = std::min(most.width, most_width) / 2 * 2; width >= least_width; width -= 2)
-    if (make_layout(seen, width).height <= most.height) return width;
+    if (make_layout(seen, width, text).height <= most.height) return width;
   return 0;
 }
 
@@ -150,6 +159,8 @@ Shot shot_of(const PictureOptions& options, const Simulation& simulation) {
       scalar_of(options.field).values(simulation), {}, simulation.time(), impactors(simulation)};
   if (is_fringes(options))
     for (float& order : shot.values) order *= static_cast<float>(options.thickness);
+  if (options.overlay.load_curve) shot.load_curve = load_curve(simulation);
+  if (options.overlay.energy) shot.energy = energy_chart(simulation);
   if (options.cracks && options.field != "damage") shot.gaps = damage(simulation).values;
   // Pictures show the background where a value is no number.
   const std::vector<std::uint8_t>& material = simulation.lattice().material;

@@ -13,6 +13,7 @@
 #include "measure/scalar.hpp"
 #include "output/rehearsal.hpp"
 #include "output/summary.hpp"
+#include "render/overlay_text.hpp"
 #include "solver/simulation.hpp"
 #include "store/run_file.hpp"
 
@@ -34,6 +35,7 @@ struct PictureOptions {
   bool cracks = true;               // cracks are gaps, except in a picture of damage
   double thickness = 5e-3;          // m, of the plate, for fringes
   std::optional<Zoom> zoom;         // the whole plate if not given
+  OverlayOptions overlay;           // what stands around the plate and on it
 };
 
 struct MovieOptions {

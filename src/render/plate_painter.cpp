@@ -2,6 +2,7 @@
 #include "render/plate_painter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -61,13 +62,33 @@ PrefixedUnit unit_of(const PictureStyle& style) {
 }
 
 std::string bar_label(const PictureStyle& style) {
-  return style.unit.empty() ? style.label
-                            : fmt::format("{} ({})", style.label, unit_of(style).name);
+  return style.unit.empty()
+             ? style.label
+             : fmt::format("{} ({})", style.label, printed_unit(unit_of(style).name));
 }
 
-Layout layout_of(const PictureStyle& style, const Grid& seen) {
-  if (style.bare_height > 0) return bare_layout(style.width, style.bare_height);
-  return make_layout(seen, style.width, label_ems(bar_label(style)));
+OverlayText text_of(const PictureStyle& style) {
+  const PrefixedUnit unit = unit_of(style);
+  OverlayText text;
+  text.parts = style.overlay;
+  text.title = style.title;
+  text.note = style.note;
+  text.slow_motion = style.slow_motion;
+  text.label = bar_label(style);
+  text.least = style.least / unit.factor;
+  text.most = style.most / unit.factor;
+  text.logarithmic = style.logarithmic;
+  text.background = style.background;
+  return text;
+}
+
+// Premultiplied by its opacity.
+std::array<float, 4> background_of(const PictureStyle& style) {
+  const Theme& theme = theme_of(style.background);
+  const auto opacity = static_cast<float>(theme.opacity);
+  const auto part = [&](std::uint8_t colour) { return opacity * colour / 255.0F; };
+  const Colour c = theme.background;
+  return {part(c.red), part(c.green), part(c.blue), opacity};
 }
 
 ColourMap map_of(const PictureStyle& style) {
@@ -77,12 +98,18 @@ ColourMap map_of(const PictureStyle& style) {
 
 }  // namespace
 
+Layout layout_of(const PictureStyle& style) {
+  if (style.bare_height > 0) return bare_layout(style.width, style.bare_height);
+  return make_layout(part(style.grid, window_of(style)), style.width, text_of(style));
+}
+
 struct PlatePainter::Parts {
   explicit Parts(PictureStyle style_)
       : style(std::move(style_)),
         seen(part(style.grid, window_of(style))),
-        layout(layout_of(style, seen)),
+        layout(layout_of(style)),
         map(map_of(style)),
+        overlay(layout, text_of(style), map, seen),
         context(layout.width, layout.height),
         gl(load_gl_functions()),
         program(gl, "field") {
@@ -102,8 +129,8 @@ struct PlatePainter::Parts {
     gl.Uniform1i(program.uniform("logarithmic"), style.logarithmic ? 1 : 0);
     set_window(window_of(style));
     set_range();
-    gl.Uniform4f(program.uniform("background"), background_colour.red / 255.0F,
-                 background_colour.green / 255.0F, background_colour.blue / 255.0F, 1.0F);
+    const std::array<float, 4> ground = background_of(style);
+    gl.Uniform4f(program.uniform("background"), ground[0], ground[1], ground[2], ground[3]);
   }
   ~Parts() {
     context.make_current();  // the textures go to the context they came from
@@ -138,8 +165,8 @@ struct PlatePainter::Parts {
     if (!shot.gaps.empty()) set_values(damage_unit, gaps, shot.gaps);
     gl.Uniform1i(program.uniform("gaps"), shot.gaps.empty() ? 0 : 1);
     glDisable(GL_SCISSOR_TEST);
-    glClearColor(background_colour.red / 255.0F, background_colour.green / 255.0F,
-                 background_colour.blue / 255.0F, 1.0F);
+    const std::array<float, 4> ground = background_of(style);
+    glClearColor(ground[0], ground[1], ground[2], ground[3]);
     glClear(GL_COLOR_BUFFER_BIT);
     // OpenGL counts rows from the bottom.
     glViewport(layout.plate.x, layout.height - layout.plate.bottom(), layout.plate.width,
@@ -147,22 +174,11 @@ struct PlatePainter::Parts {
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 
-  OverlayText text() const {
-    const PrefixedUnit unit = unit_of(style);
-    OverlayText text;
-    text.title = style.title;
-    text.label = bar_label(style);
-    text.least = style.least / unit.factor;
-    text.most = style.most / unit.factor;
-    text.logarithmic = style.logarithmic;
-    text.metres_per_pixel = seen.nx * seen.dx / layout.plate.width;
-    return text;
-  }
-
   PictureStyle style;
   Grid seen;
   Layout layout;
   ColourMap map;
+  Overlay overlay;
   GlContext context;  // before everything that lives in it
   GlFunctions gl;
   ShaderProgram program;
@@ -185,11 +201,7 @@ Image PlatePainter::paint(const Shot& shot) {
   parts_->context.make_current();
   parts_->draw_field(shot);
   Image image = parts_->context.finish();
-  if (parts_->style.bare_height == 0) {
-    draw_frame(image, parts_->layout, parts_->map, parts_->text());
-    draw_time(image, parts_->layout, shot.time);
-  }
-  draw_discs(image, parts_->layout, parts_->seen, shot.discs);
+  parts_->overlay.draw(image, {shot.time, shot.discs, shot.load_curve, shot.energy});
   return image;
 }
 

@@ -10,7 +10,9 @@
 #include "base/image.hpp"
 #include "lattice/grid.hpp"
 #include "measure/scalar.hpp"
+#include "render/chart.hpp"
 #include "render/layout.hpp"
+#include "render/overlay_text.hpp"
 
 namespace hackle {
 
@@ -28,6 +30,10 @@ struct PictureStyle {
   std::string title;             // may be empty
   std::string label = "damage";  // of the colour bar
   std::string unit;              // of the values, SI; may be empty
+  OverlayOptions overlay;        // but for its title
+  Background background = Background::dark;
+  std::string note;          // how the plate is shown, "deformed × 100"; may be empty
+  double slow_motion = 0.0;  // how many times slower than it is; 0: not said
 };
 
 // What is painted at one time, by Grid::index.
@@ -36,7 +42,11 @@ struct Shot {
   std::vector<float> gaps;    // damage, to be seen as gaps of the plate; empty where it is not
   double time = 0.0;          // s
   std::vector<Circle> discs;
+  Chart load_curve, energy;  // where the overlay has them
 };
+
+// Where everything lies in the pictures of a series.
+Layout layout_of(const PictureStyle& style);
 
 // Owns a GL context, so it must be used, and destroyed, by the thread that created it.
 class PlatePainter {
