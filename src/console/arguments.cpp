@@ -105,6 +105,22 @@ std::size_t entries(lua_State* L, int index) {
   return count;
 }
 
+// {x, y, "label"}, or nothing when it is anything else.
+std::optional<Marker> marker_at(lua_State* L, int index) {
+  if (lua_type(L, index) != LUA_TTABLE || entries(L, index) != 3) return std::nullopt;
+  const bool typed = lua_rawgeti(L, index, 1) == LUA_TNUMBER &&
+                     lua_rawgeti(L, index, 2) == LUA_TNUMBER &&
+                     lua_rawgeti(L, index, 3) == LUA_TSTRING;
+  std::optional<Marker> marker;
+  if (typed) {
+    const std::string_view label = text_at(L, -1);
+    marker = Marker{{lua_tonumber(L, -3), lua_tonumber(L, -2)}, std::string(label)};
+    if (!marker->place.allFinite() || label.find('\0') != std::string_view::npos) marker.reset();
+  }
+  lua_settop(L, index);
+  return marker;
+}
+
 }  // namespace
 
 std::string description(lua_State* L, int index) {
@@ -216,6 +232,8 @@ void Arguments::read_value(lua_State* L, int index, const Option& option) {
       return take_integer(L, index, option);
     case OptionType::text:
       return take_text(L, index, option);
+    case OptionType::caption:
+      return take_caption(L, index, option);
     case OptionType::texts:
       return take_texts(L, index, option);
     case OptionType::flag:
@@ -228,6 +246,8 @@ void Arguments::read_value(lua_State* L, int index, const Option& option) {
       return take_window(L, index, option);
     case OptionType::points:
       return take_points(L, index, option);
+    case OptionType::markers:
+      return take_markers(L, index, option);
     case OptionType::choice:
       return take_choice(L, index, option);
     case OptionType::material:
@@ -276,6 +296,11 @@ void Arguments::take_text(lua_State* L, int index, const Option& option) {
   if (text.find('\0') != std::string_view::npos)
     return wrong(option, fmt::format("{}: {} holds a zero byte", doc_->name, option.name));
   keep(option, std::string(text));
+}
+
+void Arguments::take_caption(lua_State* L, int index, const Option& option) {
+  const bool none = lua_type(L, index) == LUA_TSTRING && text_at(L, index).empty();
+  return none ? keep(option, std::string()) : take_text(L, index, option);
 }
 
 void Arguments::take_texts(lua_State* L, int index, const Option& option) {
@@ -359,6 +384,26 @@ void Arguments::take_points(lua_State* L, int index, const Option& option) {
     points.push_back(*point);
   }
   keep(option, std::move(points));
+}
+
+void Arguments::take_markers(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TTABLE) return wrong_type(L, index, option);
+  const lua_Unsigned count = lua_rawlen(L, index);
+  if (!option.range.holds(static_cast<double>(count)) || entries(L, index) != count)
+    return wrong(option, fmt::format("{} is not {}", full_name(option), expectation(option)));
+  std::vector<Marker> markers;
+  for (lua_Unsigned k = 1; k <= count; ++k) {
+    lua_rawgeti(L, index, static_cast<lua_Integer>(k));
+    const std::optional<Marker> marker = marker_at(L, lua_gettop(L));
+    lua_pop(L, 1);
+    if (!marker)
+      return wrong(option,
+                   fmt::format("{}: entry {} of {} is not {{x, y, \"label\"}}, two finite numbers "
+                               "and a text",
+                               doc_->name, k, option.name));
+    markers.push_back(*marker);
+  }
+  keep(option, std::move(markers));
 }
 
 void Arguments::take_choice(lua_State* L, int index, const Option& option) {
@@ -508,6 +553,10 @@ std::vector<std::string> Arguments::texts(std::string_view name) const {
 
 std::vector<Vec2> Arguments::points(std::string_view name) const {
   return value_or(name, std::vector<Vec2>{});
+}
+
+std::vector<Marker> Arguments::markers(std::string_view name) const {
+  return value_or(name, std::vector<Marker>{});
 }
 
 Material Arguments::material(std::string_view name) const {

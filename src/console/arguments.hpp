@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "console/lua_function.hpp"
 #include "console/schema.hpp"
+#include "render/overlay_text.hpp"
 #include "scene/course.hpp"
 #include "scene/field_of_place.hpp"
 #include "scene/material.hpp"
@@ -44,6 +45,7 @@ class Arguments {
   Vec2 pair(std::string_view name, const Vec2& fallback = {0, 0}) const;
   Eigen::Vector3d window(std::string_view name) const;  // x, y and half the width
   std::vector<Vec2> points(std::string_view name) const;
+  std::vector<Marker> markers(std::string_view name) const;
   Material material(std::string_view name) const;
   VectorField vector_field(std::string_view name) const;
   ScalarField scalar_field(std::string_view name) const;
@@ -66,7 +68,7 @@ class Arguments {
   };
   using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Eigen::Vector3d,
                              Material, Choice, VectorField, ScalarField, Course, LuaFunction,
-                             std::vector<Vec2>, std::vector<std::string>>;
+                             std::vector<Vec2>, std::vector<std::string>, std::vector<Marker>>;
   struct Slot {
     std::optional<Value> value;
     bool bad = false;
@@ -93,12 +95,14 @@ class Arguments {
   void take_number(lua_State* L, int index, const Option& option);
   void take_integer(lua_State* L, int index, const Option& option);
   void take_text(lua_State* L, int index, const Option& option);
+  void take_caption(lua_State* L, int index, const Option& option);
   void take_texts(lua_State* L, int index, const Option& option);
   void take_flag(lua_State* L, int index, const Option& option);
   void take_point(lua_State* L, int index, const Option& option);
   void take_pair(lua_State* L, int index, const Option& option);
   void take_window(lua_State* L, int index, const Option& option);
   void take_points(lua_State* L, int index, const Option& option);
+  void take_markers(lua_State* L, int index, const Option& option);
   void take_choice(lua_State* L, int index, const Option& option);
   void take_material(lua_State* L, int index, const Option& option);
   void take_vector_field(lua_State* L, int index, const Option& option);

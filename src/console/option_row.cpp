@@ -19,6 +19,8 @@ std::string_view type_word(OptionType type) {
       return "integer";
     case OptionType::text:
       return "text";
+    case OptionType::caption:
+      return "text";
     case OptionType::texts:
       return "list of texts";
     case OptionType::flag:
@@ -31,6 +33,8 @@ std::string_view type_word(OptionType type) {
       return "{x, y, half}";
     case OptionType::points:
       return "points";
+    case OptionType::markers:
+      return "markers";
     case OptionType::choice:
       return "choice";
     case OptionType::material:
@@ -49,7 +53,8 @@ std::string_view type_word(OptionType type) {
 
 // Of lists the range is that of their length.
 std::string values_text(const Option& option) {
-  const bool list = option.type == OptionType::points || option.type == OptionType::texts;
+  const bool list = option.type == OptionType::points || option.type == OptionType::texts ||
+                    option.type == OptionType::markers;
   if (list && option.unit.empty()) return shortest(option.range.least) + " or more";
   if (list) return fmt::format("{} or more, {}", shortest(option.range.least), option.unit);
   if (option.type == OptionType::choice) return comma_list(option.choices);

@@ -15,6 +15,7 @@ PictureOptions picture_of(const Arguments& arguments) {
   }
   picture.cracks = arguments.flag("cracks", picture.cracks);
   picture.thickness = arguments.number("thickness", picture.thickness);
+  picture.overlay = overlay_of(arguments);
   if (arguments.has("range")) {
     const Vec2 range = arguments.pair("range");
     picture.range = Ends{range.x(), range.y()};

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "console/arguments.hpp"
+#include "console/overlay_options.hpp"
 #include "output/run.hpp"
 #include "render/colour_map.hpp"
 
@@ -14,8 +15,8 @@ inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
 // The default of what each field has for itself.
 inline constexpr std::string_view suits_the_field = "what suits the field";
 
-// What every picture takes.
-inline constexpr std::array picture_options{
+// What of the plate a picture shows, and how.
+inline constexpr std::array view_options{
     Option{.name = "field",
            .type = OptionType::choice,
            .fallback = "damage",
@@ -92,6 +93,8 @@ inline constexpr std::array picture_options{
            .choices = background_names,
            .sentence = "Around the plate; transparent in a PNG."},
 };
+// What every picture takes.
+inline constexpr auto picture_options = joined(view_options, overlay_options);
 inline constexpr Option width_option{.name = "width",
                                      .type = OptionType::integer,
                                      .unit = "px",

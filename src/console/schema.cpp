@@ -46,6 +46,8 @@ std::string expectation(const Option& option) {
       return "a whole number" + (option.unit.empty() ? "" : fmt::format(" of {}", option.unit));
     case OptionType::text:
       return "a text in quotes";
+    case OptionType::caption:
+      return "a text in quotes, \"\" for none";
     case OptionType::texts:
       return fmt::format("a list of {} or more texts in quotes", option.range.least);
     case OptionType::flag:
@@ -58,6 +60,8 @@ std::string expectation(const Option& option) {
       return "{x, y, half}, the middle and half the width" + in_unit;
     case OptionType::points:
       return fmt::format("a list of {} or more points {{x, y}}{}", option.range.least, in_unit);
+    case OptionType::markers:
+      return fmt::format("a list of {} or more {{x, y, \"label\"}}{}", option.range.least, in_unit);
     case OptionType::choice:
       return "one of " + comma_list(option.choices);
     case OptionType::material:

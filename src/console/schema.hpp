@@ -18,12 +18,14 @@ enum class OptionType {
   number,        // finite
   integer,       // whole number
   text,          // not empty
+  caption,       // may be empty
   texts,         // a list of those, as many as the range says
   flag,          // true or false
   point,         // {x, y}, two finite numbers; a place or a vector
   pair,          // {a, b}, two finite numbers, each in the range
   window,        // {x, y, half}, the middle of a window and half its width in the range
   points,        // a list of points, as many as the range says
+  markers,       // a list of {x, y, "label"}, as many as the range says
   choice,        // one of `choices`
   material,      // the name of one, or what material{...} returns
   vector_field,  // {x, y}, or a function of x and y that returns two numbers

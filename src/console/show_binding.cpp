@@ -13,6 +13,7 @@
 #include "console/picture_options.hpp"
 #include "console/picture_text.hpp"
 #include "console/simulation_binding.hpp"
+#include "output/chart_data.hpp"
 
 namespace hackle {
 namespace {
@@ -98,6 +99,7 @@ int show(lua_State* L) {
   arguments.problems.throw_if_any();
   const PictureOptions options = picture_of(arguments);
   check("show", options, scripted.simulation().lattice().grid);
+  check_alone("show", options);
   Session& session = session_of(L);
   if (session.settings.show_in_terminal)
     show_in_terminal(session, scripted.simulation(), options);

@@ -23,6 +23,7 @@ MovieOutput::MovieOutput(std::filesystem::path path, const MovieOptions& options
       style_(style_of(options.picture, simulation)),
       schedule_("movie", options.every, simulation),
       encoder_threads_(simulation.threads()) {
+  style_.slow_motion = 1.0 / (options.every * options.fps);
 }
 
 void MovieOutput::observe(const Simulation& simulation) {
@@ -70,7 +71,7 @@ void MovieOutput::paint(const Work& work) {
 
 Expected MovieOutput::expected(double until, std::int64_t most_looks) const {
   const std::int64_t frames = schedule_.moments(until, most_looks);
-  const Layout layout = make_layout(style_.grid, style_.width);
+  const Layout layout = layout_of(style_);
   const double pixels = static_cast<double>(layout.width) * layout.height;
   return {path_, frames, static_cast<double>(frames) * pixels * bytes_a_pixel};
 }

@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "measure/links.hpp"
+#include "output/chart_data.hpp"
 #include "output/view.hpp"
 #include "render/colour_map.hpp"
 
@@ -101,6 +102,13 @@ std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
   return bytes;
 }
 
+std::string title_of(const PictureOptions& options, const Simulation& simulation) {
+  if (options.overlay.title) return *options.overlay.title;
+  const std::string& name = simulation.plate().material.name;
+  if (!first_field(options).is_fringes()) return name;
+  return fmt::format("{}, {} thick", name, quantity(options.thickness, "m"));
+}
+
 }  // namespace
 
 void check(const char* output, const PictureOptions& options, const Grid& grid) {
@@ -128,14 +136,15 @@ PictureStyle style_of(const PictureOptions& options, const Simulation& simulatio
   style.window = window_of(options, simulation);
   style.rotation = options.rotation;
   style.magnification = magnification_of(options, simulation);
+  if (style.magnification > 0.0)
+    style.note = fmt::format("displacements × {:.4g}", style.magnification);
   style.background = options.background;
   style.width = options.width;
   style.field = style_of(first_field(options), simulation);
   if (options.second) style.second = style_of(second_field(options), simulation);
   style.arrangement = options.arrangement;
-  style.title = simulation.plate().material.name;
-  if (first_field(options).is_fringes())
-    style.title += fmt::format(", {} thick", quantity(options.thickness, "m"));
+  style.overlay = options.overlay;
+  style.title = title_of(options, simulation);
   return style;
 }
 
@@ -153,8 +162,10 @@ Image paint(const Simulation& simulation, const PictureOptions& options,
 int widest_picture(const PictureOptions& options, const Simulation& simulation,
                    const Extent& most) {
   const Grid seen = part(simulation.lattice().grid, window_of(options, simulation));
+  OverlayText text;
+  text.parts = options.overlay;
   for (int width = std::min(most.width, most_width) / 2 * 2; width >= least_width; width -= 2)
-    if (make_layout(seen, width).height <= most.height) return width;
+    if (make_layout(seen, width, text).height <= most.height) return width;
   return 0;
 }
 
@@ -171,6 +182,8 @@ Shot shot_of(const PictureOptions& options, const Simulation& simulation) {
     shot.links = links(simulation);
   }
   if (options.follow) shot.window = followed(window_of(options, simulation), options, simulation);
+  if (options.overlay.load_curve) shot.load_curve = load_curve(simulation);
+  if (options.overlay.energy) shot.energy = energy_chart(simulation);
   return shot;
 }
 

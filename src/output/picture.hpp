@@ -41,6 +41,7 @@ struct PictureOptions {
   std::optional<double> magnification;  // so many times as large; what suits the plate if not given
   bool bonds = false;                   // drawn one by one
   Background background = Background::dark;
+  OverlayOptions overlay;  // what stands around the plate and on it
 };
 
 }  // namespace hackle

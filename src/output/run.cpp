@@ -15,6 +15,7 @@
 #include "base/machine.hpp"
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
+#include "output/chart_data.hpp"
 #include "output/movie_output.hpp"
 #include "output/onlookers.hpp"
 #include "output/outputs.hpp"
@@ -138,6 +139,7 @@ void Run::record(const fs::path& path, const RecordOptions& options) {
 
 void Run::frame(const fs::path& path, const PictureOptions& options) {
   check("frame", options, parts_->simulation.lattice().grid);
+  check_alone("frame", options);
   check_writable(path);
   if (parts_->rehearsing) return;
   Image image;

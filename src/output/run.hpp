@@ -13,6 +13,7 @@
 #include "output/picture.hpp"
 #include "output/rehearsal.hpp"
 #include "output/summary.hpp"
+#include "render/overlay_text.hpp"
 #include "solver/simulation.hpp"
 #include "store/run_file.hpp"
 

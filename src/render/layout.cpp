@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "render/font.hpp"
 
 namespace hackle {
 namespace {
@@ -10,12 +13,169 @@ namespace {
 int even(double value) {
   return 2 * static_cast<int>(std::ceil(value / 2.0));
 }
+int whole(double value) {
+  return static_cast<int>(std::lround(value));
+}
+int at_least(double value) {
+  return static_cast<int>(std::ceil(value));
+}
 
 // Pixels of a cell along x and y.
 double cell_size(const Grid& grid, double width, double height) {
   const double size = std::min(width / grid.nx, height / grid.ny);
   return size >= 3.0 ? std::floor(size) : size;
 }
+
+// Lays out from the top; `y` is how far it has come.
+class Composer {
+ public:
+  Composer(const Grid& grid, int width, const OverlayText& text)
+      : grid_(grid), text_(text), parts_(text.parts) {
+    layout_.width = width;
+    layout_.font = std::max(10.0, std::round(0.0175 * width));
+    layout_.small_font = std::max(9.0, std::round(0.8 * layout_.font));
+    margin_ = whole(1.5 * layout_.font);
+    gap_ = at_least(layout_.font);
+  }
+
+  Layout compose() {
+    size_plate();
+    place_caption();
+    place_plate();
+    place_legend();
+    place_charts();
+    layout_.height = even(y_ + 0.6 * margin_);
+    return layout_;
+  }
+
+ private:
+  struct Line {
+    int left = 0, right = 0;  // px taken from either side
+  };
+
+  int room() const { return layout_.width - 2 * side_; }
+  int needed(const std::string& text, double size) const {
+    return at_least(font_.width_of(text, size));
+  }
+
+  // Captions and legend are flush with the plate, unless it is too narrow for them.
+  void size_plate() {
+    const int inner = layout_.width - 2 * margin_;
+    const double cell = cell_size(grid_, inner, layout_.width);
+    layout_.plate.width = std::max(1, whole(cell * grid_.nx));
+    layout_.plate.height = std::max(1, whole(cell * grid_.ny));
+    const bool wide = layout_.plate.width > inner * 9 / 10;
+    side_ = wide ? (layout_.width - layout_.plate.width) / 2 : margin_;
+  }
+
+  // The first line, from that of the last text on, where there is room; else a new one.
+  std::size_t line_for(int width) {
+    for (std::size_t k = first_line_; k < lines_.size(); ++k)
+      if (lines_[k].left + width + lines_[k].right <= room()) return k;
+    lines_.push_back({});
+    return lines_.size() - 1;
+  }
+
+  Rectangle in_caption(const std::string& text, double size, bool left) {
+    if (text.empty()) return {};
+    const int width = std::min(needed(text, size), room());
+    const std::size_t k = line_for(width);
+    first_line_ = k;
+    Line& line = lines_[k];
+    const int x = left ? side_ + line.left : layout_.width - side_ - line.right - width;
+    (left ? line.left : line.right) += width + gap_;
+    return {x, margin_ * 2 / 3 + static_cast<int>(k) * line_height(), width, line_height()};
+  }
+
+  int line_height() const { return at_least(1.3 * layout_.font); }
+
+  void place_caption() {
+    layout_.title = in_caption(text_.title, layout_.font, true);
+    // The widest of time_text, so that the title stays where it is.
+    if (parts_.time) layout_.clock = in_caption("000.0000 ms", layout_.font, false);
+    layout_.slow_motion =
+        in_caption(slow_motion_text(text_.slow_motion), layout_.small_font, false);
+    first_line_ = 0;
+    layout_.note = in_caption(text_.note, layout_.small_font, true);
+    const int height = static_cast<int>(lines_.size()) * line_height();
+    layout_.caption = {side_, margin_ * 2 / 3, room(), height};
+    y_ = lines_.empty() ? margin_ : layout_.caption.bottom() + margin_ / 3;
+    if (lines_.empty()) layout_.caption.y = layout_.caption.height = 0;
+  }
+
+  void place_plate() {
+    layout_.plate.x = (layout_.width - layout_.plate.width) / 2;
+    layout_.plate.y = y_;
+    y_ = layout_.plate.bottom();
+    layout_.foot = y_ + margin_ / 2;
+  }
+
+  // The bar and its name share a line when the scale bar still fits in.
+  void place_legend() {
+    if (!parts_.bar && !parts_.scale_bar) return;
+    y_ += margin_ * 5 / 6;
+    const int height = whole(0.8 * layout_.font);
+    const int bar_width = parts_.bar ? whole(0.28 * layout_.width) : 0;
+    int x = side_;
+    if (parts_.bar) x = place_label(bar_width, height);
+    const int below = at_least(0.4 * layout_.font + 1.3 * layout_.small_font);
+    if (parts_.bar) {
+      layout_.bar = {x, y_, bar_width, height};
+      const int beyond = whole(layout_.font),
+                top = layout_.bar.bottom() + whole(0.3 * layout_.font);
+      layout_.ticks = {x - beyond, top, bar_width + 2 * beyond, y_ + height + below - top};
+    }
+    const int scale_x = parts_.bar ? layout_.bar.right() + 3 * margin_ / 2 : side_;
+    if (parts_.scale_bar)
+      layout_.scale = {scale_x, y_, layout_.width - side_ - scale_x, height + below};
+    y_ += height + below;
+  }
+
+  // Where the bar begins.
+  int place_label(int bar_width, int height) {
+    constexpr double shortest = 5.0, scale = 6.0;  // so that bars of most fields begin alike
+    const int width = std::max(needed(text_.label, layout_.font), whole(shortest * layout_.font));
+    const int drop = at_least(0.25 * layout_.font);  // of letters below the base line
+    const int others = bar_width + 3 * margin_ / 2 + whole(scale * layout_.font);
+    if (width + gap_ + others <= room()) {
+      layout_.label = {side_, y_, width, height + drop};
+      return side_ + width + gap_;
+    }
+    layout_.label = {side_, y_, room(), height + drop};
+    y_ = layout_.label.bottom() + whole(0.3 * layout_.font);
+    return side_;
+  }
+
+  // Side by side where both have room.
+  void place_charts() {
+    std::vector<Rectangle*> charts;
+    if (parts_.load_curve) charts.push_back(&layout_.load_curve);
+    if (parts_.energy) charts.push_back(&layout_.energy);
+    if (charts.empty()) return;
+    constexpr double least_width = 20.0, height = 7.5;
+    const int between = 2 * gap_, count = static_cast<int>(charts.size());
+    int columns = count;
+    if ((room() - (count - 1) * between) / count < least_width * layout_.font) columns = 1;
+    const Rectangle first{side_, y_ + margin_ * 2 / 3, (room() - (columns - 1) * between) / columns,
+                          whole(height * layout_.font)};
+    for (int k = 0; k < count; ++k) {
+      Rectangle& chart = *charts[static_cast<std::size_t>(k)];
+      chart = first;
+      if (columns > 1) chart.x += k * (first.width + between);
+      if (columns == 1) chart.y += k * (first.height + margin_ * 2 / 3);
+      y_ = chart.bottom();
+    }
+  }
+
+  const Grid& grid_;
+  const OverlayText& text_;
+  const OverlayOptions& parts_;
+  Font font_;
+  Layout layout_;
+  int margin_ = 0, gap_ = 0, side_ = 0, y_ = 0;
+  std::vector<Line> lines_;  // of the caption
+  std::size_t first_line_ = 0;
+};
 
 }  // namespace
 
@@ -25,49 +185,16 @@ Grid part(const Grid& grid, const Window& window) {
   return {window.nx, window.ny, grid.dx, grid.centre + grid.dx * middle};
 }
 
-double label_ems(const std::string& name) {
-  constexpr double letter = 0.6, behind = 1.0;
-  return std::max(shortest_label, letter * static_cast<double>(name.size()) + behind);
-}
-
-Layout make_layout(const Grid& grid, int width, double label) {
-  Layout layout;
-  layout.width = width;
-  layout.font = std::max(10.0, std::round(0.0175 * width));
-  layout.small_font = std::max(9.0, std::round(0.8 * layout.font));
-  const int margin = static_cast<int>(std::round(1.5 * layout.font));
-  const int inner = width - 2 * margin;
-
-  const double cell = cell_size(grid, inner, width);
-  const int plate_width = std::max(1, static_cast<int>(std::lround(cell * grid.nx)));
-  const int plate_height = std::max(1, static_cast<int>(std::lround(cell * grid.ny)));
-  // Captions and legend are flush with the plate, unless it is too narrow for them.
-  const int side = plate_width > inner * 9 / 10 ? (width - plate_width) / 2 : margin;
-  layout.caption = {side, margin * 2 / 3, width - 2 * side,
-                    static_cast<int>(std::ceil(1.3 * layout.font))};
-  layout.plate = {(width - plate_width) / 2, layout.caption.bottom() + margin / 3, plate_width,
-                  plate_height};
-
-  // The legend: the name of the field, the bar, then its ticks below.
-  const int legend = layout.plate.bottom() + margin * 5 / 6;
-  const int bar_x = side + static_cast<int>(std::ceil(label * layout.font));
-  const int bar_height = static_cast<int>(std::round(0.8 * layout.font));
-  layout.bar = {bar_x, legend, static_cast<int>(0.28 * width), bar_height};
-  const int legend_height =
-      bar_height + static_cast<int>(std::ceil(0.4 * layout.font + 1.3 * layout.small_font));
-  const int scale_x = layout.bar.right() + 3 * margin / 2;
-  layout.scale = {scale_x, legend, width - side - scale_x, legend_height};
-  layout.height = even(legend + legend_height + 0.6 * margin);
-  return layout;
+Layout make_layout(const Grid& grid, int width, const OverlayText& text) {
+  return Composer(grid, width, text).compose();
 }
 
 Layout bare_layout(int width, int height) {
   Layout layout;
   layout.width = width;
   layout.height = height;
-  layout.caption = {0, 0, width, 0};
   layout.plate = {0, 0, width, height};
-  layout.bar = layout.scale = {0, height, width, 0};
+  layout.foot = height;
   return layout;
 }
 

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where the parts of a picture lie. Pure arithmetic.
+// Where the parts of a picture lie.
 #pragma once
 
-#include <string>
-
 #include "lattice/grid.hpp"
+#include "render/overlay_text.hpp"
+#include "render/rectangle.hpp"
 
 namespace hackle {
-
-// In px from the upper left corner.
-struct Rectangle {
-  int x = 0, y = 0, width = 0, height = 0;
-
-  int right() const { return x + width; }
-  int bottom() const { return y + height; }
-};
 
 // A part of a lattice, in whole cells; it may reach beyond the lattice.
 struct Window {
@@ -25,27 +17,29 @@ struct Window {
 // The window as a lattice of its own, in the same place.
 Grid part(const Grid& grid, const Window& window);
 
-// From top to bottom: the caption (title left, time right), the plate, the legend (colour bar left,
-// scale bar right). The parts never overlap.
+// From top to bottom: the caption, the plate, the legend (colour bar left, scale bar right),
+// charts. What is not shown is empty; all else lies inside the picture and no two overlap.
 struct Layout {
   int width = 0;            // px, even unless bare
   int height = 0;           // px, even unless bare
-  double font = 0.0;        // px, of the captions
-  double small_font = 0.0;  // px, of the ticks
-  Rectangle caption;
+  double font = 0.0;        // px, of titles, time and names; 0 when nothing is written
+  double small_font = 0.0;  // px, of numbers and remarks
+  Rectangle caption;        // all lines above the plate
+  Rectangle title, note, clock, slow_motion;  // of one line each, in the caption
   Rectangle plate;
-  Rectangle bar;    // the colours of the colour bar, without its texts
+  Rectangle label;  // the name of the colour bar, left of it or, where it is long, above it
+  Rectangle bar;    // the colours of the colour bar
+  Rectangle ticks;  // its numbers, below it
   Rectangle scale;  // where the scale bar may lie, with its text
+  Rectangle load_curve, energy;
+  int foot = 0;  // px from the top; discs are seen down to here, the legend begins below it
 };
 
 // For a picture `width` px wide, even. Cells are whole pixels when they are at least 3 px, so that
 // all look alike. A tall plate is made smaller until the plate is at most as high as the picture is
-// wide. `label` is what the name before the colour bar takes, in units of the font; the height does
-// not depend on it.
-inline constexpr double shortest_label = 6.0;
-Layout make_layout(const Grid& grid, int width, double label = shortest_label);
-// What a name takes, with some room behind it.
-double label_ems(const std::string& name);
+// wide. Texts that do not fit beside each other get lines of their own; what is still too long is
+// to be shortened to its rectangle. Throws what Font throws.
+Layout make_layout(const Grid& grid, int width, const OverlayText& text = {});
 
 // The plate alone fills the picture: width x height px, even or not, whatever its shape.
 Layout bare_layout(int width, int height);

@@ -3,202 +3,145 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <numbers>
-#include <vector>
+#include <cstring>
 
-#include <cairo.h>
-#include <fmt/format.h>
-
-#include "base/error.hpp"
+#include "render/canvas.hpp"
+#include "render/colour_bar.hpp"
+#include "render/scale_bar.hpp"
+#include "render/strip_chart.hpp"
 
 namespace hackle {
 namespace {
 
-constexpr Colour text_colour{222, 228, 236};
-constexpr Colour disc_colour{150, 170, 190};
-constexpr Colour quiet_colour{140, 150, 166};
-
-// A Cairo context on the pixels of an image.
-class Canvas {
- public:
-  explicit Canvas(Image& image)
-      : surface_(cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_RGB24,
-                                                     image.width, image.height, image.stride())),
-        cairo_(cairo_create(surface_.get())) {
-    if (cairo_status(cairo_.get()) != CAIRO_STATUS_SUCCESS)
-      throw Error(ErrorKind::run_failed, "Cairo cannot draw on the picture");
-    cairo_select_font_face(cairo_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           CAIRO_FONT_WEIGHT_NORMAL);
-  }
-  ~Canvas() { cairo_surface_flush(surface_.get()); }
-
-  void colour(Colour c) {
-    cairo_set_source_rgb(cairo_.get(), c.red / 255.0, c.green / 255.0, c.blue / 255.0);
-  }
-  void fill(double x, double y, double width, double height) {
-    cairo_rectangle(cairo_.get(), x, y, width, height);
-    cairo_fill(cairo_.get());
-  }
-  void outline(const Rectangle& r) {
-    cairo_set_line_width(cairo_.get(), 1.0);
-    cairo_rectangle(cairo_.get(), r.x - 0.5, r.y - 0.5, r.width + 1.0, r.height + 1.0);
-    cairo_stroke(cairo_.get());
-  }
-  void clip(double y, double height, double width) {
-    cairo_rectangle(cairo_.get(), 0.0, y, width, height);
-    cairo_clip(cairo_.get());
-  }
-  // Seen through a little, with a bright rim.
-  void disc(double x, double y, double radius_x, double radius_y, Colour c) {
-    cairo_save(cairo_.get());
-    cairo_translate(cairo_.get(), x, y);
-    cairo_scale(cairo_.get(), radius_x, radius_y);
-    cairo_arc(cairo_.get(), 0.0, 0.0, 1.0, 0.0, 2.0 * std::numbers::pi);
-    cairo_restore(cairo_.get());
-    cairo_set_source_rgba(cairo_.get(), c.red / 255.0, c.green / 255.0, c.blue / 255.0, 0.55);
-    cairo_fill_preserve(cairo_.get());
-    colour(c);
-    cairo_set_line_width(cairo_.get(), 1.5);
-    cairo_stroke(cairo_.get());
-  }
-  double width_of(const std::string& text, double size) {
-    cairo_set_font_size(cairo_.get(), size);
-    cairo_text_extents_t extents;
-    cairo_text_extents(cairo_.get(), text.c_str(), &extents);
-    return extents.x_advance;
-  }
-  // `anchor` 0: the text begins at x; 0.5: is centred on it; 1: ends there. `y` is its base line.
-  void write(const std::string& text, double x, double y, double size, double anchor) {
-    const double left = std::round(x - anchor * width_of(text, size));
-    cairo_move_to(cairo_.get(), left, std::round(y));
-    cairo_show_text(cairo_.get(), text.c_str());
-  }
-
- private:
-  struct Free {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
-  };
-  std::unique_ptr<cairo_surface_t, Free> surface_;
-  std::unique_ptr<cairo_t, Free> cairo_;
-};
-
-void draw_colours(Canvas& canvas, const Rectangle& bar, const ColourMap& map) {
-  for (int x = 0; x < bar.width; ++x) {
-    const std::size_t last = map.colours.size() - 1;
-    const auto pixel = static_cast<std::size_t>(x), pixels = static_cast<std::size_t>(bar.width);
-    canvas.colour(map.colours[pixel * last / std::max<std::size_t>(1, pixels - 1)]);
-    canvas.fill(bar.x + x, bar.y, 1, bar.height);
-  }
+std::uint8_t* pixel(Image& image, int x, int y) {
+  return image.pixels.data() + static_cast<std::ptrdiff_t>(y) * image.stride() + 4 * x;
+}
+const std::uint8_t* row_of(const Image& image, int y) {
+  return image.pixels.data() + static_cast<std::ptrdiff_t>(y) * image.stride();
 }
 
-// The distance of ticks: neat, at most five intervals, and numbers that do not touch.
-double tick_step(double span, double bar_width, double font) {
-  const double intervals = std::clamp(bar_width / (3.0 * font), 1.0, 5.0);
-  const double least = span / intervals * (1.0 - 1e-9);
-  const double decade = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0})
-    if (factor * decade >= least) return factor * decade;
-  return span;
+void copy(const Image& from, Image& to, const Rectangle& area) {
+  for (int row = 0; row < area.height; ++row)
+    std::memcpy(pixel(to, area.x, area.y + row), row_of(from, row),
+                static_cast<std::size_t>(from.stride()));
 }
 
-// Where ticks stand: neat values, on a logarithmic scale powers of ten.
-std::vector<double> ticks(const OverlayText& text, double bar_width, double font) {
-  std::vector<double> values;
-  if (text.logarithmic) {
-    constexpr double slack = 1e-9;
-    const int first = static_cast<int>(std::ceil(std::log10(text.least) - slack));
-    const int last = static_cast<int>(std::floor(std::log10(text.most) + slack));
-    for (int power = first; power <= last; ++power) values.push_back(std::pow(10.0, power));
-    return values;
-  }
-  const double span = text.most - text.least;
-  const double step = tick_step(span, bar_width, font);
-  const auto first = static_cast<int>(std::ceil(text.least / step - 1e-9));
-  const auto last = static_cast<int>(std::floor(text.most / step + 1e-9));
-  for (int k = first; k <= last; ++k) values.push_back(k * step);
-  return values;
-}
-
-double share_of(double value, const OverlayText& text) {
-  if (text.logarithmic) return std::log(value / text.least) / std::log(text.most / text.least);
-  return (value - text.least) / (text.most - text.least);
-}
-
-void draw_ticks(Canvas& canvas, const Layout& layout, const OverlayText& text) {
-  const Rectangle& bar = layout.bar;
-  const double base = bar.bottom() + 0.4 * layout.font + 0.85 * layout.small_font;
-  canvas.colour(quiet_colour);
-  for (const double value : ticks(text, bar.width, layout.small_font)) {
-    const double share = share_of(value, text);
-    const double x = bar.x + std::round(share * (bar.width - 1));
-    canvas.fill(x, bar.bottom(), 1, std::round(0.25 * layout.font));
-    // The last colour stands for everything above, too, and the first for everything below.
-    const char* beyond = share > 1.0 - 1e-6 ? "≥" : share < 1e-6 && value != 0.0 ? "≤" : "";
-    canvas.write(fmt::format("{}{:.4g}", beyond, value), x, base, layout.small_font, 0.5);
-  }
-}
-
-void draw_scale(Canvas& canvas, const Layout& layout, double metres_per_pixel) {
-  const double most = std::min<double>(layout.scale.width, layout.plate.width / 5.0);
-  const double length = neat_at_most(most * metres_per_pixel);
-  const double pixels = length / metres_per_pixel;
-  const double right = layout.scale.right();
-  const double y = layout.bar.y + 0.5 * layout.bar.height;
-  const double thickness = std::max(2.0, std::round(0.14 * layout.font));
-  const double serif = std::round(0.35 * layout.font);
-  canvas.colour(text_colour);
-  canvas.fill(right - pixels, y - 0.5 * thickness, pixels, thickness);
-  canvas.fill(right - pixels, y - serif, std::max(1.0, thickness / 2), 2 * serif);
-  canvas.fill(right - std::max(1.0, thickness / 2), y - serif, std::max(1.0, thickness / 2),
-              2 * serif);
-  canvas.write(fmt::format("{:.4g} mm", length * 1e3), right - 0.5 * pixels,
-               layout.bar.bottom() + 0.4 * layout.font + 0.85 * layout.small_font,
-               layout.small_font, 0.5);
+// Of one line of a caption, where its letters stand.
+double base_line(const Rectangle& line, double font) {
+  return line.y + font;
 }
 
 }  // namespace
 
-void draw_frame(Image& image, const Layout& layout, const ColourMap& map, const OverlayText& text) {
-  Canvas canvas(image);
-  canvas.colour({70, 82, 102});
-  canvas.outline(layout.plate);
-  draw_colours(canvas, layout.bar, map);
-  draw_ticks(canvas, layout, text);
-  draw_scale(canvas, layout, text.metres_per_pixel);
-  canvas.colour(text_colour);
-  canvas.write(text.label, layout.caption.x, layout.bar.bottom(), layout.font, 0.0);
-  if (!text.title.empty())
-    canvas.write(text.title, layout.caption.x, layout.caption.y + layout.font, layout.font, 0.0);
+Overlay::Overlay(const Layout& layout, const OverlayText& text, const ColourMap& map,
+                 const Grid& seen)
+    : layout_(layout),
+      seen_(seen),
+      theme_(theme_of(text.background)),
+      slow_motion_(slow_motion_text(text.slow_motion)) {
+  if (layout.font == 0.0) return;
+  font_.emplace();
+  markers_ = place_markers(text.parts.markers, layout, seen, *font_);
+  draw_once(text, map);
 }
 
-void draw_time(Image& image, const Layout& layout, double time) {
-  Canvas canvas(image);
-  canvas.colour(text_colour);
-  canvas.write(time_text(time), layout.caption.right(), layout.caption.y + layout.font, layout.font,
-               1.0);
-}
-
-void draw_discs(Image& image, const Layout& layout, const Grid& grid,
-                const std::vector<Circle>& discs) {
-  if (discs.empty()) return;
-  Canvas canvas(image);
-  const double top = layout.caption.bottom(), below = layout.bar.y - 0.5 * layout.font;
-  canvas.clip(top, below - top, image.width);
-  const double across = layout.plate.width / (grid.nx * grid.dx);  // px/m
-  const double up = layout.plate.height / (grid.ny * grid.dx);
-  for (const Circle& disc : discs) {
-    const Vec2 place = disc.centre - grid.centre;
-    canvas.disc(layout.plate.x + 0.5 * layout.plate.width + place.x() * across,
-                layout.plate.y + 0.5 * layout.plate.height - place.y() * up, disc.radius * across,
-                disc.radius * up, disc_colour);
+void Overlay::draw_once(const OverlayText& text, const ColourMap& map) {
+  write_caption(text);
+  std::optional<ColourBar> colours;
+  if (!layout_.bar.empty()) {
+    colours.emplace(layout_, text, *font_);
+    lasting_.insert(lasting_.end(), colours->texts().begin(), colours->texts().end());
+  }
+  std::optional<ScaleBar> scale;
+  if (!layout_.scale.empty()) {
+    scale.emplace(layout_, text, *font_, seen_.nx * seen_.dx / layout_.plate.width);
+    lasting_.push_back(scale->text());
+  }
+  for (const Rectangle& area : {Rectangle{0, 0, layout_.width, layout_.caption.bottom()},
+                                {0, layout_.foot, layout_.width, layout_.height - layout_.foot}}) {
+    if (area.empty()) continue;
+    Strip& strip = strips_.emplace_back(Strip{area, Image(area.width, area.height)});
+    Canvas canvas(strip.pixels, area.x, area.y);
+    canvas.colour(theme_.background, theme_.opacity);
+    canvas.fill(area.x, area.y, area.width, area.height);
+    if (colours) colours->draw(canvas, map);
+    if (scale) scale->draw(canvas);
+    for (const PlacedText& one : lasting_) canvas.write(*font_, one);
   }
 }
 
-std::string time_text(double time) {
-  if (time < 1e-3) return fmt::format("{:.2f} µs", time * 1e6);
-  return fmt::format("{:.4f} ms", time * 1e3);
+void Overlay::write_caption(const OverlayText& text) {
+  const auto write = [&](const std::string& words, const Rectangle& line, double size,
+                         Colour colour) {
+    if (line.empty()) return;
+    lasting_.push_back(font_->place(font_->fitting(words, size, line.width), line.x,
+                                    base_line(line, layout_.font), size, 0.0, colour));
+  };
+  write(text.title, layout_.title, layout_.font, theme_.text);
+  write(text.note, layout_.note, layout_.small_font, theme_.quiet);
+}
+
+void Overlay::draw_marks(Image& image, const Moment& moment) {
+  Canvas canvas(image);
+  if (font_) {
+    canvas.colour(theme_.outline);
+    canvas.outline(layout_.plate);
+  }
+  const double across = layout_.plate.width / (seen_.nx * seen_.dx);  // px/m
+  const double up = layout_.plate.height / (seen_.ny * seen_.dx);
+  for (const Circle& disc : moment.discs)
+    canvas.disc(pixel_of(disc.centre, layout_, seen_), disc.radius * across, disc.radius * up,
+                theme_.disc);
+  if (font_) hackle::draw(canvas, markers_, layout_, *font_);
+}
+
+void Overlay::draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& history,
+                         const Chart& chart, double time) {
+  if (room.empty()) return;
+  const StripChart strip(room, history.add(chart, time), time, layout_, theme_, *font_);
+  strip.draw(canvas);
+  fleeting_.insert(fleeting_.end(), strip.texts().begin(), strip.texts().end());
+}
+
+// The slow motion stands beside the time, but only longer times than usual move it.
+void Overlay::write_clock(double time) {
+  const Rectangle& clock = layout_.clock;
+  double left = clock.right();
+  if (!clock.empty()) {
+    const std::string text = font_->fitting(time_text(time), layout_.font, clock.width);
+    fleeting_.push_back(font_->place(text, clock.right(), base_line(clock, layout_.font),
+                                     layout_.font, 1.0, theme_.text));
+    left = std::min(fleeting_.back().x, clock.right() - font_->width_of("000.00 µs", layout_.font));
+  }
+  const Rectangle& slow = layout_.slow_motion;
+  if (slow.empty()) return;
+  const double right = slow.y == clock.y ? left - layout_.font : slow.right();
+  fleeting_.push_back(font_->place(font_->fitting(slow_motion_, layout_.small_font, slow.width),
+                                   right, base_line(slow, layout_.font), layout_.small_font, 1.0,
+                                   theme_.quiet));
+}
+
+void Overlay::draw(Image& image, const Moment& moment) {
+  draw_marks(image, moment);
+  for (const Strip& strip : strips_) copy(strip.pixels, image, strip.area);
+  if (font_) draw_fleeting(image, moment);
+}
+
+void Overlay::draw_fleeting(Image& image, const Moment& moment) {
+  Canvas canvas(image);
+  fleeting_.clear();
+  write_clock(moment.time);
+  for (const PlacedText& one : fleeting_) canvas.write(*font_, one);
+  draw_chart(canvas, layout_.load_curve, loads_, moment.load_curve, moment.time);
+  draw_chart(canvas, layout_.energy, energy_, moment.energy, moment.time);
+}
+
+std::vector<PlacedText> Overlay::texts() const {
+  std::vector<PlacedText> all = lasting_;
+  all.insert(all.end(), fleeting_.begin(), fleeting_.end());
+  for (const PlacedMarker& marker : markers_)
+    if (marker.label) all.push_back(*marker.label);
+  return all;
 }
 
 }  // namespace hackle

@@ -1,40 +1,65 @@
 // SPDX-License-Identifier: MIT
-// Texts and bars around the plate, drawn with Cairo on the pixels of the picture.
+// Texts, bars and charts around a plate and marks on it, drawn with Cairo on the pixels of a
+// picture. What is the same on all pictures of a series is drawn once and copied.
 #pragma once
 
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "base/image.hpp"
 #include "measure/field.hpp"
+#include "render/chart.hpp"
 #include "render/colour_map.hpp"
+#include "render/font.hpp"
 #include "render/layout.hpp"
+#include "render/markers.hpp"
+#include "render/overlay_text.hpp"
 
 namespace hackle {
 
-// What the texts say.
-struct OverlayText {
-  std::string title;   // may be empty
-  std::string label;   // of the colour bar, "speed (m/s)"
-  double least = 0.0;  // value at the left end of the colour bar, in the unit of the label
-  double most = 1.0;   // value at its right end; larger ones have its colour
-  bool logarithmic = false;
-  double metres_per_pixel = 0.0;
+// What an overlay shows at one time.
+struct Moment {
+  double time = 0.0;  // s
+  std::vector<Circle> discs;
+  Chart load_curve, energy;  // looked at where the layout has them
 };
 
-// Everything that is the same on all pictures of a series: rim of the plate, colour bar, scale bar.
-void draw_frame(Image& image, const Layout& layout, const ColourMap& map, const OverlayText& text);
+class Overlay {
+ public:
+  // `seen` is what the plate's rectangle shows. A bare layout has discs only. Throws what Font
+  // throws.
+  Overlay(const Layout& layout, const OverlayText& text, const ColourMap& map, const Grid& seen);
 
-// The time, in s, at the right end of the caption.
-void draw_time(Image& image, const Layout& layout, double time);
+  // On a picture of the layout's size, over whatever reaches beyond the plate there. Moments of a
+  // series are drawn in order: charts show what was drawn before.
+  void draw(Image& image, const Moment& moment);
 
-// Discs, between the caption and the legend. `grid` is what is seen of the lattice.
-void draw_discs(Image& image, const Layout& layout, const Grid& grid,
-                const std::vector<Circle>& discs);
+  // All that was written by draw(), the last time it was called.
+  std::vector<PlacedText> texts() const;
 
-// "22.50 µs"; always two decimals, so that it does not dance.
-std::string time_text(double time);
+ private:
+  struct Strip {
+    Rectangle area;
+    Image pixels;
+  };
 
-inline constexpr Colour background_colour{15, 18, 24};
+  void draw_once(const OverlayText& text, const ColourMap& map);
+  void write_caption(const OverlayText& text);
+  void draw_marks(Image& image, const Moment& moment);
+  void draw_fleeting(Image& image, const Moment& moment);
+  void write_clock(double time);
+  void draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& history, const Chart& chart,
+                  double time);
+
+  Layout layout_;
+  Grid seen_;
+  Theme theme_;
+  std::string slow_motion_;
+  std::optional<Font> font_;  // nothing is written on a bare picture
+  std::vector<Strip> strips_;
+  std::vector<PlacedMarker> markers_;
+  ChartHistory loads_, energy_;
+  std::vector<PlacedText> lasting_, fleeting_;
+};
 
 }  // namespace hackle

@@ -10,7 +10,7 @@
 #include "lattice/grid.hpp"
 #include "measure/scalar.hpp"
 #include "render/layout.hpp"
-#include "render/theme.hpp"
+#include "render/overlay_text.hpp"
 
 namespace hackle {
 
@@ -41,7 +41,10 @@ struct PictureStyle {
   std::optional<FieldStyle> second;              // of another field
   Arrangement arrangement = Arrangement::below;  // of the second field
   std::string title;                             // may be empty
+  OverlayOptions overlay;  // but for its title
   Background background = Background::dark;
+  std::string note;          // how the plate is shown, "deformed × 100"; may be empty
+  double slow_motion = 0.0;  // how many times slower than it is; 0: not said
 };
 
 }  // namespace hackle

@@ -33,24 +33,38 @@ PrefixedUnit unit_of(const FieldStyle& field) {
 }
 
 std::string bar_label(const FieldStyle& field) {
-  return field.unit.empty() ? field.label
-                            : fmt::format("{} ({})", field.label, unit_of(field).name);
+  return field.unit.empty()
+             ? field.label
+             : fmt::format("{} ({})", field.label, printed_unit(unit_of(field).name));
 }
 
-Layout layout_of(const PictureStyle& style, const Grid& seen) {
-  if (style.bare_height > 0) return bare_layout(style.width, style.bare_height);
-  return make_layout(seen, style.width, label_ems(bar_label(style.field)));
+OverlayText text_of(const PictureStyle& style) {
+  const PrefixedUnit unit = unit_of(style.field);
+  OverlayText text;
+  text.parts = style.overlay;
+  text.title = style.title;
+  text.note = style.note;
+  text.slow_motion = style.slow_motion;
+  text.label = bar_label(style.field);
+  text.least = style.field.least / unit.factor;
+  text.most = style.field.most / unit.factor;
+  text.logarithmic = style.field.logarithmic;
+  text.background = style.background;
+  return text;
+}
+
+// Premultiplied by its opacity.
+std::array<float, 4> background_of(const PictureStyle& style) {
+  const Theme& theme = theme_of(style.background);
+  const auto opacity = static_cast<float>(theme.opacity);
+  const auto part = [&](std::uint8_t colour) { return opacity * colour / 255.0F; };
+  const Colour c = theme.background;
+  return {part(c.red), part(c.green), part(c.blue), opacity};
 }
 
 ColourMap map_of(const FieldStyle& field) {
   if (field.colour_map == fringes_name) return fringe_map(field.least, field.most);
   return load_colour_map(field.colour_map);
-}
-
-std::array<float, 4> background_of(const PictureStyle& style) {
-  if (style.background == Background::transparent) return {0.0F, 0.0F, 0.0F, 0.0F};
-  return {background_colour.red / 255.0F, background_colour.green / 255.0F,
-          background_colour.blue / 255.0F, 1.0F};
 }
 
 Colouring colouring_of(const FieldStyle& field) {
@@ -69,11 +83,17 @@ int points_for(int cells, int pixels) {
 
 }  // namespace
 
+Layout layout_of(const PictureStyle& style) {
+  if (style.bare_height > 0) return bare_layout(style.width, style.bare_height);
+  return make_layout(part(style.grid, window_of(style)), style.width, text_of(style));
+}
+
 struct PlatePainter::Parts {
   explicit Parts(PictureStyle style_)
       : style(std::move(style_)),
         seen(part(style.grid, window_of(style))),
-        layout(layout_of(style, seen)),
+        layout(layout_of(style)),
+        overlay(layout, text_of(style), map_of(style.field), seen),
         context(layout.width, layout.height),
         colour_pass(gl, background_of(style), colouring_of(style.field)) {
     if (style.second) colour_pass.set_second(colouring_of(*style.second), style.arrangement);
@@ -148,21 +168,10 @@ struct PlatePainter::Parts {
                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
 
-  OverlayText text() const {
-    const PrefixedUnit unit = unit_of(style.field);
-    OverlayText text;
-    text.title = style.title;
-    text.label = bar_label(style.field);
-    text.least = style.field.least / unit.factor;
-    text.most = style.field.most / unit.factor;
-    text.logarithmic = style.field.logarithmic;
-    text.metres_per_pixel = seen.nx * seen.dx / layout.plate.width;
-    return text;
-  }
-
   PictureStyle style;
   Grid seen;
   Layout layout;
+  Overlay overlay;
   GlContext context;  // before everything that lives in it
   const GlFunctions& gl = context.functions();
   ColourPass colour_pass;
@@ -184,11 +193,7 @@ Image PlatePainter::paint(const Shot& shot) {
   parts_->context.make_current();
   parts_->draw_field(shot);
   Image image = parts_->context.finish();
-  if (parts_->style.bare_height == 0) {
-    draw_frame(image, parts_->layout, map_of(parts_->style.field), parts_->text());
-    draw_time(image, parts_->layout, shot.time);
-  }
-  draw_discs(image, parts_->layout, parts_->seen, shot.discs);
+  parts_->overlay.draw(image, {shot.time, shot.discs, shot.load_curve, shot.energy});
   return image;
 }
 

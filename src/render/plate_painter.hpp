@@ -9,6 +9,7 @@
 
 #include "base/image.hpp"
 #include "measure/field.hpp"
+#include "render/chart.hpp"
 #include "render/picture_style.hpp"
 
 namespace hackle {
@@ -23,7 +24,11 @@ struct Shot {
   double time = 0.0;                // s
   std::vector<Circle> discs;
   std::optional<Window> window;  // as large as that of the style, which it stands in for
+  Chart load_curve, energy;      // where the overlay has them
 };
+
+// Where everything lies in the pictures of a series.
+Layout layout_of(const PictureStyle& style);
 
 // Owns a GL context, so it must be used, and destroyed, by the thread that created it.
 class PlatePainter {

@@ -1,12 +1,34 @@
 // SPDX-License-Identifier: MIT
+// The colours of everything that is not the field.
 #pragma once
 
 #include <array>
 #include <string_view>
 
+#include "render/colour_map.hpp"
+
 namespace hackle {
 
+// What is seen where there is no material. Transparent pictures have the texts of light ones.
 enum class Background { dark, light, transparent };
-inline constexpr std::array<std::string_view, 3> background_names{"dark", "light", "transparent"};
+
+inline constexpr auto background_names =
+    std::to_array<std::string_view>({"dark", "light", "transparent"});
+
+struct Theme {
+  Colour background;
+  double opacity = 1.0;  // of the background, 0 or 1
+  Colour text;           // titles, time, names
+  Colour quiet;          // numbers and remarks
+  Colour outline;        // rim of the plate, lines of charts
+  Colour disc;           // impactors
+  // One after the other for the curves of a chart; colour-blind people tell them apart.
+  std::array<Colour, 5> curves;
+};
+
+const Theme& theme_of(Background background);
+
+// Of Background::dark.
+inline constexpr Colour background_colour{15, 18, 24};
 
 }  // namespace hackle

@@ -26,6 +26,8 @@ Values nonsense(OptionType type) {
       return {"'1'", "{}", "1.5", "0/0", "1/0", "2^63", "false", "function() end"};
     case OptionType::text:
       return {"5", "{}", "''", "false", "function() end"};
+    case OptionType::caption:
+      return {"5", "{}", "'\\0'", "false", "function() end"};
     case OptionType::texts:
       return {"5", "'a'", "{}", "{5}", "{''}", "{{}}"};
     case OptionType::flag:
@@ -46,6 +48,20 @@ Values nonsense(OptionType type) {
               "{{0, 0}, 'a'}",
               "{{0/0, 0}, {1, 1}}",
               "{{1, 1/0}, {0, 0}}"};
+    case OptionType::markers:
+      return {"5",
+              "'a'",
+              "{}",
+              "{5}",
+              "{{0, 0}}",
+              "{{0, 0, 5}}",
+              "{{'0', 0, 'a'}}",
+              "{{0/0, 0, 'a'}}",
+              "{{0, 1/0, 'a'}}",
+              "{{0, 0, '\\0'}}",
+              "{{0, 0, 'a', 1}}",
+              "{{0, 0, 'a'}, 5}",
+              "{{0, 0, 'a'}, b = 1}"};
     case OptionType::choice:
       return {"5", "{}", "'nonsense'", "''", "true"};
     case OptionType::material:

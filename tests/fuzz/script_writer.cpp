@@ -144,6 +144,8 @@ std::string value(Bytes& bytes, const Option& option) {
       return number(bytes, option.unit);
     case OptionType::text:
       return bytes.pick(texts);
+    case OptionType::caption:
+      return bytes.once_in(4) ? "''" : bytes.pick(texts);
     case OptionType::texts:
       return list(bytes, [&] { return bytes.pick(texts); });
     case OptionType::flag:
@@ -156,6 +158,11 @@ std::string value(Bytes& bytes, const Option& option) {
     case OptionType::points:
     case OptionType::course:
       return bytes.once_in(4) ? bytes.pick(functions) : list(bytes, a_point);
+    case OptionType::markers:
+      return list(bytes, [&] {
+        const std::string place = number(bytes, option.unit);
+        return fmt::format("{{{0}, {0}, {1}}}", place, bytes.pick(texts));
+      });
     case OptionType::choice:
       return fmt::format("'{}'", bytes.pick(option.choices));
     case OptionType::material:

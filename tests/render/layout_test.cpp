@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/layout.hpp"
 
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "render/overlay.hpp"
 
 namespace hackle {
 namespace {
@@ -12,34 +15,173 @@ Grid grid(int nx, int ny) {
   return {nx, ny, 1e-3, {0.5e-3 * nx, 0.5e-3 * ny}};
 }
 
-bool overlap(const Rectangle& a, const Rectangle& b) {
-  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+// px; of all that is drawn.
+struct Box {
+  double left, top, right, bottom;
+};
+
+Box box_of(const Rectangle& r) {
+  return {static_cast<double>(r.x), static_cast<double>(r.y), static_cast<double>(r.right()),
+          static_cast<double>(r.bottom())};
 }
 
-void expect_sound(const Layout& layout) {
-  const Rectangle parts[] = {layout.caption, layout.plate, layout.bar, layout.scale};
+// The ink of a text, as Cairo measures it.
+Box box_of(const Font& font, const PlacedText& text) {
+  cairo_text_extents_t ink;
+  cairo_scaled_font_text_extents(font.scaled(text.size).get(), text.text.c_str(), &ink);
+  return {text.x + ink.x_bearing, text.y + ink.y_bearing, text.x + ink.x_bearing + ink.width,
+          text.y + ink.y_bearing + ink.height};
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+void expect_inside(const Box& box, const Layout& layout) {
+  EXPECT_GE(box.left, 0.0);
+  EXPECT_GE(box.top, 0.0);
+  EXPECT_LE(box.right, layout.width);
+  EXPECT_LE(box.bottom, layout.height);
+}
+
+std::string words(std::mt19937& random, int most) {
+  static const std::string_view alphabet[] = {"W", "i", " ", "µ", "×", "g", "0", "ß"};
+  std::string text;
+  for (int left = std::uniform_int_distribution<int>(0, most)(random); left > 0; --left)
+    text += alphabet[std::uniform_int_distribution<std::size_t>(0, 7)(random)];
+  return text;
+}
+
+OverlayText any_text(std::mt19937& random) {
+  const auto maybe = [&] { return std::bernoulli_distribution(0.7)(random); };
+  const auto number = [&](double most) {
+    return std::uniform_real_distribution<double>(0.0, most)(random);
+  };
+  OverlayText text;
+  text.parts = {{}, maybe(), maybe(), maybe(), maybe(), maybe(), {}};
+  const int longest = maybe() ? 20 : 200;
+  text.title = words(random, longest);
+  text.note = words(random, longest);
+  text.label = words(random, longest / 2) + "g";
+  if (maybe()) text.slow_motion = std::pow(10.0, number(9.0));
+  text.logarithmic = !maybe();
+  text.least = std::pow(10.0, number(12.0) - 6.0);
+  text.most = text.least * std::pow(10.0, 0.1 + number(9.0));
+  if (!text.logarithmic && maybe()) text.least = -text.most;
+  return text;
+}
+
+Chart any_chart(std::mt19937& random, double now) {
+  Chart chart{words(random, 30), "J/m", 3e-5, {}};
+  for (int k = std::uniform_int_distribution<int>(0, 6)(random); k > 0; --k)
+    chart.curves.push_back({words(random, 12) + "n",
+                            {{now, std::uniform_real_distribution<double>(-1e5, 1e5)(random)}}});
+  return chart;
+}
+
+// Draws it all, and looks whether texts and parts keep to themselves.
+void expect_sound(const Grid& seen, int width, const OverlayText& text, const Moment& moment) {
+  const Layout layout = make_layout(seen, width, text);
   EXPECT_EQ(layout.width % 2, 0);
   EXPECT_EQ(layout.height % 2, 0);
-  for (const Rectangle& part : parts) {
-    EXPECT_GT(part.width, 0);
-    EXPECT_GT(part.height, 0);
-    EXPECT_GE(part.x, 0);
-    EXPECT_GE(part.y, 0);
-    EXPECT_LE(part.right(), layout.width);
-    EXPECT_LE(part.bottom(), layout.height);
-    for (const Rectangle& other : parts) EXPECT_EQ(overlap(part, other), &other == &part);
+  EXPECT_GT(layout.plate.width, 0);
+  EXPECT_GT(layout.plate.height, 0);
+  Overlay overlay(layout, text, {"", {{}, {}}}, seen);
+  Image image(layout.width, layout.height);
+  overlay.draw(image, moment);
+  const Font font;
+  std::vector<Box> boxes{box_of(layout.plate)};
+  if (!layout.bar.empty()) boxes.push_back(box_of(layout.bar));
+  for (const PlacedText& one : overlay.texts())
+    if (!one.text.empty()) boxes.push_back(box_of(font, one));
+  for (const Rectangle& chart : {layout.load_curve, layout.energy}) {
+    EXPECT_FALSE(overlap(box_of(chart), box_of(layout.plate)));
+    EXPECT_FALSE(overlap(box_of(chart), box_of(layout.scale)));
+    expect_inside(box_of(chart), layout);
+  }
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    expect_inside(boxes[k], layout);
+    for (std::size_t other = 0; other < k; ++other)
+      EXPECT_FALSE(overlap(boxes[k], boxes[other])) << k << " and " << other;
   }
 }
 
-TEST(Layout, IsSoundForAnyPlateAndWidth) {
+TEST(Layout, NothingOverlapsWhateverThePlateTheWidthAndTheTexts) {
   std::mt19937 random(5);
-  for (int trial = 0; trial < 3000; ++trial) {
-    const int nx = std::uniform_int_distribution<int>(1, 3000)(random);
-    const int ny = std::uniform_int_distribution<int>(1, 3000)(random);
-    const int width = 2 * std::uniform_int_distribution<int>(160, 3840)(random);
-    SCOPED_TRACE(testing::Message() << nx << " x " << ny << " at " << width);
-    expect_sound(make_layout(grid(nx, ny), width));
+  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>(1, most)(random); };
+  for (int trial = 0; trial < 250; ++trial) {
+    const bool large = trial % 10 == 0;  // of a flat plate, for the sake of memory
+    const int width = 2 * (large ? 960 + up_to(2880) : 159 + up_to(640));
+    const int nx = up_to(3000), ny = large ? 1 + nx / 50 : up_to(3000);
+    SCOPED_TRACE(testing::Message()
+                 << "trial " << trial << ": " << nx << " x " << ny << " at " << width);
+    const double now = 1e-7 * up_to(10000000);
+    expect_sound(grid(nx, ny), width, any_text(random),
+                 {now, {}, any_chart(random, now), any_chart(random, now)});
+    if (testing::Test::HasFailure()) return;
   }
+}
+
+// Labels lie on the plate, so they are looked at by themselves.
+TEST(Layout, LabelsOfMarkersKeepToThemselves) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> share(-0.1, 1.1);
+  const Font font;
+  for (int trial = 0; trial < 200; ++trial) {
+    const int nx = 1 + trial * 7, ny = 1 + (trial * trial) % 900;
+    OverlayText text;
+    for (int k = 0; k < 12; ++k)
+      text.parts.markers.push_back(
+          {{1e-3 * nx * share(random), 1e-3 * ny * share(random)}, words(random, 60)});
+    const Layout layout = make_layout(grid(nx, ny), 320 + 6 * trial, text);
+    std::vector<Box> boxes;
+    for (const PlacedMarker& marker :
+         place_markers(text.parts.markers, layout, grid(nx, ny), font)) {
+      EXPECT_TRUE(overlap(box_of(layout.plate), {marker.place.x() - 1, marker.place.y() - 1,
+                                                 marker.place.x() + 1, marker.place.y() + 1}));
+      if (!marker.label || marker.label->text.empty()) continue;
+      const Box box = box_of(font, *marker.label);
+      EXPECT_GE(box.top, layout.caption.bottom());
+      EXPECT_LE(box.bottom, layout.foot);
+      expect_inside(box, layout);
+      for (const Box& other : boxes) EXPECT_FALSE(overlap(box, other)) << trial;
+      boxes.push_back(box);
+    }
+  }
+}
+
+TEST(Layout, LinesAreAddedWhereTextsDoNotFitBesideEachOther) {
+  OverlayText text;
+  text.title = "Glass";
+  const Layout one = make_layout(grid(200, 80), 640, text);
+  text.note = "deformed × 100";
+  EXPECT_EQ(make_layout(grid(200, 80), 640, text).height, one.height);
+  text.note = std::string(90, 'n');
+  const Layout two = make_layout(grid(200, 80), 640, text);
+  EXPECT_GT(two.height, one.height);
+  EXPECT_GT(two.note.y, two.title.y);
+  text.title = std::string(500, 'M');
+  const Layout three = make_layout(grid(200, 80), 640, text);
+  EXPECT_GT(three.clock.y, three.title.y);
+}
+
+TEST(Layout, ALongNameStandsAboveItsBar) {
+  OverlayText text;
+  EXPECT_LT(make_layout(grid(200, 80), 640, text).label.right(),
+            make_layout(grid(200, 80), 640, text).bar.x);
+  text.label = "a name of a field that goes on and on and on and on (MPa)";
+  const Layout layout = make_layout(grid(200, 80), 640, text);
+  EXPECT_LE(layout.label.bottom(), layout.bar.y);
+}
+
+TEST(Layout, WhatIsNotShownTakesNoRoom) {
+  OverlayText bare;
+  bare.parts.time = bare.parts.bar = bare.parts.scale_bar = false;
+  const Layout layout = make_layout(grid(200, 80), 1280, bare);
+  EXPECT_TRUE(layout.caption.empty());
+  EXPECT_TRUE(layout.bar.empty());
+  EXPECT_TRUE(layout.scale.empty());
+  EXPECT_LE(layout.height, layout.plate.height + 2 * layout.plate.x);
 }
 
 TEST(Layout, ThePapersPlateHasCellsOfSixPixels) {

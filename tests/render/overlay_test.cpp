@@ -6,96 +6,186 @@
 
 #include <gtest/gtest.h>
 
+#include "support/pixels.hpp"
+
 namespace hackle {
 namespace {
 
-// Pixels of a rectangle that are not black.
-int lit(const Image& image, const Rectangle& area) {
-  int count = 0;
-  for (int y = area.y; y < area.bottom(); ++y)
-    for (int x = area.x; x < area.right(); ++x) {
-      const auto* pixel = &image.pixels[static_cast<std::size_t>(y * image.stride() + 4 * x)];
-      count += pixel[0] + pixel[1] + pixel[2] > 0 ? 1 : 0;
-    }
-  return count;
+using test::differing;
+using test::lit;
+
+const Grid paper_plate{200, 80, 0.5e-3, {0.05, 0.02}};
+
+Chart chart(const char* heading, double now) {
+  return {heading, "J/m", 30e-6, {{"kinetic", {{now, 5.0}}}, {"strain", {{now, 2.0}}}}};
 }
 
-class Overlay : public testing::TestWithParam<int> {
- protected:
-  Layout layout = make_layout({200, 80, 0.5e-3, {0.05, 0.02}}, GetParam());
-  Image image{layout.width, layout.height};
-  OverlayText text{"", "damage", 0.0, 0.5, false, 0.1 / layout.plate.width};
-};
-
-TEST_P(Overlay, DrawsBarScaleAndTimeWhereTheyBelong) {
-  draw_frame(image, layout, load_colour_map("damage"), text);
-  EXPECT_EQ(lit(image, layout.bar), layout.bar.width * layout.bar.height);
-  EXPECT_GT(lit(image, layout.scale), 0);
-  EXPECT_EQ(lit(image, layout.plate), 0) << "the plate is not painted over";
-  EXPECT_EQ(lit(image, layout.caption), 0);
-  draw_time(image, layout, 22.5e-6);
-  EXPECT_GT(lit(image, layout.caption), 0);
+Moment moment(double time) {
+  return {time, {}, chart("load", time), chart("energy", time)};
 }
 
-// Pixels of the row right below the bar that are lit, one a tick.
-int tick_count(const Image& image, const Layout& layout) {
-  return lit(image, {layout.bar.x, layout.bar.bottom(), layout.bar.width, 1});
+// One picture: black, with the overlay on it.
+Image drawn(const OverlayText& text, int width, const Moment& what) {
+  const Layout layout = make_layout(paper_plate, width, text);
+  Image image(layout.width, layout.height);
+  Overlay(layout, text, load_colour_map("damage"), paper_plate).draw(image, what);
+  return image;
 }
 
-TEST_P(Overlay, TicksAreNeatWhateverTheRange) {
+OverlayText text() {
+  OverlayText text;
+  text.title = "A title";
+  text.most = 0.5;
+  return text;
+}
+
+class OverlayAt : public testing::TestWithParam<int> {};
+
+TEST_P(OverlayAt, DrawsEveryPartWhereItBelongs) {
+  OverlayText all = text();
+  all.note = "deformed × 100";
+  all.slow_motion = 1e5;
+  all.parts.load_curve = all.parts.energy = true;
+  const Layout layout = make_layout(paper_plate, GetParam(), all);
+  const Image image = drawn(all, GetParam(), moment(2e-6));
+  const Colour ground = background_colour;
+  for (const Rectangle& area :
+       {layout.title, layout.note, layout.clock, layout.slow_motion, layout.label, layout.ticks,
+        layout.scale, layout.load_curve, layout.energy})
+    EXPECT_GT(differing(image, area, ground), 0) << area.x << ", " << area.y;
+  // Row by row the colours of the bar, none of them the background.
+  EXPECT_EQ(differing(image, layout.bar, ground), layout.bar.width * layout.bar.height);
+  EXPECT_EQ(lit(image, layout.plate), 0) << "the plate is painted over";
+}
+
+// What is switched off leaves nothing behind, and the rest is as before where it has not moved.
+TEST_P(OverlayAt, PartsAreSwitchable) {
+  const Moment what = moment(2e-6);
+  const OverlayText full = text();
+  const Layout layout = make_layout(paper_plate, GetParam(), full);
+  const Image whole = drawn(full, GetParam(), what);
   struct Case {
-    double least, most;
-    bool logarithmic;
-    int fewest, most_ticks;
+    const char* name;
+    void (*drop)(OverlayText&);
+    Rectangle area;
   };
-  for (const Case& c : {Case{0.0, 0.5, false, 2, 6},
-                        {-65.0, 65.0, false, 2, 6},
-                        {0.123, 0.789, false, 1, 6},
-                        {13.0, 1.3e5, true, 4, 4},
-                        {1.0, 1e4, true, 5, 5}}) {
-    Image fresh{layout.width, layout.height};
-    text.least = c.least;
-    text.most = c.most;
-    text.logarithmic = c.logarithmic;
-    draw_frame(fresh, layout, load_colour_map("damage"), text);
-    EXPECT_GE(tick_count(fresh, layout), c.fewest) << c.least << " " << c.most;
-    EXPECT_LE(tick_count(fresh, layout), c.most_ticks) << c.least << " " << c.most;
+  const Rectangle bar{0, layout.foot, layout.scale.x, layout.height - layout.foot};
+  for (const Case& c :
+       {Case{"title", [](OverlayText& t) { t.title.clear(); }, layout.title},
+        {"time", [](OverlayText& t) { t.parts.time = false; }, layout.clock},
+        {"bar", [](OverlayText& t) { t.parts.bar = false; }, bar},
+        {"scale bar", [](OverlayText& t) { t.parts.scale_bar = false; }, layout.scale}}) {
+    OverlayText less = full;
+    c.drop(less);
+    const Image image = drawn(less, GetParam(), what);
+    ASSERT_EQ(image.pixels.size(), whole.pixels.size()) << c.name;
+    EXPECT_EQ(differing(image, c.area, background_colour), 0) << c.name;
+    EXPECT_GT(differing(whole, c.area, background_colour), 0) << c.name;
+    EXPECT_EQ(test::differing_outside(image, whole, c.area), 0) << c.name;
   }
 }
 
-TEST_P(Overlay, DrawsDiscsWhereTheyAreAndNowhereElse) {
-  const Grid grid{200, 80, 0.5e-3, {0.05, 0.02}};
-  draw_discs(image, layout, grid, {});
-  const Rectangle all{0, 0, image.width, image.height};
-  EXPECT_EQ(lit(image, all), 0);
+TEST_P(OverlayAt, StaysInsideThePicture) {
+  const Image image = drawn(text(), GetParam(), moment(1e-4));
+  const int w = image.width, h = image.height;
+  for (const Rectangle& edge :
+       {Rectangle{0, 0, w, 1}, {0, h - 1, w, 1}, {0, 0, 1, h}, {w - 1, 0, 1, h}})
+    EXPECT_EQ(test::count_pixels(image, edge,
+                                 [&](int x, int y) {
+                                   const auto* at = test::pixel(image, x, y);
+                                   const Colour colour{at[2], at[1], at[0]};
+                                   return !(colour == background_colour || colour == Colour{});
+                                 }),
+              0);
+}
+
+// Where nothing is drawn a picture stays as it was; texts are whole colours times their alpha.
+TEST_P(OverlayAt, ATransparentGroundStaysTransparent) {
+  OverlayText clear = text();
+  clear.background = Background::transparent;
+  const Image image = drawn(clear, GetParam(), moment(1e-6));
+  const Layout layout = make_layout(paper_plate, GetParam(), clear);
+  int seen_through = 0, opaque = 0, between = 0;
+  const int first = layout.label.y * image.stride(), last = layout.label.bottom() * image.stride();
+  for (int k = first; k < last; k += 4) {
+    const auto* pixel = &image.pixels[static_cast<std::size_t>(k)];
+    (pixel[3] == 0 ? seen_through : pixel[3] == 255 ? opaque : between) += 1;
+    for (int part = 0; part < 3; ++part) EXPECT_LE(pixel[part], pixel[3]);
+  }
+  EXPECT_GT(seen_through, image.width);
+  EXPECT_GE(opaque, layout.bar.width);
+  EXPECT_GT(between, 0) << "texts are smooth";
+}
+
+TEST_P(OverlayAt, AMovieIsDrawnAsSinglePicturesAre) {
+  const Layout layout = make_layout(paper_plate, GetParam(), text());
+  Overlay overlay(layout, text(), load_colour_map("damage"), paper_plate);
+  for (const double time : {0.0, 1e-6, 12e-6}) {
+    Image image(layout.width, layout.height);
+    overlay.draw(image, moment(time));
+    EXPECT_EQ(image.pixels, drawn(text(), GetParam(), moment(time)).pixels) << time;
+  }
+}
+
+TEST_P(OverlayAt, DrawsDiscsWhereTheyAreAndNowhereElse) {
+  const Layout layout = make_layout(paper_plate, GetParam());
+  const Layout bare = bare_layout(layout.plate.width, layout.plate.height);
+  Overlay overlay(bare, {}, load_colour_map("damage"), paper_plate);
+  Image image(bare.width, bare.height);
+  overlay.draw(image, {});
+  EXPECT_EQ(lit(image, bare.plate), 0);
   // A tenth of the plate's width across, in its middle: pi/4 of the square around it, and its rim.
-  draw_discs(image, layout, grid, {{{0.05, 0.02}, 0.005}});
-  const double width = 0.1 * layout.plate.width, area = 0.25 * std::numbers::pi * width * width;
-  EXPECT_NEAR(lit(image, all), area, 2.0 * std::numbers::pi * width);
-  const int x = layout.plate.x + layout.plate.width / 2,
-            y = layout.plate.y + layout.plate.height / 2, r = static_cast<int>(0.5 * width) + 2;
-  EXPECT_EQ(lit(image, {x - r, y - r, 2 * r, 2 * r}), lit(image, all));
-  // Neither the caption nor the legend are painted over, however large it is.
-  draw_discs(image, layout, grid, {{{-0.5, -0.5}, 10.0}});
-  EXPECT_EQ(lit(image, layout.caption), 0);
-  EXPECT_EQ(lit(image, layout.bar), 0);
+  overlay.draw(image, {0.0, {{{0.05, 0.02}, 0.005}}, {}, {}});
+  const double width = 0.1 * bare.plate.width, area = 0.25 * std::numbers::pi * width * width;
+  EXPECT_NEAR(lit(image, bare.plate), area, 2.0 * std::numbers::pi * width);
+  const int x = bare.width / 2, y = bare.height / 2, r = static_cast<int>(0.5 * width) + 2;
+  EXPECT_EQ(lit(image, {x - r, y - r, 2 * r, 2 * r}), lit(image, bare.plate));
 }
 
-TEST_P(Overlay, StaysInsideThePicture) {
-  text.title = "A title";
-  draw_frame(image, layout, load_colour_map("damage"), text);
-  draw_time(image, layout, 1e-4);
-  const int w = layout.width, h = layout.height;
-  EXPECT_EQ(lit(image, {0, 0, w, 1}) + lit(image, {0, h - 1, w, 1}), 0);
-  EXPECT_EQ(lit(image, {0, 0, 1, h}) + lit(image, {w - 1, 0, 1, h}), 0);
+TEST_P(OverlayAt, NeitherCaptionNorLegendArePaintedOver) {
+  const Layout layout = make_layout(paper_plate, GetParam(), text());
+  Moment large = moment(1e-6);
+  const Image plain = drawn(text(), GetParam(), large);
+  large.discs = {{{-0.5, -0.5}, 10.0}};
+  const Image image = drawn(text(), GetParam(), large);
+  const Rectangle between{0, layout.caption.bottom(), layout.width,
+                          layout.foot - layout.caption.bottom()};
+  EXPECT_EQ(test::differing_outside(image, plain, between), 0);
+  EXPECT_GT(lit(image, layout.plate), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, Overlay, testing::Values(320, 640, 1280, 3840));
+TEST_P(OverlayAt, MarkersStandWhereTheyAreSaidToBe) {
+  OverlayText marked = text();
+  marked.parts.markers = {{{0.06, 0.03}, "tip"}, {{0.5, 0.5}, "not seen"}};
+  const Layout layout = make_layout(paper_plate, GetParam(), marked);
+  const Image image = drawn(marked, GetParam(), moment(0.0));
+  const int x = layout.plate.x + layout.plate.width * 6 / 10,
+            y = layout.plate.y + layout.plate.height / 4;
+  const int size = static_cast<int>(3.0 * layout.small_font);
+  EXPECT_GT(lit(image, {x, y, 1, 1}), 0);
+  EXPECT_GT(lit(image, {x + 4, y - size / 3, size, size / 2}), 10) << "the label";
+  EXPECT_EQ(lit(image, layout.plate), lit(image, {x - size, y - size, 3 * size, 2 * size}));
+}
 
-TEST(TimeText, HasTwoDecimalsSoThatItDoesNotDance) {
+INSTANTIATE_TEST_SUITE_P(Widths, OverlayAt, testing::Values(320, 640, 1280, 3840));
+
+TEST(OverlayText, SaysTimesWithTwoDecimalsSoThatTheyDoNotDance) {
   EXPECT_EQ(time_text(0.0), "0.00 µs");
   EXPECT_EQ(time_text(22.5e-6), "22.50 µs");
   EXPECT_EQ(time_text(1.25e-3), "1.2500 ms");
+  EXPECT_EQ(time_text(2.5), "2.5000 s");
+}
+
+TEST(OverlayText, SaysSlowMotionAsAFactor) {
+  EXPECT_EQ(slow_motion_text(0.0), "");
+  EXPECT_EQ(slow_motion_text(1.0 / (0.25e-6 * 30.0)), "slowed 133 000 times");
+  EXPECT_EQ(slow_motion_text(12.5), "slowed 12.5 times");
+  EXPECT_EQ(slow_motion_text(0.05), "sped up 20 times");
+}
+
+TEST(OverlayText, WritesMicroAsPeopleDo) {
+  EXPECT_EQ(printed_unit("us"), "µs");
+  EXPECT_EQ(printed_unit("MPa"), "MPa");
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What charts show of a simulation at the present moment.
+#pragma once
+
+#include "output/run.hpp"
+#include "render/chart.hpp"
+
+namespace hackle {
+
+// Every course of a load: whole where it is known, up to the end of the run; the present value
+// where it is a function of time. Of stresses when there are only such, each the same everywhere on
+// its edge or rim; else of the factors of all loads. Loads of the same kind and course share a
+// curve. Throws what Course::at throws.
+Chart load_curve(const Simulation& simulation);
+
+// Kinetic, strain and broken energy now. Visits every bond.
+Chart energy_chart(const Simulation& simulation);
+
+// Throws Error (refused) when the options ask for what a picture alone does not know: what was
+// before it.
+void check_alone(const char* output, const PictureOptions& options);
+
+}  // namespace hackle

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "render/colour_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "render/ticks.hpp"
+
+namespace hackle {
+namespace {
+
+double share_of(double value, const OverlayText& text) {
+  if (text.logarithmic) return std::log(value / text.least) / std::log(text.most / text.least);
+  // Halves do not overflow where the whole would.
+  return (0.5 * value - 0.5 * text.least) / (0.5 * text.most - 0.5 * text.least);
+}
+
+// The colours at the ends stand for everything beyond them, too.
+std::string beyond(double value, const OverlayText& text) {
+  constexpr double end = 1e-6;
+  const double share = share_of(value, text);
+  if (share > 1.0 - end) return "≥";
+  return share < end && value != 0.0 ? "≤" : "";
+}
+
+struct Ticks {
+  std::vector<int> marks;
+  std::vector<PlacedText> numbers;
+};
+
+// Inside of the room for them.
+PlacedText number(const Layout& layout, const Font& font, const std::string& text, int x,
+                  Colour colour) {
+  const double base = layout.bar.bottom() + 0.4 * layout.font + 0.85 * layout.small_font;
+  const double half = 0.5 * font.width_of(text, layout.small_font);
+  const double least = layout.ticks.x + half, most = layout.ticks.right() - half;
+  const double middle = least < most ? std::clamp<double>(x, least, most) : 0.5 * (least + most);
+  return font.place(text, middle, base, layout.small_font, 0.5, colour);
+}
+
+Ticks ticks(const Layout& layout, const OverlayText& text, const Font& font, int intervals) {
+  const std::vector<double> values = text.logarithmic
+                                         ? decades(text.least, text.most, intervals)
+                                         : neat_values(text.least, text.most, intervals);
+  const std::vector<std::string> texts = tick_texts(values);
+  Ticks all;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double share = std::clamp(share_of(values[k], text), 0.0, 1.0);
+    all.marks.push_back(layout.bar.x +
+                        static_cast<int>(std::lround(share * (layout.bar.width - 1))));
+    all.numbers.push_back(number(layout, font, beyond(values[k], text) + texts[k], all.marks.back(),
+                                 theme_of(text.background).quiet));
+  }
+  return all;
+}
+
+bool touch(const Font& font, const PlacedText& left, const PlacedText& right) {
+  constexpr double gap = 0.5;  // in units of the size
+  return left.x + font.width_of(left.text, left.size) + gap * left.size > right.x;
+}
+
+bool any_touch(const Font& font, const std::vector<PlacedText>& numbers) {
+  return std::ranges::adjacent_find(numbers, [&](const PlacedText& a, const PlacedText& b) {
+           return touch(font, a, b);
+         }) != numbers.end();
+}
+
+// As many as there is room for; where not even two fit, one.
+Ticks fitting_ticks(const Layout& layout, const OverlayText& text, const Font& font) {
+  constexpr int linear = 5, logarithmic = 12;  // intervals
+  Ticks all;
+  for (int intervals = text.logarithmic ? logarithmic : linear; intervals > 0; --intervals) {
+    all = ticks(layout, text, font, intervals);
+    if (!any_touch(font, all.numbers)) return all;
+  }
+  all.numbers.erase(all.numbers.begin(), all.numbers.end() - 1);
+  return all;
+}
+
+}  // namespace
+
+ColourBar::ColourBar(const Layout& layout, const OverlayText& text, const Font& font)
+    : bar_(layout.bar),
+      mark_(static_cast<int>(std::lround(0.25 * layout.font))),
+      colour_(theme_of(text.background).quiet) {
+  Ticks all = fitting_ticks(layout, text, font);
+  marks_ = std::move(all.marks);
+  texts_ = std::move(all.numbers);
+  const double base = layout.label.y + std::round(0.8 * layout.font);
+  texts_.push_back(font.place(font.fitting(text.label, layout.font, layout.label.width),
+                              layout.label.x, base, layout.font, 0.0,
+                              theme_of(text.background).text));
+}
+
+void ColourBar::draw(Canvas& canvas, const ColourMap& map) const {
+  const std::size_t last = map.colours.size() - 1;
+  const std::size_t pixels = std::max<std::size_t>(2, static_cast<std::size_t>(bar_.width)) - 1;
+  for (int x = 0; x < bar_.width; ++x) {
+    canvas.colour(map.colours[static_cast<std::size_t>(x) * last / pixels]);
+    canvas.fill(bar_.x + x, bar_.y, 1, bar_.height);
+  }
+  canvas.colour(colour_);
+  for (const int mark : marks_) canvas.fill(mark, bar_.bottom(), 1, mark_);
+}
+
+}  // namespace hackle

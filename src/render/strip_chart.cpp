@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "render/strip_chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "render/ticks.hpp"
+
+namespace hackle {
+namespace {
+
+// J/m takes the prefixes of J.
+PrefixedUnit unit_of(double size, const std::string& unit) {
+  constexpr std::string_view per_metre = "/m";
+  if (unit != "J/m") return prefixed(size, unit);
+  PrefixedUnit found = prefixed(size, "J");
+  found.name += per_metre;
+  return found;
+}
+
+}  // namespace
+
+StripChart::StripChart(const Rectangle& room, const Chart& chart, double now, const Layout& layout,
+                       const Theme& theme, const Font& font)
+    : room_(room), size_(layout.small_font), theme_(theme), font_(font) {
+  find_scale(chart, now);
+  top_ = room.y + std::round(2.0 * size_);
+  bottom_ = room.bottom() - std::round(1.5 * size_);
+  write_heading(chart);
+  write_values();
+  write_times();
+  place_lines(chart, now);
+}
+
+void StripChart::find_scale(const Chart& chart, double now) {
+  constexpr int intervals = 3;
+  double least = 0.0, most = 0.0;
+  for (const Curve& curve : chart.curves)
+    for (const Vec2& point : curve.points) {
+      least = std::min(least, point.y());
+      most = std::max(most, point.y());
+    }
+  if (!(most > least)) most = 1.0;
+  const PrefixedUnit unit = unit_of(std::max(-least, most), chart.unit);
+  unit_ = printed_unit(unit.name);
+  unit_factor_ = unit.factor;
+  values_ = enclosing_values(least, most, intervals);
+  least_ = values_.empty() ? least : std::min(least, values_.front());
+  most_ = values_.empty() ? most : std::max(most, values_.back());
+  until_ = std::max(chart.until, now);
+  if (!(until_ > 0.0)) until_ = 1e-6;
+}
+
+double StripChart::px(double time) const {
+  return left_ + (right_ - left_) * std::clamp(time / until_, 0.0, 1.0);
+}
+double StripChart::py(double value) const {
+  return bottom_ - (bottom_ - top_) * (value - least_) / (most_ - least_);
+}
+
+void StripChart::add(const std::string& text, double x, double y, double anchor, Colour colour) {
+  texts_.push_back(font_.place(text, x, y, size_, anchor, colour));
+}
+
+void StripChart::write_heading(const Chart& chart) {
+  const std::string heading =
+      unit_.empty() ? chart.heading : fmt::format("{} ({})", chart.heading, unit_);
+  const std::string shown = font_.fitting(heading, size_, 0.6 * room_.width);
+  add(shown, room_.x, room_.y + size_, 0.0, theme_.text);
+  write_names(chart, room_.x + font_.width_of(shown, size_) + 1.5 * size_);
+}
+
+// From the right, each with an equal share of the room; what gets too little is left out.
+void StripChart::write_names(const Chart& chart, double left) {
+  const double gap = std::round(size_);
+  const auto count = static_cast<double>(chart.curves.size());
+  const double share = (room_.right() - left - gap * (count - 1.0)) / count;
+  double right = room_.right();
+  for (std::size_t k = chart.curves.size(); k-- > 0;) {
+    const std::string name = font_.fitting(chart.curves[k].name, size_, share);
+    add(name, right, room_.y + size_, 1.0, theme_.curves[k % theme_.curves.size()]);
+    right = texts_.back().x - gap;
+  }
+}
+
+// Left of the frame, whose edge stays where it is while the numbers grow.
+void StripChart::write_values() {
+  std::vector<double> shown = values_;
+  for (double& value : shown) value /= unit_factor_;
+  const std::vector<std::string> texts = tick_texts(shown);
+  double width = font_.width_of("0000", size_);
+  for (const std::string& text : texts) width = std::max(width, font_.width_of(text, size_));
+  left_ = room_.x + std::ceil(width + 0.6 * size_);
+  constexpr double least_distance = 1.3;  // of base lines, in units of the size
+  double above = bottom_ + 2.0 * size_;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const double y = std::round(py(values_[k]));
+    if (above - y < least_distance * size_) continue;
+    add(texts[k], left_ - 0.6 * size_, y + 0.35 * size_, 1.0, theme_.quiet);
+    above = y;
+  }
+}
+
+// Below the frame, the last with the unit.
+void StripChart::write_times() {
+  constexpr int intervals = 4;
+  const PrefixedUnit unit = prefixed(until_, "s");
+  const std::string name = printed_unit(unit.name);
+  times_ = neat_values(0.0, until_ / unit.factor, intervals);
+  std::vector<std::string> texts = tick_texts(times_);
+  if (!texts.empty()) texts.back() += " " + name;
+  const double half = texts.empty() ? 0.0 : 0.5 * font_.width_of(texts.back(), size_);
+  right_ = room_.right() - std::ceil(half);
+  const double base = bottom_ + std::round(1.25 * size_);
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    times_[k] *= unit.factor;
+    add(texts[k], px(times_[k]), base, 0.5, theme_.quiet);
+  }
+}
+
+void StripChart::place_lines(const Chart& chart, double now) {
+  now_ = std::round(px(now));
+  for (std::size_t k = 0; k < chart.curves.size(); ++k) {
+    const std::vector<Vec2>& points = chart.curves[k].points;
+    if (points.empty()) continue;
+    Line line{{}, {px(now), py(value_at(points, now))}, theme_.curves[k % theme_.curves.size()]};
+    for (const Vec2& point : points) line.points.emplace_back(px(point.x()), py(point.y()));
+    lines_.push_back(std::move(line));
+  }
+}
+
+void StripChart::draw(Canvas& canvas) const {
+  constexpr double faint = 0.6;
+  const double width = std::max(1.5, std::round(0.12 * size_));
+  for (const double value : values_) {
+    canvas.colour(theme_.outline, value == 0.0 ? 1.0 : faint);
+    canvas.fill(left_, std::round(py(value)), right_ - left_, 1);
+  }
+  canvas.colour(theme_.outline);
+  for (const double time : times_)
+    canvas.fill(std::round(px(time)), bottom_, 1, std::round(0.3 * size_));
+  canvas.colour(theme_.quiet);
+  canvas.fill(now_, top_, 1, bottom_ - top_);
+  for (const Line& line : lines_) {
+    canvas.colour(line.colour);
+    canvas.line(line.points, width);
+    canvas.dot(line.present, 1.6 * width);
+  }
+  for (const PlacedText& text : texts_) canvas.write(font_, text);
+}
+
+}  // namespace hackle

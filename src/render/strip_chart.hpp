@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Curves over time in a flat frame, with the present moment.
+#pragma once
+
+#include <vector>
+
+#include "render/canvas.hpp"
+#include "render/chart.hpp"
+#include "render/layout.hpp"
+
+namespace hackle {
+
+class StripChart {
+ public:
+  // In `room`; the axis of time goes from 0 to chart.until, or to `now`, s, if that is later.
+  StripChart(const Rectangle& room, const Chart& chart, double now, const Layout& layout,
+             const Theme& theme, const Font& font);
+
+  void draw(Canvas& canvas) const;
+  // The heading with the unit, names of curves, numbers at the axes.
+  const std::vector<PlacedText>& texts() const { return texts_; }
+
+ private:
+  struct Line {
+    std::vector<Vec2> points;  // px
+    Vec2 present{0, 0};        // px
+    Colour colour;
+  };
+
+  void find_scale(const Chart& chart, double now);
+  void write_heading(const Chart& chart);
+  void write_names(const Chart& chart, double left);
+  void write_values();
+  void write_times();
+  void place_lines(const Chart& chart, double now);
+  void add(const std::string& text, double x, double y, double anchor, Colour colour);
+  double px(double time) const;
+  double py(double value) const;
+
+  Rectangle room_;
+  double size_;  // px, of all texts
+  const Theme& theme_;
+  const Font& font_;
+  double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;  // px, of the frame
+  double until_ = 1.0;                                          // s
+  double least_ = 0.0, most_ = 1.0;                             // values at bottom and top
+  std::vector<double> values_, times_;                          // of the ticks
+  std::string unit_;                                            // as the heading has it
+  double unit_factor_ = 1.0;
+  double now_ = 0.0;  // px
+  std::vector<Line> lines_;
+  std::vector<PlacedText> texts_;
+};
+
+}  // namespace hackle

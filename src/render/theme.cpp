@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "render/theme.hpp"
+
+namespace hackle {
+namespace {
+
+// Curves: after Okabe and Ito, "Color Universal Design" (2008); on white those that are bright
+// enough to vanish are darker.
+constexpr Theme dark{
+    .background = background_colour,
+    .text = {222, 228, 236},
+    .quiet = {140, 150, 166},
+    .outline = {70, 82, 102},
+    .disc = {150, 170, 190},
+    .curves = {{{86, 180, 233}, {230, 159, 0}, {224, 112, 80}, {0, 178, 135}, {204, 121, 167}}}};
+constexpr Theme light{
+    .background = {255, 255, 255},
+    .text = {28, 32, 40},
+    .quiet = {92, 100, 114},
+    .outline = {172, 180, 192},
+    .disc = {92, 112, 136},
+    .curves = {{{0, 114, 178}, {196, 128, 0}, {200, 72, 20}, {0, 132, 98}, {168, 84, 132}}}};
+
+constexpr Theme seen_through(Theme theme) {
+  theme.opacity = 0.0;
+  return theme;
+}
+constexpr Theme transparent = seen_through(light);
+
+}  // namespace
+
+const Theme& theme_of(Background background) {
+  switch (background) {
+    case Background::light:
+      return light;
+    case Background::transparent:
+      return transparent;
+    case Background::dark:
+      break;
+  }
+  return dark;
+}
+
+}  // namespace hackle

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "render/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace hackle {
+namespace {
+
+constexpr double slack = 1e-9;  // so that an end that is neat has its tick
+
+double neat_at_least(double least) {
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 2.5, 5.0})
+    if (factor * decade >= least) return factor * decade;
+  return 10.0 * decade;
+}
+
+double step_of(double least, double most, int intervals) {
+  const double share = most / intervals - least / intervals;  // does not overflow
+  return neat_at_least(share * (1.0 - slack));
+}
+
+std::vector<double> multiples(double step, double first, double last) {
+  constexpr double most = 100.0;  // there are fewer, unless numbers are too near to tell them apart
+  std::vector<double> values;
+  if (!std::isfinite(step) || step == 0.0 || last - first > most) return values;
+  for (double k = first; k <= last; ++k) values.push_back(k * step);
+  return values;
+}
+
+}  // namespace
+
+std::vector<double> neat_values(double least, double most, int intervals) {
+  const double step = step_of(least, most, intervals);
+  return multiples(step, std::ceil(least / step - slack), std::floor(most / step + slack));
+}
+
+std::vector<double> enclosing_values(double least, double most, int intervals) {
+  const double step = step_of(least, most, intervals);
+  return multiples(step, std::floor(least / step + slack), std::ceil(most / step - slack));
+}
+
+std::vector<double> decades(double least, double most, int intervals) {
+  const double first = std::ceil(std::log10(least) - slack);
+  const double last = std::floor(std::log10(most) + slack);
+  const double stride = std::max(1.0, std::ceil((last - first) / intervals));
+  std::vector<double> values;
+  for (double power = first; power <= last; power += stride)
+    values.push_back(std::pow(10.0, power));
+  return values;
+}
+
+std::vector<std::string> tick_texts(const std::vector<double>& values) {
+  constexpr int fewest = 4, most = 12;
+  std::vector<std::string> texts;
+  for (int digits = fewest; digits <= most; ++digits) {
+    texts.clear();
+    for (const double value : values) texts.push_back(fmt::format("{:.{}g}", value, digits));
+    if (std::ranges::adjacent_find(texts) == texts.end()) break;
+  }
+  return texts;
+}
+
+}  // namespace hackle

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "render/chart.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hackle {
+namespace {
+
+using Points = std::vector<Vec2>;
+
+Chart chart(Points points, double until = 10.0) {
+  return {"load", "Pa", until, {{"traction", std::move(points)}}};
+}
+
+TEST(ChartHistory, SinglePointsBecomeACurve) {
+  ChartHistory history;
+  history.add(chart({{0.0, 1.0}}), 0.0);
+  history.add(chart({{1.0, 4.0}}), 1.0);
+  const Chart& all = history.add(chart({{3.0, 2.0}}), 3.0);
+  EXPECT_EQ(all.curves[0].points, (Points{{0.0, 1.0}, {1.0, 4.0}, {3.0, 2.0}}));
+}
+
+TEST(ChartHistory, AKnownCourseIsWholeFromTheStartAndDoesNotGrow) {
+  const Chart ramp = chart({{0.0, 0.0}, {4.0, 1.0}, {10.0, 1.0}});
+  ChartHistory history;
+  for (int k = 0; k < 5; ++k)
+    EXPECT_EQ(history.add(ramp, k).curves[0].points, ramp.curves[0].points);
+}
+
+// Loads exchanged during a run: what was stays, what was foreseen gives way.
+TEST(ChartHistory, AnExchangedCourseShowsWhatItWas) {
+  ChartHistory history;
+  history.add(chart({{0.0, 2.0}, {10.0, 2.0}}), 0.0);
+  history.add(chart({{0.0, 2.0}, {10.0, 2.0}}), 4.0);
+  const Chart& all = history.add(chart({{0.0, 5.0}, {10.0, 5.0}}), 6.0);
+  const Points& points = all.curves[0].points;
+  EXPECT_EQ(value_at(points, 1.0), 2.0);
+  EXPECT_EQ(value_at(points, 3.9), 2.0);
+  EXPECT_EQ(value_at(points, 4.1), 5.0);
+  EXPECT_EQ(value_at(points, 9.0), 5.0);
+}
+
+TEST(ChartHistory, TheAxisNeverShrinksAndAnEarlierTimeBeginsAnew) {
+  ChartHistory history;
+  history.add(chart({{0.0, 1.0}}, 10.0), 0.0);
+  EXPECT_EQ(history.add(chart({{1.0, 1.0}}, 5.0), 1.0).until, 10.0);
+  const Chart& anew = history.add(chart({{0.5, 3.0}}, 5.0), 0.5);
+  EXPECT_EQ(anew.curves[0].points, (Points{{0.5, 3.0}}));
+  EXPECT_EQ(anew.until, 5.0);
+}
+
+TEST(Curve, IsReadBetweenItsPointsAndIsLevelBeyond) {
+  const Points jump{{1.0, 0.0}, {2.0, 0.0}, {2.0, 6.0}, {4.0, 8.0}};
+  EXPECT_EQ(value_at(jump, 0.0), 0.0);
+  EXPECT_EQ(value_at(jump, 1.9), 0.0);
+  EXPECT_EQ(value_at(jump, 2.0), 6.0);
+  EXPECT_EQ(value_at(jump, 3.0), 7.0);
+  EXPECT_EQ(value_at(jump, 9.0), 8.0);
+}
+
+}  // namespace
+}  // namespace hackle
