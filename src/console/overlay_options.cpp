@@ -6,7 +6,7 @@ namespace hackle {
 OverlayOptions overlay_of(const Arguments& arguments) {
   OverlayOptions overlay;
   if (arguments.has("title")) overlay.title = arguments.text("title");
-  overlay.time = arguments.flag("time", overlay.time);
+  overlay.clock = arguments.flag("clock", overlay.clock);
   overlay.bar = arguments.flag("bar", overlay.bar);
   overlay.scale_bar = arguments.flag("scale_bar", overlay.scale_bar);
   overlay.load_curve = arguments.flag("load_curve", overlay.load_curve);

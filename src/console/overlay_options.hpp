@@ -12,7 +12,7 @@ inline constexpr std::array overlay_options{
            .type = OptionType::caption,
            .fallback = "the material",
            .sentence = "Above the plate; \"\" for none."},
-    Option{.name = "time",
+    Option{.name = "clock",
            .type = OptionType::flag,
            .fallback = "true",
            .sentence = "The time stands above the plate, in a movie how much it is slowed, too."},

@@ -69,7 +69,7 @@ double usual_displacement(const Simulation& simulation) {
 int margin_of(const PictureOptions& options, const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
   const double reach =
-      4.0 * magnification_of(options, simulation) * usual_displacement(simulation) / grid.dx;
+      8.0 * magnification_of(options, simulation) * usual_displacement(simulation) / grid.dx;
   return static_cast<int>(std::ceil(std::min(reach, 0.5 * std::min(grid.nx, grid.ny))));
 }
 
@@ -93,7 +93,7 @@ void check_view(const char* output, const PictureOptions& options, const Grid& g
 double magnification_of(const PictureOptions& options, const Simulation& simulation) {
   if (!options.deformed) return 0.0;
   if (options.magnification) return *options.magnification;
-  constexpr double share = 0.02;
+  constexpr double share = 0.01;
   const Plate& plate = simulation.plate();
   return neat_at_most(share * std::min(plate.width, plate.height) / usual_displacement(simulation));
 }

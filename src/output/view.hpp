@@ -15,7 +15,7 @@ void check_view(const char* output, const PictureOptions& options, const Grid& g
 
 // How many times as large as they are displacements are shown; 0 for the plate at rest. What suits
 // the plate is a neat number: as the bonds of its material are about to break, its edges have moved
-// by about 2 % of its shorter side.
+// by about 1 % of its shorter side.
 double magnification_of(const PictureOptions& options, const Simulation& simulation);
 
 // The cells that the options look at: a zoom as it is given, the whole plate otherwise, with room

@@ -11,19 +11,27 @@
 namespace hackle {
 namespace {
 
-double share_of(double value, const OverlayText& text) {
+double share_of(double value, const BarText& text) {
   if (text.logarithmic) return std::log(value / text.least) / std::log(text.most / text.least);
   // Halves do not overflow where the whole would.
   return (0.5 * value - 0.5 * text.least) / (0.5 * text.most - 0.5 * text.least);
 }
 
 // The colours at the ends stand for everything beyond them, too.
-std::string beyond(double value, const OverlayText& text) {
+std::string beyond(double value, const BarText& text) {
   constexpr double end = 1e-6;
   const double share = share_of(value, text);
   if (share > 1.0 - end) return "≥";
   return share < end && value != 0.0 ? "≤" : "";
 }
+
+// Where numbers stand and how large they are, px.
+struct Numbers {
+  const Rectangle& bar;
+  const Rectangle& room;
+  double base, size;
+  Colour colour;
+};
 
 struct Ticks {
   std::vector<int> marks;
@@ -31,16 +39,14 @@ struct Ticks {
 };
 
 // Inside of the room for them.
-PlacedText number(const Layout& layout, const Font& font, const std::string& text, int x,
-                  Colour colour) {
-  const double base = layout.bar.bottom() + 0.4 * layout.font + 0.85 * layout.small_font;
-  const double half = 0.5 * font.width_of(text, layout.small_font);
-  const double least = layout.ticks.x + half, most = layout.ticks.right() - half;
+PlacedText number(const Numbers& all, const Font& font, const std::string& text, int x) {
+  const double half = 0.5 * font.width_of(text, all.size);
+  const double least = all.room.x + half, most = all.room.right() - half;
   const double middle = least < most ? std::clamp<double>(x, least, most) : 0.5 * (least + most);
-  return font.place(text, middle, base, layout.small_font, 0.5, colour);
+  return font.place(text, middle, all.base, all.size, 0.5, all.colour);
 }
 
-Ticks ticks(const Layout& layout, const OverlayText& text, const Font& font, int intervals) {
+Ticks ticks(const Numbers& numbers, const BarText& text, const Font& font, int intervals) {
   const std::vector<double> values = text.logarithmic
                                          ? decades(text.least, text.most, intervals)
                                          : neat_values(text.least, text.most, intervals);
@@ -48,10 +54,10 @@ Ticks ticks(const Layout& layout, const OverlayText& text, const Font& font, int
   Ticks all;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double share = std::clamp(share_of(values[k], text), 0.0, 1.0);
-    all.marks.push_back(layout.bar.x +
-                        static_cast<int>(std::lround(share * (layout.bar.width - 1))));
-    all.numbers.push_back(number(layout, font, beyond(values[k], text) + texts[k], all.marks.back(),
-                                 theme_of(text.background).quiet));
+    all.marks.push_back(numbers.bar.x +
+                        static_cast<int>(std::lround(share * (numbers.bar.width - 1))));
+    all.numbers.push_back(
+        number(numbers, font, beyond(values[k], text) + texts[k], all.marks.back()));
   }
   return all;
 }
@@ -68,11 +74,11 @@ bool any_touch(const Font& font, const std::vector<PlacedText>& numbers) {
 }
 
 // As many as there is room for; where not even two fit, one.
-Ticks fitting_ticks(const Layout& layout, const OverlayText& text, const Font& font) {
+Ticks fitting_ticks(const Numbers& numbers, const BarText& text, const Font& font) {
   constexpr int linear = 5, logarithmic = 12;  // intervals
   Ticks all;
   for (int intervals = text.logarithmic ? logarithmic : linear; intervals > 0; --intervals) {
-    all = ticks(layout, text, font, intervals);
+    all = ticks(numbers, text, font, intervals);
     if (!any_touch(font, all.numbers)) return all;
   }
   all.numbers.erase(all.numbers.begin(), all.numbers.end() - 1);
@@ -81,17 +87,20 @@ Ticks fitting_ticks(const Layout& layout, const OverlayText& text, const Font& f
 
 }  // namespace
 
-ColourBar::ColourBar(const Layout& layout, const OverlayText& text, const Font& font)
-    : bar_(layout.bar),
+ColourBar::ColourBar(const Layout& layout, const BarRoom& room, const BarText& text,
+                     const Theme& theme, const Font& font)
+    : bar_(room.colours),
       mark_(static_cast<int>(std::lround(0.25 * layout.font))),
-      colour_(theme_of(text.background).quiet) {
-  Ticks all = fitting_ticks(layout, text, font);
+      colour_(theme.quiet) {
+  const double below = 0.4 * layout.font + 0.85 * layout.small_font;
+  Ticks all = fitting_ticks(
+      {room.colours, room.ticks, room.colours.bottom() + below, layout.small_font, theme.quiet},
+      text, font);
   marks_ = std::move(all.marks);
   texts_ = std::move(all.numbers);
-  const double base = layout.label.y + std::round(0.8 * layout.font);
-  texts_.push_back(font.place(font.fitting(text.label, layout.font, layout.label.width),
-                              layout.label.x, base, layout.font, 0.0,
-                              theme_of(text.background).text));
+  const double base = room.label.y + std::round(0.8 * layout.font);
+  texts_.push_back(font.place(font.fitting(text.label, layout.font, room.label.width), room.label.x,
+                              base, layout.font, 0.0, theme.text));
 }
 
 void ColourBar::draw(Canvas& canvas, const ColourMap& map) const {

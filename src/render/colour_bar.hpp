@@ -11,7 +11,8 @@ namespace hackle {
 
 class ColourBar {
  public:
-  ColourBar(const Layout& layout, const OverlayText& text, const Font& font);
+  ColourBar(const Layout& layout, const BarRoom& room, const BarText& text, const Theme& theme,
+            const Font& font);
 
   void draw(Canvas& canvas, const ColourMap& map) const;
   // The name and the numbers.

@@ -92,7 +92,7 @@ class Composer {
   void place_caption() {
     layout_.title = in_caption(text_.title, layout_.font, true);
     // The widest of time_text, so that the title stays where it is.
-    if (parts_.time) layout_.clock = in_caption("000.0000 ms", layout_.font, false);
+    if (parts_.clock) layout_.clock = in_caption("000.0000 ms", layout_.font, false);
     layout_.slow_motion =
         in_caption(slow_motion_text(text_.slow_motion), layout_.small_font, false);
     first_line_ = 0;
@@ -110,40 +110,45 @@ class Composer {
     layout_.foot = y_ + margin_ / 2;
   }
 
-  // The bar and its name share a line when the scale bar still fits in.
+  int bar_height() const { return whole(0.8 * layout_.font); }
+  int below_bar() const { return at_least(0.4 * layout_.font + 1.3 * layout_.small_font); }
+
   void place_legend() {
     if (!parts_.bar && !parts_.scale_bar) return;
     y_ += margin_ * 5 / 6;
-    const int height = whole(0.8 * layout_.font);
-    const int bar_width = parts_.bar ? whole(0.28 * layout_.width) : 0;
-    int x = side_;
-    if (parts_.bar) x = place_label(bar_width, height);
-    const int below = at_least(0.4 * layout_.font + 1.3 * layout_.small_font);
-    if (parts_.bar) {
-      layout_.bar = {x, y_, bar_width, height};
-      const int beyond = whole(layout_.font),
-                top = layout_.bar.bottom() + whole(0.3 * layout_.font);
-      layout_.ticks = {x - beyond, top, bar_width + 2 * beyond, y_ + height + below - top};
-    }
-    const int scale_x = parts_.bar ? layout_.bar.right() + 3 * margin_ / 2 : side_;
+    int scale_x = side_, first_row = y_;
+    if (parts_.bar)
+      for (const BarText& bar : text_.bars) {
+        layout_.bars.push_back(place_bar(bar));
+        const Rectangle& colours = layout_.bars.front().colours;
+        scale_x = colours.right() + 3 * margin_ / 2;
+        first_row = colours.y;
+      }
+    const int height = bar_height() + below_bar();
     if (parts_.scale_bar)
-      layout_.scale = {scale_x, y_, layout_.width - side_ - scale_x, height + below};
-    y_ += height + below;
+      layout_.scale = {scale_x, first_row, layout_.width - side_ - scale_x, height};
+    if (!parts_.bar) y_ += height;
   }
 
-  // Where the bar begins.
-  int place_label(int bar_width, int height) {
-    constexpr double shortest = 5.0, scale = 6.0;  // so that bars of most fields begin alike
-    const int width = std::max(needed(text_.label, layout_.font), whole(shortest * layout_.font));
+  // The bar and its name share a line when the scale bar still fits in. Bars begin alike.
+  BarRoom place_bar(const BarText& text) {
+    constexpr double shortest = 5.0, scale = 6.0;
+    BarRoom room_for;
+    int label = whole(shortest * layout_.font);
+    for (const BarText& bar : text_.bars) label = std::max(label, needed(bar.label, layout_.font));
     const int drop = at_least(0.25 * layout_.font);  // of letters below the base line
-    const int others = bar_width + 3 * margin_ / 2 + whole(scale * layout_.font);
-    if (width + gap_ + others <= room()) {
-      layout_.label = {side_, y_, width, height + drop};
-      return side_ + width + gap_;
-    }
-    layout_.label = {side_, y_, room(), height + drop};
-    y_ = layout_.label.bottom() + whole(0.3 * layout_.font);
-    return side_;
+    const int bar_width = whole(0.28 * layout_.width);
+    const bool beside =
+        label + gap_ + bar_width + 3 * margin_ / 2 + whole(scale * layout_.font) <= room();
+    const int width = beside ? label : std::min(needed(text.label, layout_.font), room());
+    room_for.label = {side_, y_, width, bar_height() + drop};
+    if (!beside) y_ = room_for.label.bottom() + whole(0.3 * layout_.font);
+    room_for.colours = {beside ? side_ + label + gap_ : side_, y_, bar_width, bar_height()};
+    const int beyond = whole(layout_.font);
+    const int top = room_for.colours.bottom() + whole(0.3 * layout_.font);
+    y_ += bar_height() + below_bar();
+    room_for.ticks = {room_for.colours.x - beyond, top, bar_width + 2 * beyond, y_ - top};
+    return room_for;
   }
 
   // Side by side where both have room.

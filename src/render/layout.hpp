@@ -2,6 +2,8 @@
 // Where the parts of a picture lie.
 #pragma once
 
+#include <vector>
+
 #include "lattice/grid.hpp"
 #include "render/overlay_text.hpp"
 #include "render/rectangle.hpp"
@@ -17,6 +19,13 @@ struct Window {
 // The window as a lattice of its own, in the same place.
 Grid part(const Grid& grid, const Window& window);
 
+// Where a colour bar lies.
+struct BarRoom {
+  Rectangle label;    // its name, left of it or, where it is long, above it
+  Rectangle colours;  // without its texts
+  Rectangle ticks;    // its numbers, below it
+};
+
 // From top to bottom: the caption, the plate, the legend (colour bar left, scale bar right),
 // charts. What is not shown is empty; all else lies inside the picture and no two overlap.
 struct Layout {
@@ -27,10 +36,8 @@ struct Layout {
   Rectangle caption;        // all lines above the plate
   Rectangle title, note, clock, slow_motion;  // of one line each, in the caption
   Rectangle plate;
-  Rectangle label;  // the name of the colour bar, left of it or, where it is long, above it
-  Rectangle bar;    // the colours of the colour bar
-  Rectangle ticks;  // its numbers, below it
-  Rectangle scale;  // where the scale bar may lie, with its text
+  std::vector<BarRoom> bars;  // one below the other
+  Rectangle scale;            // where the scale bar may lie, with its text
   Rectangle load_curve, energy;
   int foot = 0;  // px from the top; discs are seen down to here, the legend begins below it
 };

@@ -91,20 +91,13 @@ class Placer {
 
 }  // namespace
 
-Vec2 pixel_of(const Vec2& place, const Layout& layout, const Grid& seen) {
-  const Vec2 from_middle = seen.from_centre(place);
-  const Rectangle& plate = layout.plate;
-  return {plate.x + plate.width * (0.5 + from_middle.x() / seen.nx),
-          plate.y + plate.height * (0.5 - from_middle.y() / seen.ny)};
-}
-
 std::vector<PlacedMarker> place_markers(const std::vector<Marker>& markers, const Layout& layout,
-                                        const Grid& seen, const Font& font) {
+                                        const Camera& camera, const Font& font) {
   Placer placer(layout, font);
   std::vector<PlacedMarker> placed;
   std::vector<const std::string*> labels;
   for (const Marker& marker : markers) {
-    const Vec2 place = pixel_of(marker.place, layout, seen);
+    const Vec2 place = camera.pixel(marker.place);
     if (!is_seen(place, layout.plate)) continue;
     placer.take(around(place, radius(layout) + 1.0));
     placed.push_back({place, {}});

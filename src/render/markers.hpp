@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/camera.hpp"
 #include "render/canvas.hpp"
 #include "render/layout.hpp"
 
@@ -17,14 +18,10 @@ struct PlacedMarker {
 
 // Of those that are seen. A label stands right of its point, or on another side where it would
 // leave the picture or cover what stands there already; one longer than the picture is shortened.
-// `seen` is what the plate's rectangle shows.
 std::vector<PlacedMarker> place_markers(const std::vector<Marker>& markers, const Layout& layout,
-                                        const Grid& seen, const Font& font);
+                                        const Camera& camera, const Font& font);
 
 void draw(Canvas& canvas, const std::vector<PlacedMarker>& markers, const Layout& layout,
           const Font& font);
-
-// Where a point of the plate is seen, px.
-Vec2 pixel_of(const Vec2& place, const Layout& layout, const Grid& seen);
 
 }  // namespace hackle

@@ -33,28 +33,29 @@ double base_line(const Rectangle& line, double font) {
 
 }  // namespace
 
-Overlay::Overlay(const Layout& layout, const OverlayText& text, const ColourMap& map,
-                 const Grid& seen)
+Overlay::Overlay(const Layout& layout, const OverlayText& text, const std::vector<ColourMap>& maps,
+                 double pixels_a_metre)
     : layout_(layout),
-      seen_(seen),
       theme_(theme_of(text.background)),
       slow_motion_(slow_motion_text(text.slow_motion)) {
   if (layout.font == 0.0) return;
   font_.emplace();
-  markers_ = place_markers(text.parts.markers, layout, seen, *font_);
-  draw_once(text, map);
+  markers_ = text.parts.markers;
+  draw_once(text, maps, pixels_a_metre);
 }
 
-void Overlay::draw_once(const OverlayText& text, const ColourMap& map) {
+void Overlay::draw_once(const OverlayText& text, const std::vector<ColourMap>& maps,
+                        double pixels_a_metre) {
   write_caption(text);
-  std::optional<ColourBar> colours;
-  if (!layout_.bar.empty()) {
-    colours.emplace(layout_, text, *font_);
-    lasting_.insert(lasting_.end(), colours->texts().begin(), colours->texts().end());
+  std::vector<ColourBar> bars;
+  for (std::size_t k = 0; k < layout_.bars.size(); ++k) {
+    const ColourBar& bar =
+        bars.emplace_back(layout_, layout_.bars[k], text.bars[k], theme_, *font_);
+    lasting_.insert(lasting_.end(), bar.texts().begin(), bar.texts().end());
   }
   std::optional<ScaleBar> scale;
   if (!layout_.scale.empty()) {
-    scale.emplace(layout_, text, *font_, seen_.nx * seen_.dx / layout_.plate.width);
+    scale.emplace(layout_, text, *font_, 1.0 / pixels_a_metre);
     lasting_.push_back(scale->text());
   }
   for (const Rectangle& area : {Rectangle{0, 0, layout_.width, layout_.caption.bottom()},
@@ -64,7 +65,7 @@ void Overlay::draw_once(const OverlayText& text, const ColourMap& map) {
     Canvas canvas(strip.pixels, area.x, area.y);
     canvas.colour(theme_.background, theme_.opacity);
     canvas.fill(area.x, area.y, area.width, area.height);
-    if (colours) colours->draw(canvas, map);
+    for (std::size_t k = 0; k < bars.size(); ++k) bars[k].draw(canvas, maps[k]);
     if (scale) scale->draw(canvas);
     for (const PlacedText& one : lasting_) canvas.write(*font_, one);
   }
@@ -81,18 +82,19 @@ void Overlay::write_caption(const OverlayText& text) {
   write(text.note, layout_.note, layout_.small_font, theme_.quiet);
 }
 
-void Overlay::draw_marks(Image& image, const Moment& moment) {
+void Overlay::draw_marks(Image& image, const Camera& camera, const Moment& moment) {
   Canvas canvas(image);
   if (font_) {
     canvas.colour(theme_.outline);
     canvas.outline(layout_.plate);
   }
-  const double across = layout_.plate.width / (seen_.nx * seen_.dx);  // px/m
-  const double up = layout_.plate.height / (seen_.ny * seen_.dx);
+  const Vec2 scale = camera.pixels_a_metre();
   for (const Circle& disc : moment.discs)
-    canvas.disc(pixel_of(disc.centre, layout_, seen_), disc.radius * across, disc.radius * up,
+    canvas.disc(camera.pixel(disc.centre), disc.radius * scale.x(), disc.radius * scale.y(),
                 theme_.disc);
-  if (font_) hackle::draw(canvas, markers_, layout_, *font_);
+  if (!font_) return;
+  placed_ = place_markers(markers_, layout_, camera, *font_);
+  hackle::draw(canvas, placed_, layout_, *font_);
 }
 
 void Overlay::draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& history,
@@ -121,8 +123,8 @@ void Overlay::write_clock(double time) {
                                    theme_.quiet));
 }
 
-void Overlay::draw(Image& image, const Moment& moment) {
-  draw_marks(image, moment);
+void Overlay::draw(Image& image, const Camera& camera, const Moment& moment) {
+  draw_marks(image, camera, moment);
   for (const Strip& strip : strips_) copy(strip.pixels, image, strip.area);
   if (font_) draw_fleeting(image, moment);
 }
@@ -139,7 +141,7 @@ void Overlay::draw_fleeting(Image& image, const Moment& moment) {
 std::vector<PlacedText> Overlay::texts() const {
   std::vector<PlacedText> all = lasting_;
   all.insert(all.end(), fleeting_.begin(), fleeting_.end());
-  for (const PlacedMarker& marker : markers_)
+  for (const PlacedMarker& marker : placed_)
     if (marker.label) all.push_back(*marker.label);
   return all;
 }

@@ -8,6 +8,7 @@
 
 #include "base/image.hpp"
 #include "measure/field.hpp"
+#include "render/camera.hpp"
 #include "render/chart.hpp"
 #include "render/colour_map.hpp"
 #include "render/font.hpp"
@@ -26,13 +27,14 @@ struct Moment {
 
 class Overlay {
  public:
-  // `seen` is what the plate's rectangle shows. A bare layout has discs only. Throws what Font
-  // throws.
-  Overlay(const Layout& layout, const OverlayText& text, const ColourMap& map, const Grid& seen);
+  // A map for each bar of the text. A metre takes so many px along x. A bare layout has discs only.
+  // Throws what Font throws.
+  Overlay(const Layout& layout, const OverlayText& text, const std::vector<ColourMap>& maps,
+          double pixels_a_metre);
 
   // On a picture of the layout's size, over whatever reaches beyond the plate there. Moments of a
   // series are drawn in order: charts show what was drawn before.
-  void draw(Image& image, const Moment& moment);
+  void draw(Image& image, const Camera& camera, const Moment& moment);
 
   // All that was written by draw(), the last time it was called.
   std::vector<PlacedText> texts() const;
@@ -43,21 +45,22 @@ class Overlay {
     Image pixels;
   };
 
-  void draw_once(const OverlayText& text, const ColourMap& map);
+  void draw_once(const OverlayText& text, const std::vector<ColourMap>& maps,
+                 double pixels_a_metre);
   void write_caption(const OverlayText& text);
-  void draw_marks(Image& image, const Moment& moment);
+  void draw_marks(Image& image, const Camera& camera, const Moment& moment);
   void draw_fleeting(Image& image, const Moment& moment);
   void write_clock(double time);
   void draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& history, const Chart& chart,
                   double time);
 
   Layout layout_;
-  Grid seen_;
   Theme theme_;
   std::string slow_motion_;
   std::optional<Font> font_;  // nothing is written on a bare picture
   std::vector<Strip> strips_;
-  std::vector<PlacedMarker> markers_;
+  std::vector<Marker> markers_;
+  std::vector<PlacedMarker> placed_;  // of markers_, as they were drawn last
   ChartHistory loads_, energy_;
   std::vector<PlacedText> lasting_, fleeting_;
 };

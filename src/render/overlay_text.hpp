@@ -20,7 +20,7 @@ struct Marker {
 // What a user asks for.
 struct OverlayOptions {
   std::optional<std::string> title;  // the material if not given; "" for none
-  bool time = true;
+  bool clock = true;
   bool bar = true;
   bool scale_bar = true;
   bool load_curve = false;
@@ -28,16 +28,20 @@ struct OverlayOptions {
   std::vector<Marker> markers;
 };
 
+// A colour bar. Values beyond its ends have the colour of the end.
+struct BarText {
+  std::string label = "damage";
+  double least = 0.0, most = 1.0;  // at its ends, in the unit of the label
+  bool logarithmic = false;
+};
+
 // All that a picture says, the same for a series of them. Any text may be empty.
 struct OverlayText {
   OverlayOptions parts;  // but for the title
   std::string title;
-  std::string note;                // how the plate is shown, "deformed × 100"
-  double slow_motion = 0.0;        // how many times slower than it is; 0: not said
-  std::string label = "damage";    // of the colour bar, "speed (m/s)"
-  double least = 0.0, most = 1.0;  // at the ends of the colour bar, in the unit of the label;
-                                   // values beyond them have the colour of the end
-  bool logarithmic = false;
+  std::string note;                      // how the plate is shown, "deformed × 100"
+  double slow_motion = 0.0;              // how many times slower than it is; 0: not said
+  std::vector<BarText> bars{BarText{}};  // one for each field
   Background background = Background::dark;
 };
 

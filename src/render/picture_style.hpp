@@ -41,7 +41,7 @@ struct PictureStyle {
   std::optional<FieldStyle> second;              // of another field
   Arrangement arrangement = Arrangement::below;  // of the second field
   std::string title;                             // may be empty
-  OverlayOptions overlay;  // but for its title
+  OverlayOptions overlay;                        // but for its title
   Background background = Background::dark;
   std::string note;          // how the plate is shown, "deformed × 100"; may be empty
   double slow_motion = 0.0;  // how many times slower than it is; 0: not said

@@ -38,17 +38,19 @@ std::string bar_label(const FieldStyle& field) {
              : fmt::format("{} ({})", field.label, printed_unit(unit_of(field).name));
 }
 
+BarText bar_of(const FieldStyle& field) {
+  const double unit = unit_of(field).factor;
+  return {bar_label(field), field.least / unit, field.most / unit, field.logarithmic};
+}
+
 OverlayText text_of(const PictureStyle& style) {
-  const PrefixedUnit unit = unit_of(style.field);
   OverlayText text;
   text.parts = style.overlay;
   text.title = style.title;
   text.note = style.note;
   text.slow_motion = style.slow_motion;
-  text.label = bar_label(style.field);
-  text.least = style.field.least / unit.factor;
-  text.most = style.field.most / unit.factor;
-  text.logarithmic = style.field.logarithmic;
+  text.bars = {bar_of(style.field)};
+  if (style.second) text.bars.push_back(bar_of(*style.second));
   text.background = style.background;
   return text;
 }
@@ -65,6 +67,12 @@ std::array<float, 4> background_of(const PictureStyle& style) {
 ColourMap map_of(const FieldStyle& field) {
   if (field.colour_map == fringes_name) return fringe_map(field.least, field.most);
   return load_colour_map(field.colour_map);
+}
+
+std::vector<ColourMap> maps_of(const PictureStyle& style) {
+  std::vector<ColourMap> maps{map_of(style.field)};
+  if (style.second) maps.push_back(map_of(*style.second));
+  return maps;
 }
 
 Colouring colouring_of(const FieldStyle& field) {
@@ -91,9 +99,9 @@ Layout layout_of(const PictureStyle& style) {
 struct PlatePainter::Parts {
   explicit Parts(PictureStyle style_)
       : style(std::move(style_)),
-        seen(part(style.grid, window_of(style))),
         layout(layout_of(style)),
-        overlay(layout, text_of(style), map_of(style.field), seen),
+        overlay(layout, text_of(style), maps_of(style),
+                camera(window_of(style)).pixels_a_metre().x()),
         context(layout.width, layout.height),
         colour_pass(gl, background_of(style), colouring_of(style.field)) {
     if (style.second) colour_pass.set_second(colouring_of(*style.second), style.arrangement);
@@ -103,8 +111,11 @@ struct PlatePainter::Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  void draw_field(const Shot& shot) {
-    const Window window = shot.window.value_or(window_of(style));
+  Camera camera(const Window& window) const {
+    return {style.grid, window, style.rotation, layout.plate};
+  }
+
+  void draw_field(const Shot& shot, const Window& window) {
     if (mesh_pass)
       draw_mesh(shot, window);
     else
@@ -128,8 +139,7 @@ struct PlatePainter::Parts {
     // Single cells open where bonds are broken; blocks of them hide what is broken inside.
     if (blocks.size == 1 && !shot.links.empty()) points.gaps.clear();
     colour_pass.paint(points);
-    auto places = corners(blocks, cells, style.grid, displaced,
-                          Camera(style.grid, window, style.rotation, layout.plate));
+    auto places = corners(blocks, cells, style.grid, displaced, camera(window));
     hide_void(points.values, places);
     mesh_pass->paint(blocks, places, colour_pass.colours(), background_of(style));
     copy_to_picture(mesh_pass->framebuffer(), layout.plate.width, layout.plate.height);
@@ -169,7 +179,6 @@ struct PlatePainter::Parts {
   }
 
   PictureStyle style;
-  Grid seen;
   Layout layout;
   Overlay overlay;
   GlContext context;  // before everything that lives in it
@@ -190,10 +199,12 @@ int PlatePainter::height() const {
 }
 
 Image PlatePainter::paint(const Shot& shot) {
+  const Window window = shot.window.value_or(window_of(parts_->style));
   parts_->context.make_current();
-  parts_->draw_field(shot);
+  parts_->draw_field(shot, window);
   Image image = parts_->context.finish();
-  parts_->overlay.draw(image, {shot.time, shot.discs, shot.load_curve, shot.energy});
+  parts_->overlay.draw(image, parts_->camera(window),
+                       {shot.time, shot.discs, shot.load_curve, shot.energy});
   return image;
 }
 

@@ -62,12 +62,15 @@ OverlayText any_text(std::mt19937& random) {
   const int longest = maybe() ? 20 : 200;
   text.title = words(random, longest);
   text.note = words(random, longest);
-  text.label = words(random, longest / 2) + "g";
   if (maybe()) text.slow_motion = std::pow(10.0, number(9.0));
-  text.logarithmic = !maybe();
-  text.least = std::pow(10.0, number(12.0) - 6.0);
-  text.most = text.least * std::pow(10.0, 0.1 + number(9.0));
-  if (!text.logarithmic && maybe()) text.least = -text.most;
+  if (!maybe()) text.bars.emplace_back();
+  for (BarText& bar : text.bars) {
+    bar.label = words(random, longest / 2) + "g";
+    bar.logarithmic = !maybe();
+    bar.least = std::pow(10.0, number(12.0) - 6.0);
+    bar.most = bar.least * std::pow(10.0, 0.1 + number(9.0));
+    if (!bar.logarithmic && maybe()) bar.least = -bar.most;
+  }
   return text;
 }
 
@@ -79,6 +82,10 @@ Chart any_chart(std::mt19937& random, double now) {
   return chart;
 }
 
+Camera camera_of(const Grid& seen, const Layout& layout) {
+  return {seen, {0, 0, seen.nx, seen.ny}, 0.0, layout.plate};
+}
+
 // Draws it all, and looks whether texts and parts keep to themselves.
 void expect_sound(const Grid& seen, int width, const OverlayText& text, const Moment& moment) {
   const Layout layout = make_layout(seen, width, text);
@@ -86,12 +93,14 @@ void expect_sound(const Grid& seen, int width, const OverlayText& text, const Mo
   EXPECT_EQ(layout.height % 2, 0);
   EXPECT_GT(layout.plate.width, 0);
   EXPECT_GT(layout.plate.height, 0);
-  Overlay overlay(layout, text, {"", {{}, {}}}, seen);
+  const Camera camera = camera_of(seen, layout);
+  Overlay overlay(layout, text, std::vector<ColourMap>(text.bars.size(), {"", {{}, {}}}),
+                  camera.pixels_a_metre().x());
   Image image(layout.width, layout.height);
-  overlay.draw(image, moment);
+  overlay.draw(image, camera, moment);
   const Font font;
   std::vector<Box> boxes{box_of(layout.plate)};
-  if (!layout.bar.empty()) boxes.push_back(box_of(layout.bar));
+  for (const BarRoom& bar : layout.bars) boxes.push_back(box_of(bar.colours));
   for (const PlacedText& one : overlay.texts())
     if (!one.text.empty()) boxes.push_back(box_of(font, one));
   for (const Rectangle& chart : {layout.load_curve, layout.energy}) {
@@ -136,7 +145,7 @@ TEST(Layout, LabelsOfMarkersKeepToThemselves) {
     const Layout layout = make_layout(grid(nx, ny), 320 + 6 * trial, text);
     std::vector<Box> boxes;
     for (const PlacedMarker& marker :
-         place_markers(text.parts.markers, layout, grid(nx, ny), font)) {
+         place_markers(text.parts.markers, layout, camera_of(grid(nx, ny), layout), font)) {
       EXPECT_TRUE(overlap(box_of(layout.plate), {marker.place.x() - 1, marker.place.y() - 1,
                                                  marker.place.x() + 1, marker.place.y() + 1}));
       if (!marker.label || marker.label->text.empty()) continue;
@@ -167,19 +176,19 @@ TEST(Layout, LinesAreAddedWhereTextsDoNotFitBesideEachOther) {
 
 TEST(Layout, ALongNameStandsAboveItsBar) {
   OverlayText text;
-  EXPECT_LT(make_layout(grid(200, 80), 640, text).label.right(),
-            make_layout(grid(200, 80), 640, text).bar.x);
-  text.label = "a name of a field that goes on and on and on and on (MPa)";
+  EXPECT_LT(make_layout(grid(200, 80), 640, text).bars[0].label.right(),
+            make_layout(grid(200, 80), 640, text).bars[0].colours.x);
+  text.bars[0].label = "a name of a field that goes on and on and on and on (MPa)";
   const Layout layout = make_layout(grid(200, 80), 640, text);
-  EXPECT_LE(layout.label.bottom(), layout.bar.y);
+  EXPECT_LE(layout.bars[0].label.bottom(), layout.bars[0].colours.y);
 }
 
 TEST(Layout, WhatIsNotShownTakesNoRoom) {
   OverlayText bare;
-  bare.parts.time = bare.parts.bar = bare.parts.scale_bar = false;
+  bare.parts.clock = bare.parts.bar = bare.parts.scale_bar = false;
   const Layout layout = make_layout(grid(200, 80), 1280, bare);
   EXPECT_TRUE(layout.caption.empty());
-  EXPECT_TRUE(layout.bar.empty());
+  EXPECT_TRUE(layout.bars.empty());
   EXPECT_TRUE(layout.scale.empty());
   EXPECT_LE(layout.height, layout.plate.height + 2 * layout.plate.x);
 }

@@ -24,18 +24,23 @@ Moment moment(double time) {
   return {time, {}, chart("load", time), chart("energy", time)};
 }
 
+Camera camera(const Layout& layout) {
+  return {paper_plate, {0, 0, paper_plate.nx, paper_plate.ny}, 0.0, layout.plate};
+}
+
 // One picture: black, with the overlay on it.
 Image drawn(const OverlayText& text, int width, const Moment& what) {
   const Layout layout = make_layout(paper_plate, width, text);
   Image image(layout.width, layout.height);
-  Overlay(layout, text, load_colour_map("damage"), paper_plate).draw(image, what);
+  Overlay(layout, text, {load_colour_map("damage")}, camera(layout).pixels_a_metre().x())
+      .draw(image, camera(layout), what);
   return image;
 }
 
 OverlayText text() {
   OverlayText text;
   text.title = "A title";
-  text.most = 0.5;
+  text.bars[0].most = 0.5;
   return text;
 }
 
@@ -50,11 +55,12 @@ TEST_P(OverlayAt, DrawsEveryPartWhereItBelongs) {
   const Image image = drawn(all, GetParam(), moment(2e-6));
   const Colour ground = background_colour;
   for (const Rectangle& area :
-       {layout.title, layout.note, layout.clock, layout.slow_motion, layout.label, layout.ticks,
-        layout.scale, layout.load_curve, layout.energy})
+       {layout.title, layout.note, layout.clock, layout.slow_motion, layout.bars[0].label,
+        layout.bars[0].ticks, layout.scale, layout.load_curve, layout.energy})
     EXPECT_GT(differing(image, area, ground), 0) << area.x << ", " << area.y;
   // Row by row the colours of the bar, none of them the background.
-  EXPECT_EQ(differing(image, layout.bar, ground), layout.bar.width * layout.bar.height);
+  EXPECT_EQ(differing(image, layout.bars[0].colours, ground),
+            layout.bars[0].colours.width * layout.bars[0].colours.height);
   EXPECT_EQ(lit(image, layout.plate), 0) << "the plate is painted over";
 }
 
@@ -72,7 +78,7 @@ TEST_P(OverlayAt, PartsAreSwitchable) {
   const Rectangle bar{0, layout.foot, layout.scale.x, layout.height - layout.foot};
   for (const Case& c :
        {Case{"title", [](OverlayText& t) { t.title.clear(); }, layout.title},
-        {"time", [](OverlayText& t) { t.parts.time = false; }, layout.clock},
+        {"clock", [](OverlayText& t) { t.parts.clock = false; }, layout.clock},
         {"bar", [](OverlayText& t) { t.parts.bar = false; }, bar},
         {"scale bar", [](OverlayText& t) { t.parts.scale_bar = false; }, layout.scale}}) {
     OverlayText less = full;
@@ -106,23 +112,24 @@ TEST_P(OverlayAt, ATransparentGroundStaysTransparent) {
   const Image image = drawn(clear, GetParam(), moment(1e-6));
   const Layout layout = make_layout(paper_plate, GetParam(), clear);
   int seen_through = 0, opaque = 0, between = 0;
-  const int first = layout.label.y * image.stride(), last = layout.label.bottom() * image.stride();
+  const int first = layout.bars[0].label.y * image.stride(),
+            last = layout.bars[0].label.bottom() * image.stride();
   for (int k = first; k < last; k += 4) {
     const auto* pixel = &image.pixels[static_cast<std::size_t>(k)];
     (pixel[3] == 0 ? seen_through : pixel[3] == 255 ? opaque : between) += 1;
     for (int part = 0; part < 3; ++part) EXPECT_LE(pixel[part], pixel[3]);
   }
   EXPECT_GT(seen_through, image.width);
-  EXPECT_GE(opaque, layout.bar.width);
+  EXPECT_GE(opaque, layout.bars[0].colours.width);
   EXPECT_GT(between, 0) << "texts are smooth";
 }
 
 TEST_P(OverlayAt, AMovieIsDrawnAsSinglePicturesAre) {
   const Layout layout = make_layout(paper_plate, GetParam(), text());
-  Overlay overlay(layout, text(), load_colour_map("damage"), paper_plate);
+  Overlay overlay(layout, text(), {load_colour_map("damage")}, camera(layout).pixels_a_metre().x());
   for (const double time : {0.0, 1e-6, 12e-6}) {
     Image image(layout.width, layout.height);
-    overlay.draw(image, moment(time));
+    overlay.draw(image, camera(layout), moment(time));
     EXPECT_EQ(image.pixels, drawn(text(), GetParam(), moment(time)).pixels) << time;
   }
 }
@@ -130,12 +137,12 @@ TEST_P(OverlayAt, AMovieIsDrawnAsSinglePicturesAre) {
 TEST_P(OverlayAt, DrawsDiscsWhereTheyAreAndNowhereElse) {
   const Layout layout = make_layout(paper_plate, GetParam());
   const Layout bare = bare_layout(layout.plate.width, layout.plate.height);
-  Overlay overlay(bare, {}, load_colour_map("damage"), paper_plate);
+  Overlay overlay(bare, {}, {}, camera(bare).pixels_a_metre().x());
   Image image(bare.width, bare.height);
-  overlay.draw(image, {});
+  overlay.draw(image, camera(bare), {});
   EXPECT_EQ(lit(image, bare.plate), 0);
   // A tenth of the plate's width across, in its middle: pi/4 of the square around it, and its rim.
-  overlay.draw(image, {0.0, {{{0.05, 0.02}, 0.005}}, {}, {}});
+  overlay.draw(image, camera(bare), {0.0, {{{0.05, 0.02}, 0.005}}, {}, {}});
   const double width = 0.1 * bare.plate.width, area = 0.25 * std::numbers::pi * width * width;
   EXPECT_NEAR(lit(image, bare.plate), area, 2.0 * std::numbers::pi * width);
   const int x = bare.width / 2, y = bare.height / 2, r = static_cast<int>(0.5 * width) + 2;
