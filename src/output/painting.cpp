@@ -149,6 +149,7 @@ int widest_picture(const PictureOptions& options, const Grid& grid, const Extent
   const Grid seen = part(grid, window_of(options, grid));
   OverlayText text;
   text.parts = options.overlay;
+  text.label = scalar_of(options.field).label;
   for (int width = std::min(most.width, most_width) / 2 * 2; width >= least_width; width -= 2)
     if (make_layout(seen, width, text).height <= most.height) return width;
   return 0;

@@ -84,6 +84,7 @@ Ticks fitting_ticks(const Layout& layout, const OverlayText& text, const Font& f
 ColourBar::ColourBar(const Layout& layout, const OverlayText& text, const Font& font)
     : bar_(layout.bar),
       mark_(static_cast<int>(std::lround(0.25 * layout.font))),
+      hairline_(layout.hairline),
       colour_(theme_of(text.background).quiet) {
   Ticks all = fitting_ticks(layout, text, font);
   marks_ = std::move(all.marks);
@@ -101,8 +102,9 @@ void ColourBar::draw(Canvas& canvas, const ColourMap& map) const {
     canvas.colour(map.colours[static_cast<std::size_t>(x) * last / pixels]);
     canvas.fill(bar_.x + x, bar_.y, 1, bar_.height);
   }
+  const int left = (hairline_ - 1) / 2;
   canvas.colour(colour_);
-  for (const int mark : marks_) canvas.fill(mark, bar_.bottom(), 1, mark_);
+  for (const int mark : marks_) canvas.fill(mark - left, bar_.bottom(), hairline_, mark_);
 }
 
 }  // namespace hackle

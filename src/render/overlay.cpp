@@ -13,17 +13,13 @@
 namespace hackle {
 namespace {
 
-std::uint8_t* pixel(Image& image, int x, int y) {
-  return image.pixels.data() + static_cast<std::ptrdiff_t>(y) * image.stride() + 4 * x;
-}
-const std::uint8_t* row_of(const Image& image, int y) {
-  return image.pixels.data() + static_cast<std::ptrdiff_t>(y) * image.stride();
-}
-
+// To a rectangle as large as `from`.
 void copy(const Image& from, Image& to, const Rectangle& area) {
-  for (int row = 0; row < area.height; ++row)
-    std::memcpy(pixel(to, area.x, area.y + row), row_of(from, row),
-                static_cast<std::size_t>(from.stride()));
+  const std::uint8_t* row = from.pixels.data();
+  const std::ptrdiff_t left = 4 * static_cast<std::ptrdiff_t>(area.x);
+  std::uint8_t* at = to.pixels.data() + static_cast<std::ptrdiff_t>(area.y) * to.stride() + left;
+  for (int k = 0; k < area.height; ++k, row += from.stride(), at += to.stride())
+    std::memcpy(at, row, static_cast<std::size_t>(from.stride()));
 }
 
 // Of one line of a caption, where its letters stand.
@@ -57,17 +53,22 @@ void Overlay::draw_once(const OverlayText& text, const ColourMap& map) {
     scale.emplace(layout_, text, *font_, seen_.nx * seen_.dx / layout_.plate.width);
     lasting_.push_back(scale->text());
   }
-  for (const Rectangle& area : {Rectangle{0, 0, layout_.width, layout_.caption.bottom()},
-                                {0, layout_.foot, layout_.width, layout_.height - layout_.foot}}) {
-    if (area.empty()) continue;
-    Strip& strip = strips_.emplace_back(Strip{area, Image(area.width, area.height)});
-    Canvas canvas(strip.pixels, area.x, area.y);
-    canvas.colour(theme_.background, theme_.opacity);
-    canvas.fill(area.x, area.y, area.width, area.height);
+  const auto draw_all = [&](Canvas& canvas) {
     if (colours) colours->draw(canvas, map);
     if (scale) scale->draw(canvas);
     for (const PlacedText& one : lasting_) canvas.write(*font_, one);
-  }
+  };
+  keep({0, 0, layout_.width, layout_.caption.bottom()}, draw_all);
+  keep({0, layout_.foot, layout_.width, layout_.height - layout_.foot}, draw_all);
+}
+
+void Overlay::keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all) {
+  if (area.empty()) return;
+  Strip& strip = strips_.emplace_back(Strip{area, Image(area.width, area.height)});
+  Canvas canvas(strip.pixels, area.x, area.y);
+  canvas.colour(theme_.background, theme_.opacity);
+  canvas.fill(area.x, area.y, area.width, area.height);
+  draw_all(canvas);
 }
 
 void Overlay::write_caption(const OverlayText& text) {
@@ -85,7 +86,7 @@ void Overlay::draw_marks(Image& image, const Moment& moment) {
   Canvas canvas(image);
   if (font_) {
     canvas.colour(theme_.outline);
-    canvas.outline(layout_.plate);
+    canvas.outline(layout_.plate, layout_.hairline);
   }
   const double across = layout_.plate.width / (seen_.nx * seen_.dx);  // px/m
   const double up = layout_.plate.height / (seen_.ny * seen_.dx);

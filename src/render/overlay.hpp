@@ -3,6 +3,7 @@
 // picture. What is the same on all pictures of a series is drawn once and copied.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -44,6 +45,7 @@ class Overlay {
   };
 
   void draw_once(const OverlayText& text, const ColourMap& map);
+  void keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all);
   void write_caption(const OverlayText& text);
   void draw_marks(Image& image, const Moment& moment);
   void draw_fleeting(Image& image, const Moment& moment);
