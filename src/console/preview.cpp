@@ -13,7 +13,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
-#include "render/overlay.hpp"
+#include "render/theme.hpp"
 
 namespace hackle {
 namespace {

@@ -58,30 +58,40 @@ bool same_kind(const LoadCourse& a, const LoadCourse& b) {
   return a.kind == b.kind && a.course->describe() == b.course->describe();
 }
 
-// The name of a kind alone, or with its place or a number where another curve has it already.
-std::string unused_name(const Chart& chart, const LoadCourse& load) {
-  const auto used = [&](const std::string& name) {
-    return std::ranges::find(chart.curves, name, &Curve::name) != chart.curves.end();
-  };
-  std::string name = load.kind;
-  if (used(name) && !load.place.empty()) name += " " + load.place;
-  const std::string stem = name;
-  for (int k = 2; used(name); ++k) name = fmt::format("{} {}", stem, k);
-  return name;
+// What a load adds to the chart: what differs from all before it.
+struct LoadCurve {
+  LoadCourse load;
+  std::vector<Vec2> points;
+};
+
+std::vector<LoadCurve> distinct(const std::vector<LoadCourse>& loads, bool stresses, double now,
+                                double until) {
+  std::vector<LoadCurve> curves;
+  for (const LoadCourse& load : loads) {
+    std::vector<Vec2> points = points_of(*load.course, stresses ? *load.stress : 1.0, now, until);
+    const bool known = std::ranges::any_of(curves, [&](const LoadCurve& other) {
+      return same_kind(other.load, load) && other.points == points;
+    });
+    if (!known) curves.push_back({load, std::move(points)});
+  }
+  return curves;
 }
 
-void add(Chart& chart, const std::vector<LoadCourse>& courses, std::size_t k, double now) {
-  const bool stresses = !chart.unit.empty();
-  const double size = stresses ? *courses[k].stress : 1.0;
-  Curve curve{"", points_of(*courses[k].course, size, now, chart.until)};
-  for (std::size_t other = 0; other < k; ++other) {
-    const double other_size = stresses ? *courses[other].stress : 1.0;
-    if (other_size == size && same_kind(courses[other], courses[k]) &&
-        points_of(*courses[other].course, other_size, now, chart.until) == curve.points)
-      return;
+// The kind; where there are several of it, with its place; where there are several of that, with
+// its number.
+std::string name_of(const std::vector<LoadCurve>& curves, std::size_t k) {
+  const LoadCourse& load = curves[k].load;
+  int of_kind = 0, of_place = 0, number = 0;
+  for (std::size_t other = 0; other < curves.size(); ++other) {
+    if (curves[other].load.kind != load.kind) continue;
+    ++of_kind;
+    if (curves[other].load.place != load.place) continue;
+    ++of_place;
+    number += other <= k ? 1 : 0;
   }
-  curve.name = unused_name(chart, courses[k]);
-  chart.curves.push_back(std::move(curve));
+  std::string name = load.kind;
+  if (of_kind > 1 && !load.place.empty()) name += " " + load.place;
+  return of_place > 1 ? fmt::format("{} {}", name, number) : name;
 }
 
 }  // namespace
@@ -97,7 +107,9 @@ Chart load_curve(const Simulation& simulation) {
   chart.until = std::max(simulation.end_time(), now);
   if (chart.until == 0.0) chart.until = 1.25 * last_moment(courses);
   if (chart.until == 0.0) chart.until = 100.0 * simulation.dt();
-  for (std::size_t k = 0; k < courses.size(); ++k) add(chart, courses, k, now);
+  const std::vector<LoadCurve> curves = distinct(courses, stresses, now, chart.until);
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    chart.curves.push_back({name_of(curves, k), curves[k].points});
   return chart;
 }
 

@@ -161,11 +161,11 @@ Image paint(const Simulation& simulation, const PictureOptions& options,
 
 int widest_picture(const PictureOptions& options, const Simulation& simulation,
                    const Extent& most) {
-  const Grid seen = part(simulation.lattice().grid, window_of(options, simulation));
-  OverlayText text;
-  text.parts = options.overlay;
-  for (int width = std::min(most.width, most_width) / 2 * 2; width >= least_width; width -= 2)
-    if (make_layout(seen, width, text).height <= most.height) return width;
+  PictureStyle style = style_of(options, simulation);
+  for (int width = std::min(most.width, most_width) / 2 * 2; width >= least_width; width -= 2) {
+    style.width = width;
+    if (layout_of(style).height <= most.height) return width;
+  }
   return 0;
 }
 

@@ -32,16 +32,11 @@ void Canvas::fill(double x, double y, double width, double height) {
   cairo_fill(cairo_.get());
 }
 
-void Canvas::outline(const Rectangle& r) {
-  cairo_set_line_width(cairo_.get(), 1.0);
-  cairo_rectangle(cairo_.get(), r.x - 0.5, r.y - 0.5, r.width + 1.0, r.height + 1.0);
-  cairo_stroke(cairo_.get());
-}
-
-void Canvas::clip(const Rectangle& r) {
-  cairo_reset_clip(cairo_.get());
-  cairo_rectangle(cairo_.get(), r.x, r.y, r.width, r.height);
-  cairo_clip(cairo_.get());
+void Canvas::outline(const Rectangle& r, int width) {
+  fill(r.x - width, r.y - width, r.width + 2 * width, width);
+  fill(r.x - width, r.bottom(), r.width + 2 * width, width);
+  fill(r.x - width, r.y, width, r.height);
+  fill(r.right(), r.y, width, r.height);
 }
 
 // What is nearer than half a pixel to the last point cannot be seen.
@@ -103,7 +98,7 @@ void Canvas::write(const Font& font, const PlacedText& text, Colour rim) {
   cairo_move_to(cairo_.get(), text.x, text.y);
   cairo_text_path(cairo_.get(), text.text.c_str());
   colour(rim, 0.85);
-  cairo_set_line_width(cairo_.get(), 2.0 * std::max(1.0, std::round(0.08 * text.size)));
+  cairo_set_line_width(cairo_.get(), 2.0 * std::max(0.8, 0.08 * text.size));
   cairo_stroke(cairo_.get());
   write(font, text);
 }

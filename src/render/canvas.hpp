@@ -26,9 +26,8 @@ class Canvas {
 
   void colour(Colour colour, double opacity = 1.0);
   void fill(double x, double y, double width, double height);
-  // One px wide, around the rectangle.
-  void outline(const Rectangle& r);
-  void clip(const Rectangle& r);
+  // Around the rectangle, so many px wide.
+  void outline(const Rectangle& r, int width);
   void line(std::span<const Vec2> points, double width);
   // Seen through a little, with a bright rim.
   void disc(const Vec2& centre, double radius_x, double radius_y, Colour colour);

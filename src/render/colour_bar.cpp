@@ -91,6 +91,7 @@ ColourBar::ColourBar(const Layout& layout, const BarRoom& room, const BarText& t
                      const Theme& theme, const Font& font)
     : bar_(room.colours),
       mark_(static_cast<int>(std::lround(0.25 * layout.font))),
+      hairline_(layout.hairline),
       colour_(theme.quiet) {
   const double below = 0.4 * layout.font + 0.85 * layout.small_font;
   Ticks all = fitting_ticks(
@@ -110,8 +111,9 @@ void ColourBar::draw(Canvas& canvas, const ColourMap& map) const {
     canvas.colour(map.colours[static_cast<std::size_t>(x) * last / pixels]);
     canvas.fill(bar_.x + x, bar_.y, 1, bar_.height);
   }
+  const int left = (hairline_ - 1) / 2;
   canvas.colour(colour_);
-  for (const int mark : marks_) canvas.fill(mark, bar_.bottom(), 1, mark_);
+  for (const int mark : marks_) canvas.fill(mark - left, bar_.bottom(), hairline_, mark_);
 }
 
 }  // namespace hackle

@@ -20,8 +20,8 @@ class ColourBar {
 
  private:
   Rectangle bar_;
-  int mark_ = 0;            // px, how long marks are
-  std::vector<int> marks_;  // px from the left
+  int mark_ = 0, hairline_ = 1;  // px, how long and wide marks are
+  std::vector<int> marks_;       // px from the left
   std::vector<PlacedText> texts_;
   Colour colour_;
 };

@@ -5,23 +5,16 @@
 #include <cmath>
 #include <memory>
 
-#include <cairo.h>
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "render/overlay.hpp"
+#include "render/canvas.hpp"
+#include "render/theme.hpp"
 
 namespace hackle {
 namespace {
 
-struct Free {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Free>;
-using Cairo = std::unique_ptr<cairo_t, Free>;
-
-constexpr Colour title_colour{222, 228, 236};
+using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 
 // Lengths in px.
 struct Measures {
@@ -36,7 +29,7 @@ struct Measures {
 };
 
 Surface read(const std::filesystem::path& file) {
-  Surface surface(cairo_image_surface_create_from_png(file.c_str()));
+  Surface surface(cairo_image_surface_create_from_png(file.c_str()), cairo_surface_destroy);
   const cairo_status_t status = cairo_surface_status(surface.get());
   if (status != CAIRO_STATUS_SUCCESS)
     throw Error(ErrorKind::files, fmt::format("cannot read the picture '{}': {}", file.string(),
@@ -44,57 +37,20 @@ Surface read(const std::filesystem::path& file) {
   return surface;
 }
 
-void set_colour(cairo_t* cairo, Colour c) {
-  cairo_set_source_rgb(cairo, c.red / 255.0, c.green / 255.0, c.blue / 255.0);
-}
-
 // In the middle of the cell whose upper left corner is at x, y.
-void draw_picture(cairo_t* cairo, const Measures& cell, double x, double y, cairo_surface_t* from) {
+void draw_picture(Canvas& canvas, const Measures& cell, double x, double y, cairo_surface_t* from) {
   const double width = cairo_image_surface_get_width(from);
   const double height = cairo_image_surface_get_height(from);
   const double scale = std::min(cell.width / width, cell.height / height);
-  cairo_save(cairo);
-  cairo_translate(cairo, x + 0.5 * (cell.width - scale * width),
-                  y + 0.5 * (cell.height - scale * height));
-  cairo_scale(cairo, scale, scale);
-  cairo_set_source_surface(cairo, from, 0, 0);
-  cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_BEST);
-  cairo_paint(cairo);
-  cairo_restore(cairo);
+  canvas.picture(from, x + 0.5 * (cell.width - scale * width),
+                 y + 0.5 * (cell.height - scale * height), scale);
 }
 
-double width_of(cairo_t* cairo, const std::string& text) {
-  cairo_text_extents_t extents;
-  cairo_text_extents(cairo, text.c_str(), &extents);
-  return extents.x_advance;
-}
-
-// Without its last character; UTF-8.
-void shorten(std::string& text) {
-  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U)
-    text.pop_back();
-  if (!text.empty()) text.pop_back();
-}
-
-std::string fitting(cairo_t* cairo, std::string title, double width) {
-  if (width_of(cairo, title) <= width) return title;
-  while (!title.empty() && width_of(cairo, title + "…") > width) shorten(title);
-  return title + "…";
-}
-
-void draw_title(cairo_t* cairo, const Measures& cell, double x, double y,
+void draw_title(Canvas& canvas, const Font& font, const Measures& cell, double x, double y,
                 const std::string& title) {
-  set_colour(cairo, title_colour);
-  const std::string text = fitting(cairo, title, cell.width);
-  cairo_move_to(cairo, std::round(x + 0.5 * (cell.width - width_of(cairo, text))),
-                std::round(y + cell.height + 1.4 * cell.font));
-  cairo_show_text(cairo, text.c_str());
-}
-
-void draw_cell(cairo_t* cairo, const Measures& cell, double x, double y, const SheetPicture& one) {
-  const Surface picture = read(one.file);
-  draw_picture(cairo, cell, x, y, picture.get());
-  draw_title(cairo, cell, x, y, one.title);
+  const std::string text = font.fitting(title, cell.font, cell.width);
+  canvas.write(font, font.place(text, x + 0.5 * cell.width, y + cell.height + 1.4 * cell.font,
+                                cell.font, 0.5, theme_of(Background::dark).text));
 }
 
 Image blank(const Measures& cell, int columns, int rows) {
@@ -116,20 +72,17 @@ Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout
   const int columns = std::min(layout.columns, count);
   const Measures cell(layout);
   Image sheet = blank(cell, columns, (count + columns - 1) / columns);
-  const Surface surface(cairo_image_surface_create_for_data(
-      sheet.pixels.data(), CAIRO_FORMAT_RGB24, sheet.width, sheet.height, sheet.stride()));
-  const Cairo cairo(cairo_create(surface.get()));
-  set_colour(cairo.get(), background_colour);
-  cairo_paint(cairo.get());
-  cairo_select_font_face(cairo.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                         CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(cairo.get(), cell.font);
+  const Font font;
+  Canvas canvas(sheet);
+  canvas.colour(background_colour);
+  canvas.fill(0, 0, sheet.width, sheet.height);
   for (int k = 0; k < count; ++k) {
     const int column = k % columns, row = k / columns;
-    draw_cell(cairo.get(), cell, cell.gap + column * (cell.width + cell.gap),
-              cell.gap + row * cell.pitch, pictures[static_cast<std::size_t>(k)]);
+    const SheetPicture& one = pictures[static_cast<std::size_t>(k)];
+    const double x = cell.gap + column * (cell.width + cell.gap), y = cell.gap + row * cell.pitch;
+    draw_picture(canvas, cell, x, y, read(one.file).get());
+    draw_title(canvas, font, cell, x, y, one.title);
   }
-  cairo_surface_flush(surface.get());
   return sheet;
 }
 

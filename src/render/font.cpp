@@ -17,7 +17,7 @@ std::string family_of(cairo_scaled_font_t* font) {
   if (cairo_scaled_font_status(font) != CAIRO_STATUS_SUCCESS ||
       cairo_scaled_font_get_type(font) != CAIRO_FONT_TYPE_FT)
     return "";
-  const FT_Face face = cairo_ft_scaled_font_lock_face(font);
+  FT_Face face = cairo_ft_scaled_font_lock_face(font);
   std::string family = face != nullptr && face->family_name != nullptr ? face->family_name : "";
   if (face != nullptr) cairo_ft_scaled_font_unlock_face(font);
   return family;

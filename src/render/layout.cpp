@@ -34,6 +34,7 @@ class Composer {
     layout_.width = width;
     layout_.font = std::max(10.0, std::round(0.0175 * width));
     layout_.small_font = std::max(9.0, std::round(0.8 * layout_.font));
+    layout_.hairline = std::max(1, whole(0.05 * layout_.font));
     margin_ = whole(1.5 * layout_.font);
     gap_ = at_least(layout_.font);
   }
@@ -159,8 +160,8 @@ class Composer {
     if (charts.empty()) return;
     constexpr double least_width = 20.0, height = 7.5;
     const int between = 2 * gap_, count = static_cast<int>(charts.size());
-    int columns = count;
-    if ((room() - (count - 1) * between) / count < least_width * layout_.font) columns = 1;
+    const int share = (room() - (count - 1) * between) / count;
+    const int columns = share < least_width * layout_.font ? 1 : count;
     const Rectangle first{side_, y_ + margin_ * 2 / 3, (room() - (columns - 1) * between) / columns,
                           whole(height * layout_.font)};
     for (int k = 0; k < count; ++k) {

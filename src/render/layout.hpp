@@ -33,6 +33,7 @@ struct Layout {
   int height = 0;           // px, even unless bare
   double font = 0.0;        // px, of titles, time and names; 0 when nothing is written
   double small_font = 0.0;  // px, of numbers and remarks
+  int hairline = 1;         // px, of rims and marks
   Rectangle caption;        // all lines above the plate
   Rectangle title, note, clock, slow_motion;  // of one line each, in the caption
   Rectangle plate;

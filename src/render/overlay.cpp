@@ -13,17 +13,13 @@
 namespace hackle {
 namespace {
 
-std::uint8_t* pixel(Image& image, int x, int y) {
-  return image.pixels.data() + static_cast<std::ptrdiff_t>(y) * image.stride() + 4 * x;
-}
-const std::uint8_t* row_of(const Image& image, int y) {
-  return image.pixels.data() + static_cast<std::ptrdiff_t>(y) * image.stride();
-}
-
+// To a rectangle as large as `from`.
 void copy(const Image& from, Image& to, const Rectangle& area) {
-  for (int row = 0; row < area.height; ++row)
-    std::memcpy(pixel(to, area.x, area.y + row), row_of(from, row),
-                static_cast<std::size_t>(from.stride()));
+  const std::uint8_t* row = from.pixels.data();
+  const std::ptrdiff_t left = 4 * static_cast<std::ptrdiff_t>(area.x);
+  std::uint8_t* at = to.pixels.data() + static_cast<std::ptrdiff_t>(area.y) * to.stride() + left;
+  for (int k = 0; k < area.height; ++k, row += from.stride(), at += to.stride())
+    std::memcpy(at, row, static_cast<std::size_t>(from.stride()));
 }
 
 // Of one line of a caption, where its letters stand.
@@ -58,17 +54,22 @@ void Overlay::draw_once(const OverlayText& text, const std::vector<ColourMap>& m
     scale.emplace(layout_, text, *font_, 1.0 / pixels_a_metre);
     lasting_.push_back(scale->text());
   }
-  for (const Rectangle& area : {Rectangle{0, 0, layout_.width, layout_.caption.bottom()},
-                                {0, layout_.foot, layout_.width, layout_.height - layout_.foot}}) {
-    if (area.empty()) continue;
-    Strip& strip = strips_.emplace_back(Strip{area, Image(area.width, area.height)});
-    Canvas canvas(strip.pixels, area.x, area.y);
-    canvas.colour(theme_.background, theme_.opacity);
-    canvas.fill(area.x, area.y, area.width, area.height);
+  const auto draw_all = [&](Canvas& canvas) {
     for (std::size_t k = 0; k < bars.size(); ++k) bars[k].draw(canvas, maps[k]);
     if (scale) scale->draw(canvas);
     for (const PlacedText& one : lasting_) canvas.write(*font_, one);
-  }
+  };
+  keep({0, 0, layout_.width, layout_.caption.bottom()}, draw_all);
+  keep({0, layout_.foot, layout_.width, layout_.height - layout_.foot}, draw_all);
+}
+
+void Overlay::keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all) {
+  if (area.empty()) return;
+  Strip& strip = strips_.emplace_back(Strip{area, Image(area.width, area.height)});
+  Canvas canvas(strip.pixels, area.x, area.y);
+  canvas.colour(theme_.background, theme_.opacity);
+  canvas.fill(area.x, area.y, area.width, area.height);
+  draw_all(canvas);
 }
 
 void Overlay::write_caption(const OverlayText& text) {
@@ -86,7 +87,7 @@ void Overlay::draw_marks(Image& image, const Camera& camera, const Moment& momen
   Canvas canvas(image);
   if (font_) {
     canvas.colour(theme_.outline);
-    canvas.outline(layout_.plate);
+    canvas.outline(layout_.plate, layout_.hairline);
   }
   const Vec2 scale = camera.pixels_a_metre();
   for (const Circle& disc : moment.discs)

@@ -3,6 +3,7 @@
 // picture. What is the same on all pictures of a series is drawn once and copied.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -47,6 +48,7 @@ class Overlay {
 
   void draw_once(const OverlayText& text, const std::vector<ColourMap>& maps,
                  double pixels_a_metre);
+  void keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all);
   void write_caption(const OverlayText& text);
   void draw_marks(Image& image, const Camera& camera, const Moment& moment);
   void draw_fleeting(Image& image, const Moment& moment);

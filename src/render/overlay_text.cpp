@@ -27,7 +27,10 @@ std::string time_text(double time) {
 }
 
 std::string printed_unit(const std::string& name) {
-  return name.size() > 1 && name.front() == 'u' ? "µ" + name.substr(1) : name;
+  std::string printed = name.size() > 1 && name.front() == 'u' ? "µ" + name.substr(1) : name;
+  if (printed.ends_with("m2")) printed.replace(printed.size() - 1, 1, "²");
+  if (printed.ends_with("m3")) printed.replace(printed.size() - 1, 1, "³");
+  return printed;
 }
 
 }  // namespace hackle

@@ -51,7 +51,7 @@ std::string slow_motion_text(double factor);
 // "22.50 µs"; always as many decimals, so that it does not dance.
 std::string time_text(double time);
 
-// A unit as pictures write it: "µs" for "us".
+// A unit as pictures write it: "µs" for "us", "J/m³" for "J/m3".
 std::string printed_unit(const std::string& name);
 
 }  // namespace hackle

@@ -25,7 +25,11 @@ PrefixedUnit unit_of(double size, const std::string& unit) {
 
 StripChart::StripChart(const Rectangle& room, const Chart& chart, double now, const Layout& layout,
                        const Theme& theme, const Font& font)
-    : room_(room), size_(layout.small_font), theme_(theme), font_(font) {
+    : room_(room),
+      size_(layout.small_font),
+      hairline_(layout.hairline),
+      theme_(theme),
+      font_(font) {
   find_scale(chart, now);
   top_ = room.y + std::round(2.0 * size_);
   bottom_ = room.bottom() - std::round(1.5 * size_);
@@ -137,13 +141,13 @@ void StripChart::draw(Canvas& canvas) const {
   const double width = std::max(1.5, std::round(0.12 * size_));
   for (const double value : values_) {
     canvas.colour(theme_.outline, value == 0.0 ? 1.0 : faint);
-    canvas.fill(left_, std::round(py(value)), right_ - left_, 1);
+    canvas.fill(left_, std::round(py(value)), right_ - left_, hairline_);
   }
   canvas.colour(theme_.outline);
   for (const double time : times_)
-    canvas.fill(std::round(px(time)), bottom_, 1, std::round(0.3 * size_));
+    canvas.fill(std::round(px(time)), bottom_, hairline_, std::round(0.3 * size_));
   canvas.colour(theme_.quiet);
-  canvas.fill(now_, top_, 1, bottom_ - top_);
+  canvas.fill(now_, top_, hairline_, bottom_ - top_);
   for (const Line& line : lines_) {
     canvas.colour(line.colour);
     canvas.line(line.points, width);

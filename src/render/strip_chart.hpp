@@ -38,7 +38,8 @@ class StripChart {
   double py(double value) const;
 
   Rectangle room_;
-  double size_;  // px, of all texts
+  double size_;   // px, of all texts
+  int hairline_;  // px
   const Theme& theme_;
   const Font& font_;
   double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;  // px, of the frame

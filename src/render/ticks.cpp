@@ -27,7 +27,7 @@ std::vector<double> multiples(double step, double first, double last) {
   constexpr double most = 100.0;  // there are fewer, unless numbers are too near to tell them apart
   std::vector<double> values;
   if (!std::isfinite(step) || step == 0.0 || last - first > most) return values;
-  for (double k = first; k <= last; ++k) values.push_back(k * step + 0.0);  // -0 is 0
+  for (double k = first; k <= last; ++k) values.push_back(k == 0.0 ? 0.0 : k * step);  // never -0
   return values;
 }
 

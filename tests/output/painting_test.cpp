@@ -58,6 +58,30 @@ TEST(Painting, ABarePictureHasThePixelsThatWereAskedFor) {
   }
 }
 
+TEST(Painting, TheOverlayIsAsTheOptionsHaveIt) {
+  const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  PictureOptions options;
+  EXPECT_EQ(style_of(options, simulation).title, simulation.plate().material.name);
+  const Image plain = paint(simulation, options);
+  options.overlay.title = "";
+  options.overlay.clock = options.overlay.bar = options.overlay.scale_bar = false;
+  EXPECT_EQ(style_of(options, simulation).title, "");
+  EXPECT_LT(paint(simulation, options).height, plain.height);
+  options.overlay.load_curve = true;
+  options.overlay.bar = true;
+  EXPECT_GT(paint(simulation, options).height, plain.height);
+}
+
+TEST(Painting, ChartsArePaidForOnlyWhereAskedFor) {
+  const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  PictureOptions options;
+  EXPECT_TRUE(shot_of(options, simulation).energy.curves.empty());
+  EXPECT_TRUE(shot_of(options, simulation).load_curve.curves.empty());
+  options.overlay.energy = options.overlay.load_curve = true;
+  EXPECT_EQ(shot_of(options, simulation).energy.curves.size(), 3U);
+  EXPECT_EQ(shot_of(options, simulation).load_curve.curves.size(), 1U);
+}
+
 TEST(Painting, TheWidestPictureFits) {
   const Simulation simulation(test::edge_crack(12e6), test::numerics(), {1});
   EXPECT_EQ(widest_picture({}, simulation, {1281, 2000}), 1280);

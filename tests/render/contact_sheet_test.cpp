@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "render/overlay.hpp"
+#include "render/theme.hpp"
 #include "render/png.hpp"
 #include "support/folder.hpp"
 

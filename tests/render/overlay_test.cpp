@@ -190,9 +190,10 @@ TEST(OverlayText, SaysSlowMotionAsAFactor) {
   EXPECT_EQ(slow_motion_text(0.05), "sped up 20 times");
 }
 
-TEST(OverlayText, WritesMicroAsPeopleDo) {
+TEST(OverlayText, WritesUnitsAsPeopleDo) {
   EXPECT_EQ(printed_unit("us"), "µs");
   EXPECT_EQ(printed_unit("MPa"), "MPa");
+  EXPECT_EQ(printed_unit("kJ/m3"), "kJ/m³");
 }
 
 }  // namespace
