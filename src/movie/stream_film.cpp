@@ -2,8 +2,11 @@
 #include "movie/stream_film.hpp"
 
 #include <cerrno>
+#include <string_view>
+#include <utility>
 
 #include "base/files.hpp"
+#include "movie/png_text.hpp"
 #include "movie/remux.hpp"
 
 namespace hackle {
@@ -62,15 +65,27 @@ void StreamFilm::write_packets() {
   }
 }
 
+// FFmpeg writes none of its own accord.
+void StreamFilm::write_png_texts() {
+  for (const auto& [keyword, key] : {std::pair{"Title", "title"}, {"Comment", "comment"}}) {
+    const AVDictionaryEntry* entry = av_dict_get(container_->metadata, key, nullptr, 0);
+    if (entry == nullptr) continue;
+    const Bytes chunk = png_text(keyword, entry->value);
+    avio_write(container_->pb, chunk.all().data(), static_cast<int>(chunk.size()));
+  }
+}
+
 void StreamFilm::finish() {
   codec_->send_end();
   write_packets();
+  const std::string_view kind = container_->oformat->name;
+  if (kind == "apng") write_png_texts();
   av::check(path_, "write", av_write_trailer(container_.get()));
   const int broken = container_->pb->error;
   const int closed = avio_closep(&container_->pb);
   av::check(path_, "write", broken);
   av::check(path_, "write", closed);
-  if (std::string_view(container_->oformat->name) == "mp4") put_index_first(path_, next_);
+  if (kind == "mp4") put_index_first(path_, next_);
 }
 
 }  // namespace hackle

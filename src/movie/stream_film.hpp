@@ -17,6 +17,7 @@ class StreamFilm : public Film {
  private:
   void open_container(const MovieKind& kind, const MovieFormat& format);
   void write_packets();
+  void write_png_texts();
 
   std::filesystem::path path_;
   av::Owner<AVFormatContext> container_;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "base/files.hpp"
@@ -16,6 +19,8 @@ using View = std::span<const std::uint8_t>;
 constexpr std::size_t riff_head = 12, chunk_head = 8, frame_head = 16;  // bytes
 constexpr std::size_t duration_at = 12, flags_at = 15;                  // in a frame's head
 constexpr std::uint8_t cover_what_was = 0x02;
+constexpr int animated = 0x02, with_xmp = 0x04, with_alpha = 0x10;
+constexpr std::int64_t features_at = 20;  // in the file
 
 std::uint64_t number_at(View bytes, std::size_t at, int count) {
   std::uint64_t value = 0;
@@ -77,6 +82,33 @@ std::int64_t ms_of(std::int64_t frame, double fps) {
   return std::llround(1000.0 * static_cast<double>(frame) / fps);
 }
 
+std::string escaped(std::string_view text) {
+  std::string xml;
+  for (const char c : text) {
+    if (c == '&')
+      xml += "&amp;";
+    else if (c == '<')
+      xml += "&lt;";
+    else
+      xml += c;
+  }
+  return xml;
+}
+
+// Title and comment as Dublin Core has them.
+std::string xmp(const MovieFormat& format) {
+  const auto property = [](const char* name, const std::string& text) {
+    return fmt::format(
+        R"(<dc:{0}><rdf:Alt><rdf:li xml:lang="x-default">{1}</rdf:li></rdf:Alt></dc:{0}>)", name,
+        escaped(text));
+  };
+  return R"(<x:xmpmeta xmlns:x="adobe:ns:meta/">)"
+         R"(<rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">)"
+         R"(<rdf:Description rdf:about="" xmlns:dc="http://purl.org/dc/elements/1.1/">)" +
+         property("title", format.title) + property("description", format.comment) +
+         "</rdf:Description></rdf:RDF></x:xmpmeta>";
+}
+
 Bytes size_bytes(std::int64_t file_size) {
   return Bytes().number(static_cast<std::uint64_t>(file_size) - chunk_head, 4);
 }
@@ -89,10 +121,9 @@ WebpFilm::WebpFilm(const std::filesystem::path& path, const MovieFormat& format)
 }
 
 void WebpFilm::write_head() {
-  constexpr int animated_with_alpha = 0x12;
   Bytes head;
   head.add("RIFF").number(0, 4).add("WEBP");
-  head.add("VP8X").number(10, 4).number(animated_with_alpha, 4);
+  head.add("VP8X").number(10, 4).number(animated | with_alpha, 4);
   head.number(format_.width - 1, 3).number(format_.height - 1, 3);
   head.add("ANIM").number(6, 4).number(0, 4).number(0, 2);  // again and again
   file_.append(head);
@@ -130,8 +161,18 @@ void WebpFilm::write_chapter(View animation) {
   file_.write(size_bytes(file_.size()), 4);
 }
 
+void WebpFilm::write_metadata() {
+  const std::string text = xmp(format_);
+  Bytes chunk;
+  chunk.add("XMP ").number(text.size(), 4).add(text).number(0, static_cast<int>(text.size() % 2));
+  file_.append(chunk);
+  file_.write(size_bytes(file_.size()), 4);
+  file_.write(Bytes().number(animated | with_xmp | with_alpha, 1), features_at);
+}
+
 void WebpFilm::finish() {
   if (chapter_) end_chapter();
+  if (!format_.title.empty() || !format_.comment.empty()) write_metadata();
   file_.close();
 }
 

@@ -23,6 +23,7 @@ class WebpFilm : public Film {
  private:
   void write_head();
   void end_chapter();
+  void write_metadata();
   void write_chapter(std::span<const std::uint8_t> animation);
 
   std::filesystem::path path_;
