@@ -53,6 +53,8 @@ void Codec::open(const MovieKind& kind, const MovieFormat& format, bool global_h
   const ProfileSettings& settings = *kind.settings(format.profile);
   av::Options options(settings.options);
   if (kind.takes_crf()) options.set("crf", format.crf.value_or(settings.crf));
+  if (*kind.lookahead != '\0')
+    options.set(kind.lookahead, std::min(settings.lookahead, static_cast<int>(format.fps / 2.0)));
   av::check(path_, "encode", avcodec_open2(context_.get(), codec, options.get()));
   options.require_all_taken();
 }
@@ -84,6 +86,10 @@ void Codec::send(const Image& image, std::int64_t number) {
   const std::uint8_t* const rows[] = {image.pixels.data()};
   const int strides[] = {image.stride()};
   sws_scale(scaler_.get(), rows, strides, 0, image.height, frame_->data, frame_->linesize);
+  send_again(number);
+}
+
+void Codec::send_again(std::int64_t number) {
   frame_->pts = number;
   av::check(path_, "encode", avcodec_send_frame(context_.get(), frame_.get()));
 }

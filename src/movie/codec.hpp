@@ -18,6 +18,8 @@ class Codec {
 
   // Hands over the frame that is shown at `number`/fps. Throws Error (files).
   void send(const Image& image, std::int64_t number);
+  // The frame before once more.
+  void send_again(std::int64_t number);
   // No frame follows.
   void send_end();
   // The next packet in units of 1/fps, or null until more is sent. Valid until the next call.

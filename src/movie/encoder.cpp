@@ -53,7 +53,7 @@ struct Encoder::Parts {
 
   void complete() {
     for (auto left = std::llround(format.hold * format.fps); last && left > 0; --left)
-      film->add(*last);
+      film->repeat(*last);
     film->finish();
     publish(path);
   }

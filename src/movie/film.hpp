@@ -19,6 +19,8 @@ class Film {
   // Frame k is shown at k/fps, or at the tick of the kind next to it. What is transparent lies on
   // black. Throws Error (files) when it cannot be written.
   virtual void add(const Image& image) = 0;
+  // The same as add() for an image that is the one before.
+  virtual void repeat(const Image& last) { add(last); }
   // Completes the partial file. Once only. Throws Error (files).
   virtual void finish() = 0;
 };

@@ -26,7 +26,6 @@ constexpr std::optional<ProfileSettings> cannot_be = std::nullopt;
 //   VP9 crf 30    realtime, cpu-used 7: 0.8 93 kB   good, cpu-used 5: 3.4 78 kB
 //   WebP          quality 80: 1.4 154 kB   lossless: 0.7 82 kB; of a smooth field lossless takes
 //                 three times what quality 90 does
-// What x264 and VP9 look ahead is what a killed movie lacks: never more than 20 frames.
 constexpr std::array kinds{
     MovieKind{
         .ending = ".mp4",
@@ -35,28 +34,28 @@ constexpr std::array kinds{
         .encoder = "libx264",
         .pixels = "yuv420p",  // what every player takes
         .muxer_options = "movflags=frag_keyframe+delay_moov+default_base_moof:frag_duration=500000",
+        .lookahead = "rc-lookahead",
         .best_crf = 1,
         .worst_crf = 51,
         .profiles = {ProfileSettings{28, "profile=high:preset=superfast"},
-                     ProfileSettings{18, "profile=high:preset=veryfast"},
-                     ProfileSettings{10, "profile=high:preset=slow:rc-lookahead=20"}, cannot_be},
-        .bytes_a_pixel = 0.006,
+                     ProfileSettings{18, "profile=high:preset=veryfast", 10},
+                     ProfileSettings{10, "profile=high:preset=slow", 20}, cannot_be},
+        .bytes_a_pixel = 0.03,
         .instead = {".webm", ".webp", ".mkv", ".gif", ".apng"}},
-    MovieKind{
-        .ending = ".webm",
-        .name = "VP9",
-        .muxer = "webm",
-        .encoder = "libvpx-vp9",
-        .pixels = "yuv420p",
-        .muxer_options = "cluster_time_limit=500",
-        .best_crf = 1,
-        .worst_crf = 63,
-        .profiles = {ProfileSettings{40, "deadline=realtime:cpu-used=8:row-mt=1:lag-in-frames=0"},
-                     ProfileSettings{28, "deadline=realtime:cpu-used=7:row-mt=1:lag-in-frames=0"},
-                     ProfileSettings{16, "deadline=good:cpu-used=3:row-mt=1:lag-in-frames=16"},
-                     cannot_be},
-        .bytes_a_pixel = 0.008,
-        .instead = {".mp4", ".webp", ".mkv", ".gif", ".apng"}},
+    MovieKind{.ending = ".webm",
+              .name = "VP9",
+              .muxer = "webm",
+              .encoder = "libvpx-vp9",
+              .pixels = "yuv420p",
+              .muxer_options = "cluster_time_limit=500",
+              .lookahead = "lag-in-frames",
+              .best_crf = 1,
+              .worst_crf = 63,
+              .profiles = {ProfileSettings{40, "deadline=realtime:cpu-used=8:row-mt=1"},
+                           ProfileSettings{28, "deadline=realtime:cpu-used=7:row-mt=1"},
+                           ProfileSettings{16, "deadline=good:cpu-used=3:row-mt=1", 20}, cannot_be},
+              .bytes_a_pixel = 0.03,
+              .instead = {".mp4", ".webp", ".mkv", ".gif", ".apng"}},
     MovieKind{.ending = ".mkv",
               .name = "FFV1",
               .muxer = "matroska",
@@ -74,7 +73,7 @@ constexpr std::array kinds{
               .writer = Writer::gif,
               .most_fps = 50.0,  // players slow down what is faster
               .profiles = {ProfileSettings{}, ProfileSettings{}, ProfileSettings{}, cannot_be},
-              .bytes_a_pixel = 0.05},
+              .bytes_a_pixel = 0.3},
     MovieKind{.ending = ".apng",
               .name = "APNG",
               .muxer = "apng",
@@ -85,7 +84,7 @@ constexpr std::array kinds{
                            ProfileSettings{0, "compression_level=6"},
                            ProfileSettings{0, "compression_level=9"},
                            ProfileSettings{0, "compression_level=6"}},
-              .bytes_a_pixel = 0.1,
+              .bytes_a_pixel = 0.3,
               .instead = {".webp", ".mkv", ".gif", ".mp4", ".webm"}},
     MovieKind{.ending = ".webp",
               .name = "WebP",
@@ -133,6 +132,7 @@ const MovieKind& movie_kind(const fs::path& path) {
   const std::string ending = lower(path.extension().string());
   if (const MovieKind* kind = find_kind(ending)) return *kind;
   std::vector<std::string_view> endings;
+  endings.reserve(kinds.size());
   for (const MovieKind& kind : kinds) endings.push_back(kind.ending);
   throw Error(ErrorKind::refused,
               fmt::format("movie: '{}' ends in '{}', which is no kind of movie{}",

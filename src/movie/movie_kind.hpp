@@ -21,6 +21,9 @@ inline constexpr std::array<std::string_view, 4> profile_names{"preview", "web",
 struct ProfileSettings {
   int crf = 0;               // where the kind takes one
   const char* options = "";  // of the encoder, as FFmpeg writes them: "preset=slow:tune=film"
+  // Frames that the encoder keeps back to look ahead, but not more than half a second: they are
+  // what a film of a killed program lacks.
+  int lookahead = 0;
 };
 
 // How frames become a file.
@@ -38,12 +41,14 @@ struct MovieKind {
   const char* encoder = "";  // "" for a kind that needs none of FFmpeg
   const char* pixels = "";
   const char* muxer_options = "";
+  const char* lookahead = "";  // the name of that option of the encoder, if it has one
   // A lower crf is a better picture; 0, 0 for a kind that takes none.
   int best_crf = 0, worst_crf = 0;
   double most_fps = 1000.0;  // frames a second that it can say and players show
   // In the order of Profile; empty where the kind cannot be what the profile promises.
   std::array<std::optional<ProfileSettings>, 4> profiles;
-  double bytes_a_pixel = 0.0;  // of each frame: a guess from above, from plates that shatter
+  // Of each frame: what smooth fields and plates that shatter hardly reach.
+  double bytes_a_pixel = 0.0;
   std::array<std::string_view, 5> instead{};  // endings of the next best kinds, best first
 
   bool takes_crf() const { return worst_crf > 0; }

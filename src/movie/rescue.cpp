@@ -45,7 +45,7 @@ FilmLength complete(const fs::path& partial, const fs::path& name) {
 std::optional<Rescued> rescue(const fs::path& path) {
   const fs::path partial = partial_name(path);
   std::error_code ignored;
-  if (!fs::is_regular_file(partial, ignored)) return std::nullopt;
+  if (!fs::is_regular_file(fs::symlink_status(partial, ignored))) return std::nullopt;
   const FileLock lock(partial, false);
   if (lock.is_foreign()) return std::nullopt;
   const fs::path name = free_name(path);

@@ -53,6 +53,11 @@ void StreamFilm::add(const Image& image) {
   write_packets();
 }
 
+void StreamFilm::repeat(const Image&) {
+  codec_->send_again(next_++);
+  write_packets();
+}
+
 void StreamFilm::write_packets() {
   const AVRational frame = codec_->context().time_base;
   while (AVPacket* packet = codec_->receive()) {

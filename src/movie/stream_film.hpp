@@ -12,6 +12,7 @@ class StreamFilm : public Film {
   StreamFilm(const std::filesystem::path& path, const MovieFormat& format);
 
   void add(const Image& image) override;
+  void repeat(const Image& last) override;
   void finish() override;
 
  private:
