@@ -70,22 +70,27 @@ void Codec::open_frame() {
   av::check(path_, "encode", av_frame_get_buffer(frame_.get(), 0));
 }
 
+// Between orders of bytes; pictures in YUV take another way.
 void Codec::open_scaler() {
+  if (is_yuv(context_->pix_fmt)) return;
   const int width = context_->width, height = context_->height;
   scaler_.reset(sws_getContext(width, height, AV_PIX_FMT_BGR0, width, height, context_->pix_fmt,
-                               SWS_BICUBIC | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
+                               SWS_POINT, nullptr, nullptr, nullptr));
   if (!scaler_) av::fail(path_, "encode", AVERROR(ENOMEM));
-  if (!is_yuv(context_->pix_fmt)) return;
-  // Full-range RGB to limited-range BT.709; the default of swscale is BT.601.
-  const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
-  sws_setColorspaceDetails(scaler_.get(), bt709, 1, bt709, 0, 0, 1 << 16, 1 << 16);
 }
 
-void Codec::send(const Image& image, std::int64_t number) {
+void Codec::fill_frame(const Image& image) {
   av::check(path_, "encode", av_frame_make_writable(frame_.get()));
+  if (!scaler_)
+    return yuv_.fill(image, {frame_->data[0], frame_->data[1], frame_->data[2]},
+                     {frame_->linesize[0], frame_->linesize[1], frame_->linesize[2]});
   const std::uint8_t* const rows[] = {image.pixels.data()};
   const int strides[] = {image.stride()};
   sws_scale(scaler_.get(), rows, strides, 0, image.height, frame_->data, frame_->linesize);
+}
+
+void Codec::send(const Image& image, std::int64_t number) {
+  fill_frame(image);
   send_again(number);
 }
 

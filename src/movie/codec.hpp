@@ -7,6 +7,7 @@
 #include "base/image.hpp"
 #include "movie/av.hpp"
 #include "movie/movie_format.hpp"
+#include "movie/yuv_planes.hpp"
 
 namespace hackle {
 
@@ -31,12 +32,14 @@ class Codec {
   void open(const MovieKind& kind, const MovieFormat& format, bool global_header);
   void open_frame();
   void open_scaler();
+  void fill_frame(const Image& image);
 
   std::filesystem::path path_;
   av::Owner<AVCodecContext> context_;
   av::Owner<AVFrame> frame_;
   av::Owner<AVPacket> packet_;
-  av::Owner<SwsContext> scaler_;
+  av::Owner<SwsContext> scaler_;  // none for pictures in YUV
+  YuvPlanes yuv_;
 };
 
 }  // namespace hackle
