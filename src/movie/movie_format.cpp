@@ -23,9 +23,8 @@ void check_fps(const MovieKind& kind, double fps, Problems& problems) {
 
 void check_crf(const MovieKind& kind, int crf, Problems& problems) {
   if (!kind.takes_crf())
-    problems.add(
-        fmt::format("movie: crf has no meaning in {}, which is {}", kind.ending, kind.name),
-        "profile says how good it is to be");
+    problems.add(fmt::format("movie: crf has no meaning in {}", kind.ending),
+                 "profile says how good it is to be");
   else if (crf < kind.best_crf || crf > kind.worst_crf)
     problems.add(fmt::format("movie: crf is {}, in {} it must lie between {} (best) and {}", crf,
                              kind.ending, kind.best_crf, kind.worst_crf));

@@ -33,12 +33,12 @@ using testing::HasSubstr;
 constexpr int filmed = 90;  // frames, at 25 a second
 
 // Another program films and is killed.
-void film_and_die(const fs::path& path) {
+void film_and_die(const fs::path& path, double fps = 25.0) {
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
     const PartialFile partial(path);
-    const auto film = make_film(path, format(160, 90, 25.0));
+    const auto film = make_film(path, format(160, 90, fps));
     for (int k = 0; k < filmed; ++k) film->add(moving(160, 90, k));
     std::raise(SIGKILL);
   }
@@ -95,6 +95,14 @@ TEST_P(Killed, DoesNotTakeTheNameOfAnother) {
   const auto rescued = rescue(path);
   ASSERT_TRUE(rescued);
   EXPECT_EQ(rescued->file.filename(), "a.cut_off_2" + GetParam());
+}
+
+TEST(Rescue, AFilmOfFewFramesASecondLacksFew) {
+  const test::Folder folder;
+  const fs::path path = folder.path / "a.mp4";
+  film_and_die(path, 4.0);
+  // Half a second of looking ahead, three frames between two others, half a second of fragment.
+  EXPECT_GE(play(partial_name(path)).frames.size(), static_cast<std::size_t>(filmed - 8));
 }
 
 TEST(Rescue, FindsNothingWhereNothingWasFilmed) {
