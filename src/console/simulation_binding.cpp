@@ -98,9 +98,12 @@ int movie(lua_State* L) {
   options.picture = sized_picture_of(arguments);
   options.every = arguments.number("every");
   options.fps = arguments.number("fps", options.fps);
+  options.profile = arguments.choice("profile", options.profile);
+  if (arguments.has("crf")) options.crf = static_cast<int>(arguments.integer("crf"));
+  options.hold = arguments.number("hold", options.hold);
+  options.fallback = arguments.flag("fallback");
   const auto path = session_of(L).output_path("movie", arguments.text("file"));
-  scripted.run().movie(path, options);
-  scripted.promised.push_back(path);
+  scripted.promised.push_back(scripted.run().movie(path, options));
   return 0;
 }
 

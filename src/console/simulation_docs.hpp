@@ -7,6 +7,7 @@
 #include "console/picture_options.hpp"
 #include "console/schema.hpp"
 #include "lattice/numerics.hpp"
+#include "movie/movie_kind.hpp"
 
 namespace hackle {
 
@@ -122,14 +123,33 @@ inline constexpr auto movie_options = joined(
         Option{.name = "fps",
                .range = between(1.0, 240.0),
                .fallback = "30",
-               .sentence = "Frames a second when it is played."},
+               .sentence = "Frames a second when played; in .gif at most 50, to 1/100 s."},
+        Option{.name = "profile",
+               .type = OptionType::choice,
+               .fallback = "web",
+               .choices = profile_names,
+               .sentence = "What it is for; lossless: .mkv, .apng and .webp."},
+        Option{.name = "crf",
+               .type = OptionType::integer,
+               .range = between(1.0, 63.0),
+               .fallback = "18 in .mp4, 28 in .webm",
+               .sentence = "Lower is better and larger; up to 51 in .mp4, in others none."},
+        Option{.name = "hold",
+               .unit = "s",
+               .range = between(0.0, 3600.0),
+               .fallback = "1",
+               .sentence = "For which the last frame stays when it is played."},
+        Option{.name = "fallback",
+               .type = OptionType::flag,
+               .fallback = "false",
+               .sentence = "To the next best kind of file when an encoder is missing."},
     },
     picture_options);
 
 inline constexpr FunctionDoc movie_doc{
     .name = "movie",
     .owner = "s",
-    .sentence = "Films what follows, in H.264.",
+    .sentence = "Films what follows: .mp4, .webm, .mkv, .gif, .apng or .webp.",
     .options = movie_options,
     .example = "s:movie { \"crack.mp4\", field = \"damage\", every = 0.25*us }"};
 

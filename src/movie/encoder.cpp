@@ -7,7 +7,8 @@ extern "C" {
 }
 
 #include <atomic>
-#include <system_error>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,69 +16,51 @@ extern "C" {
 #include "base/error.hpp"
 #include "base/files.hpp"
 #include "base/stopwatch.hpp"
-#include "base/units.hpp"
 #include "base/worker.hpp"
-#include "movie/video_stream.hpp"
+#include "movie/film.hpp"
+#include "movie/partial_file.hpp"
 
 namespace hackle {
 namespace {
 
 constexpr std::size_t waiting_frames = 4;
-constexpr int most_pixels = 16384;  // a side; x264 takes no more
-
-void check(const MovieFormat& format) {
-  Problems problems;
-  for (const auto& [name, size] : {std::pair{"width", format.width}, {"height", format.height}})
-    if (size < 2 || size > most_pixels || size % 2 != 0)
-      problems.add(fmt::format("movie: the {} is {} px, it must be even and between 2 and {} px",
-                               name, size, most_pixels));
-  if (!(format.fps >= 0.1 && format.fps <= 1000.0))
-    problems.add(
-        fmt::format("movie: fps is {}, it must lie between 0.1 and 1000", shortest(format.fps)));
-  if (format.crf < 1 || format.crf > 51)
-    problems.add(fmt::format("movie: crf is {}, it must lie between 1 and 51", format.crf));
-  if (format.threads < 1)
-    problems.add(fmt::format("movie: threads is {}, it must be at least 1", format.threads));
-  problems.throw_if_any();
-}
-
-// Leaves no partial file behind, whatever happens: after publish() there is none.
-struct PartialFile {
-  std::filesystem::path path;
-
-  ~PartialFile() {
-    std::error_code ignored;
-    std::filesystem::remove(partial_name(path), ignored);
-  }
-};
 
 }  // namespace
 
 struct Encoder::Parts {
   Parts(const std::filesystem::path& path_, const MovieFormat& format_)
-      : path(path_), format(format_), partial{path_}, stream(path_, format_) {}
+      : path(path_), format(format_), partial(path_), film(make_film(path_, format_)) {}
 
   std::filesystem::path path;
   MovieFormat format;
   PartialFile partial;
-  VideoStream stream;
+  std::unique_ptr<Film> film;
+  std::optional<Image> last;  // to be held
   std::atomic<double> seconds = 0.0;
   int frames = 0;
   // Last, so that its thread ends before what it works on.
-  Worker<Image> thread{waiting_frames, [this](const Image& image) { encode(image); }};
+  Worker<Image> thread{waiting_frames, [this](Image image) { encode(std::move(image)); }};
 
-  void encode(const Image& image) {
+  void encode(Image image) {
     double taken = 0.0;
     {
       const Stopwatch watch(taken);
-      stream.add(image);
+      film->add(image);
     }
     seconds += taken;
+    if (format.hold > 0.0) last = std::move(image);
+  }
+
+  void complete() {
+    for (auto left = std::llround(format.hold * format.fps); last && left > 0; --left)
+      film->repeat(*last);
+    film->finish();
+    publish(path);
   }
 };
 
 Encoder::Encoder(const std::filesystem::path& path, const MovieFormat& format) {
-  check(format);
+  check(path, format);
   parts_ = std::make_unique<Parts>(path, format);
 }
 
@@ -95,8 +78,7 @@ void Encoder::finish() {
   double taken = 0.0;
   {
     const Stopwatch watch(taken);
-    parts_->stream.finish();
-    publish(parts_->path);
+    parts_->complete();
   }
   parts_->seconds += taken;
 }

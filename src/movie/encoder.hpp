@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures to a video file: H.264 High, yuv420p, BT.709, faststart, in an MP4.
+// Pictures to a video file, of the kind that the ending of its name says.
 #pragma once
 
 #include <filesystem>
@@ -7,37 +7,32 @@
 #include <string>
 
 #include "base/image.hpp"
+#include "movie/movie_format.hpp"
 
 namespace hackle {
 
-struct MovieFormat {
-  int width = 0;      // px, even
-  int height = 0;     // px, even
-  double fps = 30.0;  // frames a second, 0.1 .. 1000
-  int crf = 18;       // x264 quality, 1 (best) .. 51; 0 is lossless, which few players take
-  int threads = 1;    // of the encoder, at least 1
-  std::string title;  // metadata; may be empty
-};
-
 // Encodes on a thread of its own, behind a queue of a few frames. The file bears a partial name
-// until finish() has completed it.
+// until finish() has completed it; under that it plays too, up to about the last second of what was
+// encoded, so a program that is killed leaves a movie behind; see rescue().
 class Encoder {
  public:
-  // Opens the file. Throws Error (files) when it cannot be written, Error (run_failed) when FFmpeg
-  // has no H.264 encoder (names the package), Error (refused) for impossible formats,
-  // all problems at once.
+  // Opens the file, over what is under its partial name. Throws Error (files) when it cannot be
+  // written or is being filmed by another run, Error (run_failed) when FFmpeg lacks the encoder
+  // (names the package), Error (refused) for impossible formats, all problems at once.
   Encoder(const std::filesystem::path& path, const MovieFormat& format);
   // Removes the partial file unless finish() has completed it. A file of the same name from an
   // earlier run stays as it is until then.
   ~Encoder();
 
-  // Hands a frame over; waits while the queue is full. Frame k is shown at k/fps. Errors of the
-  // encoder's thread come out here or in finish().
+  // Hands a frame over; waits while the queue is full. Frame k is shown at k/fps, to the tick of
+  // the kind: 1/100 s in a GIF, 1 ms in WebP, webm and mkv. Errors of the encoder's thread come out
+  // here or in finish().
   void add(Image frame);
-  // Encodes what waits, closes the file and gives it its name. Once only.
+  // Encodes what waits, and the last frame again for as long as it is held, closes the file and
+  // gives it its name. Once only.
   void finish();
 
-  int frames() const;      // handed over so far
+  int frames() const;      // handed over so far, without those that are held
   double seconds() const;  // of encoding so far; exact after finish()
 
   static std::string library_version();  // "libavcodec 59.37.100, ..."

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/progress.hpp"
 #include "base/worker.hpp"
 #include "movie/encoder.hpp"
 #include "output/output.hpp"
@@ -17,8 +18,11 @@ namespace hackle {
 
 class MovieOutput : public Output {
  public:
-  MovieOutput(std::filesystem::path path, const MovieOptions& options,
-              const Simulation& simulation);
+  // Says what it falls back to, unless it is to be quiet. Throws as Run::movie does.
+  MovieOutput(const std::filesystem::path& path, const MovieOptions& options,
+              const Simulation& simulation, const Origin& origin, Talk talk);
+
+  const std::filesystem::path& path() const { return path_; }
 
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override;
@@ -30,6 +34,8 @@ class MovieOutput : public Output {
  private:
   // Without a shot, the end of the movie.
   using Work = std::optional<Shot>;
+  void tell(const std::string& note) const;
+  void keep_what_was_cut_off() const;
   void paint(const Work& work);
   void hand_over(Work work);
 
@@ -37,7 +43,8 @@ class MovieOutput : public Output {
   MovieOptions options_;
   PictureStyle style_;
   Schedule schedule_;
-  int encoder_threads_;
+  MovieFormat format_;  // its size comes with the first frame
+  Talk talk_;
   bool failed_ = false;
   bool complete_ = false;
   std::atomic<double> render_seconds_ = 0.0;

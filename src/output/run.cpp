@@ -121,14 +121,14 @@ Run::Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin 
 
 Run::~Run() = default;
 
-void Run::movie(const fs::path& path, const MovieOptions& options) {
+fs::path Run::movie(const fs::path& path, const MovieOptions& options) {
   check("movie", options.picture, parts_->simulation.lattice().grid);
-  if (!(options.fps >= 1.0 && options.fps <= 240.0))
-    throw Error(ErrorKind::refused,
-                fmt::format("movie: fps is {}, it must lie between 1 and 240", options.fps));
   parts_->refuse_while_running();
-  auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation);
-  parts_->outputs.add("movie", path, std::move(output));
+  auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation, parts_->origin,
+                                              parts_->talk);
+  const fs::path made = output->path();
+  parts_->outputs.add("movie", made, std::move(output));
+  return made;
 }
 
 void Run::record(const fs::path& path, const RecordOptions& options) {

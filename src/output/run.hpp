@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "movie/movie_kind.hpp"
 #include "output/picture.hpp"
 #include "output/rehearsal.hpp"
 #include "output/summary.hpp"
@@ -22,7 +23,11 @@ namespace hackle {
 struct MovieOptions {
   PictureOptions picture;
   double every = 0.0;  // simulated seconds from frame to frame, at least a step
-  double fps = 30.0;   // frames a second when played
+  double fps = 30.0;   // frames a second when played, 1..240 and no more than its kind can say
+  Profile profile = Profile::web;
+  std::optional<int> crf;  // in the range of the kind; what the profile sets if not given
+  double hold = 1.0;       // s of played time for which the last frame stays
+  bool fallback = false;   // to the next best kind when an encoder is missing
 };
 
 struct RecordOptions {
@@ -39,7 +44,9 @@ class Run {
 
   // Each adds an output. Throws Error (refused) for impossible options and Error (files) when
   // `path` cannot be written. Nothing is written before the first step, except by frame().
-  void movie(const std::filesystem::path& path, const MovieOptions& options);
+  // The ending of the path says the kind of movie. Returns the path, or the one with the ending
+  // that it falls back to. Throws Error (run_failed) when an encoder is missing.
+  std::filesystem::path movie(const std::filesystem::path& path, const MovieOptions& options);
   void record(const std::filesystem::path& path, const RecordOptions& options);
   // Writes a PNG of the state as it is now.
   void frame(const std::filesystem::path& path, const PictureOptions& options);

@@ -84,6 +84,30 @@ TEST(SimulationBinding, FilesOfAClosedRunAreComplete) {
   EXPECT_EQ(console.simulations()[0].files.size(), 4u);
 }
 
+TEST(SimulationBinding, TheEndingOfAMovieSaysItsKind) {
+  const test::Folder folder;
+  EXPECT_EQ(test::message_of(test::scene + R"(
+    s:movie { "a.mp4", every = 1*us, width = 320, profile = "preview", crf = 40, hold = 0 }
+    s:movie { "a.webp", every = 1*us, width = 320, profile = "lossless" }
+    s:movie { "a.gif", every = 1*us, width = 320, fps = 10, fallback = true }
+    s:run(2*us)
+  )",
+                             test::quiet(folder.path)),
+            "");
+  for (const char* name : {"a.mp4", "a.webp", "a.gif"})
+    EXPECT_TRUE(fs::exists(folder.path / name)) << name;
+}
+
+TEST(SimulationBinding, RefusesWhatAMovieOfItsKindCannotBe) {
+  const auto message = [](const std::string& options) {
+    return test::message_of(test::scene + "s:movie { " + options + ", every = 1*us }");
+  };
+  EXPECT_THAT(message("'a.mp3'"), HasSubstr("movie: 'a.mp3' ends in '.mp3'"));
+  EXPECT_THAT(message("'a.mp4', profile = 'lossless'"), HasSubstr("cannot be lossless"));
+  EXPECT_THAT(message("'a.gif', crf = 20"), HasSubstr("crf has no meaning in .gif"));
+  EXPECT_THAT(message("'a.gif', fps = 60"), HasSubstr("in .gif it must lie between"));
+}
+
 TEST(SimulationBinding, FilesAreCompleteAfterAnErrorToo) {
   const test::Folder folder;
   EXPECT_THAT(

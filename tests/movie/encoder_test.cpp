@@ -2,126 +2,27 @@
 // Movies are decoded again and compared with what went in.
 #include "movie/encoder.hpp"
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-#include <libswscale/swscale.h>
-}
-
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "movie/pictures.hpp"
+#include "movie/player.hpp"
 #include "support/folder.hpp"
 
 namespace hackle {
 namespace {
 
 namespace fs = std::filesystem;
+using test::format;
 using test::fresh_folder;
-
-Image plain(int width, int height, std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
-  Image image(width, height);
-  for (std::size_t at = 0; at < image.pixels.size(); at += 4) {
-    image.pixels[at] = blue;
-    image.pixels[at + 1] = green;
-    image.pixels[at + 2] = red;
-    image.pixels[at + 3] = 255;
-  }
-  return image;
-}
-
-// A square that moves a pixel a frame.
-Image moving(int width, int height, int frame) {
-  Image image = plain(width, height, 20, 30, 50);
-  for (int y = 10; y < 40; ++y)
-    for (int x = 10 + frame; x < 40 + frame; ++x) {
-      auto* pixel = &image.pixels[static_cast<std::size_t>(y * image.stride() + 4 * x)];
-      pixel[0] = pixel[1] = pixel[2] = 240;
-    }
-  return image;
-}
-
-// What a player sees of a movie.
-struct Played {
-  int width = 0, height = 0, profile = 0;
-  AVPixelFormat format = AV_PIX_FMT_NONE;
-  AVColorRange range = AVCOL_RANGE_UNSPECIFIED;
-  AVColorSpace space = AVCOL_SPC_UNSPECIFIED;
-  AVColorPrimaries primaries = AVCOL_PRI_UNSPECIFIED;
-  AVColorTransferCharacteristic transfer = AVCOL_TRC_UNSPECIFIED;
-  std::string title;
-  std::vector<double> times;  // s
-  std::vector<Image> frames;  // BGRA
-  std::vector<std::size_t> keyframes;
-};
-
-Image to_image(const AVFrame* frame) {
-  Image image(frame->width, frame->height);
-  SwsContext* scaler =
-      sws_getContext(frame->width, frame->height, AV_PIX_FMT_YUV420P, frame->width, frame->height,
-                     AV_PIX_FMT_BGRA, SWS_BICUBIC | SWS_ACCURATE_RND, nullptr, nullptr, nullptr);
-  const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
-  sws_setColorspaceDetails(scaler, bt709, 0, bt709, 1, 0, 1 << 16, 1 << 16);
-  std::uint8_t* rows[] = {image.pixels.data()};
-  const int strides[] = {image.stride()};
-  sws_scale(scaler, frame->data, frame->linesize, 0, frame->height, rows, strides);
-  sws_freeContext(scaler);
-  return image;
-}
-
-Played play(const fs::path& path) {
-  Played played;
-  AVFormatContext* container = nullptr;
-  EXPECT_EQ(avformat_open_input(&container, path.c_str(), nullptr, nullptr), 0);
-  if (container == nullptr) return played;
-  avformat_find_stream_info(container, nullptr);
-  const AVStream* stream = container->streams[0];
-  const AVDictionaryEntry* title = av_dict_get(container->metadata, "title", nullptr, 0);
-  if (title != nullptr) played.title = title->value;
-  AVCodecContext* codec = avcodec_alloc_context3(avcodec_find_decoder(stream->codecpar->codec_id));
-  avcodec_parameters_to_context(codec, stream->codecpar);
-  avcodec_open2(codec, codec->codec, nullptr);
-  AVPacket* packet = av_packet_alloc();
-  AVFrame* frame = av_frame_alloc();
-  const auto receive = [&] {
-    while (avcodec_receive_frame(codec, frame) == 0) {
-      if (frame->key_frame != 0) played.keyframes.push_back(played.frames.size());
-      played.times.push_back(static_cast<double>(frame->pts) * av_q2d(stream->time_base));
-      played.frames.push_back(to_image(frame));
-    }
-  };
-  while (av_read_frame(container, packet) == 0) {
-    avcodec_send_packet(codec, packet);
-    av_packet_unref(packet);
-    receive();
-  }
-  avcodec_send_packet(codec, nullptr);
-  receive();
-  played.width = codec->width;
-  played.height = codec->height;
-  played.profile = codec->profile;
-  played.format = codec->pix_fmt;
-  played.range = codec->color_range;
-  played.space = codec->colorspace;
-  played.primaries = codec->color_primaries;
-  played.transfer = codec->color_trc;
-  av_frame_free(&frame);
-  av_packet_free(&packet);
-  avcodec_free_context(&codec);
-  avformat_close_input(&container);
-  return played;
-}
-
-MovieFormat format(int width, int height, double fps = 30.0) {
-  MovieFormat format{width, height};
-  format.fps = fps;
-  return format;
-}
+using test::moving;
+using test::plain;
+using test::play;
+using test::Played;
 
 TEST(Encoder, EveryFrameIsThereAtItsTime) {
   const fs::path path = fresh_folder() / "a.mp4";
@@ -179,6 +80,7 @@ TEST(Encoder, WritesWhatEveryPlayerTakes) {
   const fs::path path = fresh_folder() / "a.mp4";
   MovieFormat f = format(160, 90);
   f.title = "edge crack";
+  f.comment = "from a script";
   Encoder encoder(path, f);
   encoder.add(moving(160, 90, 0));
   encoder.finish();
@@ -191,7 +93,8 @@ TEST(Encoder, WritesWhatEveryPlayerTakes) {
   EXPECT_EQ(played.space, AVCOL_SPC_BT709);
   EXPECT_EQ(played.primaries, AVCOL_PRI_BT709);
   EXPECT_EQ(played.transfer, AVCOL_TRC_BT709);
-  EXPECT_EQ(played.title, "edge crack");
+  EXPECT_EQ(played.metadata.at("title"), "edge crack");
+  EXPECT_EQ(played.metadata.at("comment"), "from a script");
 }
 
 TEST(Encoder, KeepsColours) {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What every caller of FFmpeg's libraries needs: owners of its objects, options, errors.
+#pragma once
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libswscale/swscale.h>
+}
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace hackle::av {
+
+struct Free {
+  void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
+  void operator()(AVFrame* frame) const { av_frame_free(&frame); }
+  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+  void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+  void operator()(AVFormatContext* context) const;  // of a file that is read or written
+};
+
+template <class T>
+using Owner = std::unique_ptr<T, Free>;
+
+// Options as FFmpeg takes them, "key=value:key=value".
+class Options {
+ public:
+  explicit Options(const std::string& text = "");
+  ~Options() { av_dict_free(&dictionary_); }
+  Options(const Options&) = delete;
+  Options& operator=(const Options&) = delete;
+
+  void set(const char* key, int value) { av_dict_set_int(&dictionary_, key, value, 0); }
+  AVDictionary** get() { return &dictionary_; }
+  // FFmpeg ignores in silence what nobody took; that is a mistake of ours. Throws Error
+  // (run_failed).
+  void require_all_taken() const;
+
+ private:
+  AVDictionary* dictionary_ = nullptr;
+};
+
+// Throws Error (files): "cannot `doing` the movie `path`: what FFmpeg's `code` means".
+[[noreturn]] void fail(const std::filesystem::path& path, const char* doing, int code);
+inline int check(const std::filesystem::path& path, const char* doing, int code) {
+  if (code < 0) fail(path, doing, code);
+  return code;
+}
+
+}  // namespace hackle::av

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The partial file of a movie whose bytes we write ourselves; nothing waits in a buffer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace hackle {
+
+// Bytes on their way to a file, least significant byte first.
+class Bytes {
+ public:
+  Bytes& add(std::string_view text);
+  Bytes& add(std::span<const std::uint8_t> bytes);
+  // The lowest `count` bytes of a number.
+  Bytes& number(std::uint64_t value, int count);
+
+  std::span<const std::uint8_t> all() const { return bytes_; }
+  std::size_t size() const { return bytes_.size(); }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+};
+
+class ByteFile {
+ public:
+  // Creates the partial file of `path`, or empties it. Everything throws Error (files).
+  explicit ByteFile(const std::filesystem::path& path);
+  ~ByteFile();
+  ByteFile(const ByteFile&) = delete;
+  ByteFile& operator=(const ByteFile&) = delete;
+
+  void write(const Bytes& bytes, std::int64_t at);
+  void append(const Bytes& bytes) { write(bytes, size_); }
+  std::int64_t size() const { return size_; }
+  void close();
+
+ private:
+  std::filesystem::path path_;
+  int file_;
+  std::int64_t size_ = 0;
+};
+
+}  // namespace hackle

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A film in a GIF that is complete after every frame.
+#pragma once
+
+#include "movie/byte_file.hpp"
+#include "movie/film.hpp"
+#include "movie/palette.hpp"
+
+namespace hackle {
+
+// Times are in ticks of 1/100 s: frame k is shown at the one next to k/fps. A frame that is the
+// same as the one before only prolongs it.
+class GifFilm : public Film {
+ public:
+  GifFilm(const std::filesystem::path& path, const MovieFormat& format);
+
+  void add(const Image& image) override;
+  void finish() override { file_.close(); }
+
+ private:
+  // The smallest rectangle that holds what differs from the frame before; width 0 for nothing.
+  struct Part {
+    int x = 0, y = 0, width = 0, height = 0;  // px
+  };
+  void write_head(const MovieFormat& format);
+  void write_palette();
+  Part changed_part(const std::vector<std::uint8_t>& places) const;
+  std::vector<std::uint8_t> pixels_of(const Part& part,
+                                      const std::vector<std::uint8_t>& places) const;
+  void write_part(const Part& part, const std::vector<std::uint8_t>& places, int delay);
+  void prolong(int ticks);
+
+  int width_, height_;
+  double fps_;
+  ByteFile file_;
+  Palette palette_;
+  std::int64_t next_ = 0;
+  std::vector<std::uint8_t> shown_;  // the places in the palette of what is on the screen
+  std::int64_t delay_at_ = 0;        // where the file says how long that is shown
+  int delay_ = 0;                    // ticks
+};
+
+}  // namespace hackle

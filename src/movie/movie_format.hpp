@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What a movie is to be, beside its kind, which the ending of its name says.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/error.hpp"
+#include "movie/movie_kind.hpp"
+
+namespace hackle {
+
+struct MovieFormat {
+  int width = 0;      // px, even
+  int height = 0;     // px, even
+  double fps = 30.0;  // frames a second, from 0.1 to what the kind can say
+  Profile profile = Profile::web;
+  std::optional<int> crf;  // in the range of the kind; what the profile sets if not given
+  double hold = 0.0;       // s for which the last frame is shown again at the end, at most 3600
+  int threads = 1;         // of the encoder, at least 1
+  std::string title;       // metadata; either may be empty
+  std::string comment;
+};
+
+// What cannot be, apart from the size and the threads. `path` may have any ending.
+void check_settings(const std::filesystem::path& path, const MovieFormat& format,
+                    Problems& problems);
+
+// All of it. Throws Error (refused) with every problem.
+void check(const std::filesystem::path& path, const MovieFormat& format);
+
+}  // namespace hackle

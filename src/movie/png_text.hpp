@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Texts in a PNG, animated or not.
+#pragma once
+
+#include <string_view>
+
+#include "movie/byte_file.hpp"
+
+namespace hackle {
+
+// A chunk "iTXt" (PNG 11.3.4.5), which may stand between any two others; the text is UTF-8.
+Bytes png_text(std::string_view keyword, std::string_view text);
+
+}  // namespace hackle

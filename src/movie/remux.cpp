@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "movie/remux.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/files.hpp"
+#include "movie/av.hpp"
+#include "movie/movie_kind.hpp"
+
+namespace hackle {
+namespace fs = std::filesystem;
+namespace {
+
+av::Owner<AVFormatContext> open_to_read(const fs::path& path) {
+  av_log_set_level(AV_LOG_FATAL);  // what was cut off is no news
+  AVFormatContext* context = nullptr;
+  if (avformat_open_input(&context, path.c_str(), nullptr, nullptr) < 0) return nullptr;
+  av::Owner<AVFormatContext> input(context);
+  if (avformat_find_stream_info(context, nullptr) < 0 || context->nb_streams < 1) return nullptr;
+  return input;
+}
+
+// The file that is written, with a stream like the one that is read.
+av::Owner<AVFormatContext> open_to_write(const fs::path& path, const AVFormatContext& input,
+                                         const fs::path& named) {
+  const char* muxer = movie_kind(named).muxer;
+  AVFormatContext* context = nullptr;
+  av::check(named, "open", avformat_alloc_output_context2(&context, nullptr, muxer, path.c_str()));
+  av::Owner<AVFormatContext> output(context);
+  const AVStream* from = input.streams[0];
+  AVStream* to = avformat_new_stream(context, nullptr);
+  if (to == nullptr) av::fail(named, "open", AVERROR(ENOMEM));
+  avcodec_parameters_copy(to->codecpar, from->codecpar);
+  to->codecpar->codec_tag = 0;
+  to->time_base = from->time_base;
+  to->avg_frame_rate = from->avg_frame_rate;
+  av_dict_copy(&context->metadata, input.metadata, 0);
+  av::check(named, "create", avio_open(&context->pb, path.c_str(), AVIO_FLAG_WRITE));
+  av::Options options(std::string_view(muxer) == "mp4" ? "movflags=faststart" : "");
+  av::check(named, "write", avformat_write_header(context, options.get()));
+  return output;
+}
+
+void close(AVFormatContext& output, const fs::path& named) {
+  av::check(named, "write", av_write_trailer(&output));
+  const int broken = output.pb->error;
+  av::check(named, "write", avio_closep(&output.pb));
+  av::check(named, "write", broken);
+}
+
+// Shows every packet; the end of a file that was cut off may be an error, what came before it is
+// whole.
+template <class Visit>
+FilmLength for_each_packet(AVFormatContext& input, Visit visit) {
+  FilmLength length;
+  const double tick = av_q2d(input.streams[0]->time_base);
+  const av::Owner<AVPacket> packet(av_packet_alloc());
+  for (; av_read_frame(&input, packet.get()) >= 0; av_packet_unref(packet.get())) {
+    if (packet->stream_index != 0 || (packet->flags & AV_PKT_FLAG_CORRUPT) != 0) continue;
+    ++length.frames;
+    const double end = static_cast<double>(packet->pts + packet->duration) * tick;
+    length.seconds = std::max(length.seconds, end);
+    visit(*packet);
+  }
+  return length;
+}
+
+}  // namespace
+
+FilmLength copy_film(const fs::path& from, const fs::path& to, const fs::path& named) {
+  const auto input = open_to_read(from);
+  if (!input) return {};
+  const auto output = open_to_write(to, *input, named);
+  const AVRational old_ticks = input->streams[0]->time_base;
+  const FilmLength length = for_each_packet(*input, [&](AVPacket& packet) {
+    av_packet_rescale_ts(&packet, old_ticks, output->streams[0]->time_base);
+    packet.pos = -1;
+    av::check(named, "write", av_interleaved_write_frame(output.get(), &packet));
+  });
+  close(*output, named);
+  return length;
+}
+
+FilmLength length_of_film(const fs::path& path) {
+  const auto input = open_to_read(path);
+  return input ? for_each_packet(*input, [](const AVPacket&) {}) : FilmLength{};
+}
+
+void put_index_first(const fs::path& path, std::int64_t frames) {
+  const fs::path partial = partial_name(path);
+  const fs::path indexed = path.parent_path() / ("." + path.stem().string() + ".indexed.mp4");
+  std::error_code ignored;
+  try {
+    if (copy_film(partial, indexed, path).frames == frames) fs::rename(indexed, partial, ignored);
+  } catch (const Error&) {  // no room for two; the fragments play as well
+  }
+  fs::remove(indexed, ignored);
+}
+
+}  // namespace hackle

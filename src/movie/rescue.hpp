@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What a program that was killed had filmed.
+#pragma once
+
+#include <optional>
+
+#include "movie/remux.hpp"
+
+namespace hackle {
+
+struct Rescued {
+  std::filesystem::path file;  // "crack.cut_off.mp4", or with a number when there is one already
+  FilmLength length;
+};
+
+// Makes of the partial file of `path` a complete movie beside it and removes the partial file.
+// Nothing when there is none, no frame is in it, or a living program is writing it. Throws
+// Error (files) when the movie cannot be written; the partial file then stays.
+std::optional<Rescued> rescue(const std::filesystem::path& path);
+
+}  // namespace hackle

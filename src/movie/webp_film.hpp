@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// A film in an animated WebP that is complete after every second.
+#pragma once
+
+#include <optional>
+
+#include "movie/byte_file.hpp"
+#include "movie/codec.hpp"
+#include "movie/film.hpp"
+#include "movie/film_length.hpp"
+
+namespace hackle {
+
+// The encoder hands out nothing before its end, so it films chapters of about a second, each from
+// a whole picture on; their frames follow each other in one file. Times are in ms.
+class WebpFilm : public Film {
+ public:
+  WebpFilm(const std::filesystem::path& path, const MovieFormat& format);
+
+  void add(const Image& image) override;
+  void finish() override;
+
+ private:
+  void write_head();
+  void end_chapter();
+  void write_metadata();
+  void write_chapter(std::span<const std::uint8_t> animation);
+
+  std::filesystem::path path_;
+  MovieFormat format_;
+  ByteFile file_;
+  std::optional<Codec> chapter_;
+  std::int64_t next_ = 0;        // frame
+  std::int64_t chapter_at_ = 0;  // the frame with which it begins
+};
+
+// Of `from`, which may have been cut off, into `to`. Throws Error (files).
+FilmLength copy_webp(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace hackle
