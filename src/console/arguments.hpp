@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "scene/field_of_place.hpp"
 #include "scene/material.hpp"
 #include "scene/vec2.hpp"
+#include "store/recording.hpp"
 
 namespace hackle {
 
@@ -44,6 +46,8 @@ class Arguments {
   Vec2 pair(std::string_view name, const Vec2& fallback = {0, 0}) const;
   Eigen::Vector3d window(std::string_view name) const;  // x, y and half the width
   std::vector<Vec2> points(std::string_view name) const;
+  std::vector<double> numbers(std::string_view name) const;
+  std::vector<std::shared_ptr<Recording>> recordings(std::string_view name) const;
   Material material(std::string_view name) const;
   VectorField vector_field(std::string_view name) const;
   ScalarField scalar_field(std::string_view name) const;
@@ -66,7 +70,8 @@ class Arguments {
   };
   using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Eigen::Vector3d,
                              Material, Choice, VectorField, ScalarField, Course, LuaFunction,
-                             std::vector<Vec2>, std::vector<std::string>>;
+                             std::vector<Vec2>, std::vector<std::string>, std::vector<double>,
+                             std::vector<std::shared_ptr<Recording>>>;
   struct Slot {
     std::optional<Value> value;
     bool bad = false;
@@ -99,6 +104,9 @@ class Arguments {
   void take_pair(lua_State* L, int index, const Option& option);
   void take_window(lua_State* L, int index, const Option& option);
   void take_points(lua_State* L, int index, const Option& option);
+  bool is_list(lua_State* L, int index, const Option& option);
+  void take_numbers(lua_State* L, int index, const Option& option);
+  void take_recordings(lua_State* L, int index, const Option& option);
   void take_choice(lua_State* L, int index, const Option& option);
   void take_material(lua_State* L, int index, const Option& option);
   void take_vector_field(lua_State* L, int index, const Option& option);

@@ -13,6 +13,7 @@ PictureOptions picture_of(const Arguments& arguments) {
     const Vec2 range = arguments.pair("range");
     picture.range = Ends{range.x(), range.y()};
   }
+  if (arguments.has("percentile")) picture.percentile = arguments.number("percentile");
   if (arguments.has("scale")) picture.logarithmic = arguments.text_of_choice("scale", "") == "log";
   if (!arguments.has("zoom")) return picture;
   const Eigen::Vector3d window = arguments.window("zoom");

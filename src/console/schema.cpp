@@ -58,6 +58,10 @@ std::string expectation(const Option& option) {
       return "{x, y, half}, the middle and half the width" + in_unit;
     case OptionType::points:
       return fmt::format("a list of {} or more points {{x, y}}{}", option.range.least, in_unit);
+    case OptionType::numbers:
+      return fmt::format("a list of {} or more numbers{}", option.range.least, in_unit);
+    case OptionType::recordings:
+      return fmt::format("a list of {} or more of what recording returns", option.range.least);
     case OptionType::choice:
       return "one of " + comma_list(option.choices);
     case OptionType::material:

@@ -94,10 +94,8 @@ int movie(lua_State* L) {
   ScriptedRun& scripted = self<ScriptedRun>(L, movie_doc);
   const Arguments arguments = Arguments::from_table(L, 2, movie_doc);
   arguments.problems.throw_if_any();
-  MovieOptions options;
-  options.picture = sized_picture_of(arguments);
+  MovieOptions options = movie_of(arguments);
   options.every = arguments.number("every");
-  options.fps = arguments.number("fps", options.fps);
   const auto path = session_of(L).output_path("movie", arguments.text("file"));
   scripted.run().movie(path, options);
   scripted.promised.push_back(path);
@@ -264,6 +262,13 @@ std::vector<Function> all_methods_of_simulation() {
 
 void ScriptedRun::check_still_writable() const {
   for (const std::filesystem::path& path : promised) check_writable(path);
+}
+
+MovieOptions movie_of(const Arguments& arguments) {
+  MovieOptions options;
+  options.picture = sized_picture_of(arguments);
+  options.fps = arguments.number("fps", options.fps);
+  return options;
 }
 
 const TypeDoc& simulation_type() {

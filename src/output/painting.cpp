@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "output/automatic_range.hpp"
 #include "render/colour_map.hpp"
 
 namespace hackle {
@@ -50,18 +51,6 @@ bool is_fringes(const PictureOptions& options) {
   return options.field == fringes_name;
 }
 
-bool is_logarithmic(const PictureOptions& options) {
-  return options.logarithmic.value_or(scalar_of(options.field).logarithmic);
-}
-
-// What suits the field; a logarithmic scale of four decades where it has none of its own.
-Ends ends_of(const Scalar& scalar, const PictureOptions& options, const Simulation& simulation) {
-  Ends ends = scalar.ends(simulation);
-  if (is_fringes(options)) ends.most *= options.thickness;
-  if (is_logarithmic(options) && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
-  return ends;
-}
-
 void check_range(const char* output, const PictureOptions& options, Problems& problems) {
   const auto [least, most] = *options.range;
   if (!(std::isfinite(least) && std::isfinite(most) && least < most))
@@ -72,7 +61,42 @@ void check_range(const char* output, const PictureOptions& options, Problems& pr
                              output, least));
 }
 
+void check_percentile(const char* output, const PictureOptions& options, Problems& problems) {
+  if (!(*options.percentile >= 50.0 && *options.percentile <= 100.0))
+    problems.add(fmt::format("{}: percentile is {}, it must lie between 50 and 100", output,
+                             *options.percentile));
+  if (options.range)
+    problems.add(fmt::format("{}: range and percentile are given", output),
+                 "range says where the colour bar ends, percentile lets the values say it");
+}
+
+// What the options say of it.
+Ends ends_of(const PictureOptions& options, const Simulation& simulation) {
+  if (options.range) return *options.range;
+  if (options.percentile) return automatic_range(options, simulation);
+  return usual_ends(options, simulation);
+}
+
 }  // namespace
+
+bool is_logarithmic(const PictureOptions& options) {
+  return options.logarithmic.value_or(scalar_of(options.field).logarithmic);
+}
+
+// What suits the field; a logarithmic scale of four decades where it has none of its own.
+Ends usual_ends(const PictureOptions& options, const Simulation& simulation) {
+  Ends ends = scalar_of(options.field).ends(simulation);
+  if (is_fringes(options)) ends.most *= options.thickness;
+  if (is_logarithmic(options) && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
+  return ends;
+}
+
+void refuse_percentile(const char* output, const PictureOptions& options) {
+  if (options.percentile)
+    throw Error(ErrorKind::refused,
+                fmt::format("{}: percentile needs to know what will be seen", output),
+                "give a range; or record the run, and let recording(...):movie{} find it");
+}
 
 void check(const char* output, const PictureOptions& options, const Grid& grid) {
   Problems problems;
@@ -91,6 +115,7 @@ void check(const char* output, const PictureOptions& options, const Grid& grid) 
   if (options.zoom) check(output, *options.zoom, grid, problems);
   problems.throw_if_any();
   if (options.range) check_range(output, options, problems);
+  if (options.percentile) check_percentile(output, options, problems);
   problems.throw_if_any();
 }
 
@@ -115,7 +140,7 @@ PictureStyle style_of(const PictureOptions& options, const Simulation& simulatio
   style.width = options.width;
   style.title = simulation.plate().material.name;
   style.colour_map = options.colours.empty() ? std::string(scalar.colours) : options.colours;
-  const Ends ends = options.range.value_or(ends_of(scalar, options, simulation));
+  const Ends ends = ends_of(options, simulation);
   style.least = ends.least;
   style.most = ends.most;
   style.logarithmic = is_logarithmic(options);

@@ -122,6 +122,7 @@ Run::~Run() = default;
 
 void Run::movie(const fs::path& path, const MovieOptions& options) {
   check("movie", options.picture, parts_->simulation.lattice().grid);
+  refuse_percentile("movie", options.picture);
   if (!(options.fps >= 1.0 && options.fps <= 240.0))
     throw Error(ErrorKind::refused,
                 fmt::format("movie: fps is {}, it must lie between 1 and 240", options.fps));

@@ -27,10 +27,10 @@ constexpr Colour title_colour{222, 228, 236};
 struct Measures {
   explicit Measures(const SheetLayout& layout)
       : width(layout.width),
-        height(std::round(0.75 * layout.width)),
+        height(layout.height > 0 ? layout.height : std::round(0.75 * layout.width)),
         gap(std::max(4.0, std::round(0.04 * layout.width))),
-        font(std::max(10.0, std::round(0.05 * layout.width))),
-        pitch(height + 2.2 * font + 0.5 * gap) {}
+        font(std::max(10.0, std::round(layout.font * layout.width))),
+        pitch(height + (layout.titled ? 2.2 * font + 0.5 * gap : gap)) {}
   double width, height, gap, font;
   double pitch;  // from the top of a cell to that of the one below it
 };
@@ -91,13 +91,7 @@ void draw_title(cairo_t* cairo, const Measures& cell, double x, double y,
   cairo_show_text(cairo, text.c_str());
 }
 
-void draw_cell(cairo_t* cairo, const Measures& cell, double x, double y, const SheetPicture& one) {
-  const Surface picture = read(one.file);
-  draw_picture(cairo, cell, x, y, picture.get());
-  draw_title(cairo, cell, x, y, one.title);
-}
-
-Image blank(const Measures& cell, int columns, int rows) {
+Image blank(const Measures& cell, int columns, int rows, bool even) {
   const double width = columns * (cell.width + cell.gap) + cell.gap;
   const double height = rows * cell.pitch + cell.gap;
   if (width > most_of_sheet || height > most_of_sheet)
@@ -105,17 +99,18 @@ Image blank(const Measures& cell, int columns, int rows) {
                 fmt::format("contact_sheet: the sheet would be {:.0f} x {:.0f} px, more than {}",
                             width, height, most_of_sheet),
                 "give a smaller width or fewer pictures");
-  return {static_cast<int>(width), static_cast<int>(height)};
+  const int odd = even ? 1 : 0;
+  const int w = static_cast<int>(width), h = static_cast<int>(height);
+  return {w + (w & odd), h + (h & odd)};
 }
 
-}  // namespace
-
-Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout& layout) {
-  if (pictures.empty()) throw Error(ErrorKind::refused, "contact_sheet: there is no picture");
-  const int count = static_cast<int>(pictures.size());
+// Of `count` cells; picture(k) is the surface of each and title(k) its text.
+template <class Picture, class Title>
+Image sheet_of(int count, const SheetLayout& layout, Picture picture, Title title) {
+  if (count == 0) throw Error(ErrorKind::refused, "contact_sheet: there is no picture");
   const int columns = std::min(layout.columns, count);
   const Measures cell(layout);
-  Image sheet = blank(cell, columns, (count + columns - 1) / columns);
+  Image sheet = blank(cell, columns, (count + columns - 1) / columns, layout.even);
   const Surface surface(cairo_image_surface_create_for_data(
       sheet.pixels.data(), CAIRO_FORMAT_RGB24, sheet.width, sheet.height, sheet.stride()));
   const Cairo cairo(cairo_create(surface.get()));
@@ -125,12 +120,34 @@ Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout
                          CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo.get(), cell.font);
   for (int k = 0; k < count; ++k) {
-    const int column = k % columns, row = k / columns;
-    draw_cell(cairo.get(), cell, cell.gap + column * (cell.width + cell.gap),
-              cell.gap + row * cell.pitch, pictures[static_cast<std::size_t>(k)]);
+    const double x = cell.gap + k % columns * (cell.width + cell.gap);
+    const double y = cell.gap + k / columns * cell.pitch;
+    const Surface one = picture(static_cast<std::size_t>(k));
+    draw_picture(cairo.get(), cell, x, y, one.get());
+    draw_title(cairo.get(), cell, x, y, title(static_cast<std::size_t>(k)));
   }
   cairo_surface_flush(surface.get());
   return sheet;
+}
+
+}  // namespace
+
+Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout& layout) {
+  return sheet_of(
+      static_cast<int>(pictures.size()), layout,
+      [&](std::size_t k) { return read(pictures[k].file); },
+      [&](std::size_t k) { return pictures[k].title; });
+}
+
+Image contact_sheet(std::vector<SheetImage>& images, const SheetLayout& layout) {
+  return sheet_of(
+      static_cast<int>(images.size()), layout,
+      [&](std::size_t k) {
+        Image& image = images[k].image;
+        return Surface(cairo_image_surface_create_for_data(
+            image.pixels.data(), CAIRO_FORMAT_RGB24, image.width, image.height, image.stride()));
+      },
+      [&](std::size_t k) { return images[k].title; });
 }
 
 }  // namespace hackle
