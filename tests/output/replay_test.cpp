@@ -158,13 +158,13 @@ TEST_F(ReplayTest, AnInterruptedMovieIsComplete) {
   }
 }
 
-// Of the whole sheet: bright pixels there are in a title, a caption or a bar, none in a gap.
 TEST_F(ReplayTest, ASheetHasARowForEachRunAndAColumnForEachTime) {
   PictureOptions options;
   options.width = 320;
   SheetLayout layout;
   layout.width = 320;
-  const Tiles tiles{{a(), ""}, {b(), ""}};
+  const auto one = a(), other = b();
+  const Tiles tiles{{one, ""}, {other, ""}};
   const Image grid = sheet_of(tiles, {1e-6, 2e-6, 3e-6}, options, layout);
   const int gap = 13;  // 4 % of the width
   EXPECT_EQ(grid.width, 3 * (320 + gap) + gap);
@@ -173,7 +173,7 @@ TEST_F(ReplayTest, ASheetHasARowForEachRunAndAColumnForEachTime) {
   EXPECT_EQ(ends.width, 2 * (320 + gap) + gap);
   EXPECT_EQ(grid.height - gap, 2 * (ends.height - gap));
   layout.columns = 1;
-  const Image list = sheet_of({{a(), ""}}, {1e-6, 2e-6}, options, layout);
+  const Image list = sheet_of({{one, ""}}, {1e-6, 2e-6}, options, layout);
   EXPECT_EQ(list.width, 320 + 2 * gap);
 }
 
