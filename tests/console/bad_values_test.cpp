@@ -125,8 +125,9 @@ TEST_P(EveryFunction, RefusesNonsenseByTheNameOfTheOption) {
 TEST_P(EveryFunction, OffersTheNearestNameForAMisspelledOption) {
   const FunctionDoc& doc = *GetParam();
   if (doc.call != Call::options) return;
-  Console console(test::quiet());
-  console.evaluate(test::scene);
+  const test::Folder folder;
+  Console console(test::quiet(folder.path));
+  console.evaluate(test::scene + test::recorded);
   for (const Option& option : doc.options) {
     if (option.name.size() < 4) continue;
     std::string misspelled(option.name);

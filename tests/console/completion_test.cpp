@@ -123,8 +123,8 @@ TEST_F(CompletionTest, OptionsThatAreGivenAreLeftOut) {
   EXPECT_THAT(offered("plate { width = f(1, {a = 2}), "),
               ElementsAre("height", "material", "plane"));
   EXPECT_THAT(offered("s:movie { \"a.mp4\", "),
-              ElementsAre("colours", "cracks", "every", "field", "fps", "range", "scale",
-                          "thickness", "width", "zoom"));
+              ElementsAre("colours", "cracks", "every", "field", "fps", "percentile", "range",
+                          "scale", "thickness", "width", "zoom"));
   EXPECT_THAT(offered("s:movie { "), Contains("file"));
 }
 
