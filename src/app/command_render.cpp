@@ -118,11 +118,18 @@ void check_values(Console& console, const RenderJob& job) {
   }
 }
 
+// What a file says, for a terminal.
+std::string printable(std::string text) {
+  const auto controls = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  std::ranges::replace_if(text, controls, '?');
+  return text;
+}
+
 // What is in a file, and what can be made of it.
 void tell_of(Console& console, const std::string& run) {
-  fmt::print("{}: {}\n", run, console.evaluate("recording " + quoted(run)).at(0));
-  const std::string script = console.evaluate("_.script").at(0);
-  if (script.size() > 2) fmt::print("  made by {}\n", script);
+  fmt::print("{}: {}\n", run, printable(console.evaluate("recording " + quoted(run)).at(0)));
+  const std::string script = printable(console.evaluate("_.script").at(0));
+  if (!script.empty()) fmt::print("  made by {}\n", script);
 }
 
 void tell_what_is_there(Console& console, const RenderJob& job) {

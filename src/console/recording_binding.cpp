@@ -128,7 +128,7 @@ int push_file(lua_State* L) {
 }
 
 int push_script(lua_State* L) {
-  push_text(L, recording_of(L).script_name());
+  push_text(L, recording_of(L).origin().script_name);
   return 1;
 }
 

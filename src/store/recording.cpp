@@ -91,7 +91,7 @@ struct Recording::Parts {
       if (!(std::isfinite(times[k]) && steps[k] >= 0 &&
             static_cast<double>(steps[k]) <= most_steps && (k == 0 || times[k] >= times[k - 1])))
         file.refuse(fmt::format("time or step of record {} is damaged", k));
-    script_name = file.attribute("script_name");
+    origin = {file.attribute("script_name"), file.text("script")};
   }
 
   static Hdf5Reader opened(const std::filesystem::path& path) {
@@ -138,7 +138,7 @@ struct Recording::Parts {
   std::filesystem::path path;
   Hdf5Reader file;
   Simulation simulation;
-  std::string script_name;
+  Origin origin;
   std::vector<double> times;
   std::vector<std::int64_t> steps;
   std::size_t shown = 0;
@@ -155,8 +155,8 @@ const std::filesystem::path& Recording::path() const {
   return parts_->path;
 }
 
-const std::string& Recording::script_name() const {
-  return parts_->script_name;
+const Origin& Recording::origin() const {
+  return parts_->origin;
 }
 
 const std::vector<double>& Recording::times() const {

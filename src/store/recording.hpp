@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "solver/simulation.hpp"
+#include "store/run_file.hpp"
 
 namespace hackle {
 
@@ -23,7 +23,7 @@ class Recording {
   ~Recording();
 
   const std::filesystem::path& path() const;
-  const std::string& script_name() const;    // that made the run; "" at the prompt
+  const Origin& origin() const;              // the script that made the run
   const std::vector<double>& times() const;  // s, of the records, ascending; at least one
   // The record whose time is nearest; of two, the earlier one.
   std::size_t nearest(double time) const;

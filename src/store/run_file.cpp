@@ -83,13 +83,16 @@ std::filesystem::path sidecar_of(std::filesystem::path run_file) {
   return run_file.replace_extension(".xdmf");
 }
 
-// Refuses a name that the sidecar takes, and removes the sidecar of an older run file.
+// Refuses a name that the sidecar takes, and removes an older run file, which a recording may still
+// have open, and its sidecar.
 const std::filesystem::path& prepared(const std::filesystem::path& path) {
   if (sidecar_of(path) == path)
     throw Error(ErrorKind::files, fmt::format("cannot write a run file to '{}'", path.string()),
                 "end its name in .h5; the .xdmf beside it is written for you");
   std::error_code ignored;
   std::filesystem::remove(sidecar_of(path), ignored);
+  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
+    std::filesystem::remove(path, ignored);
   return path;
 }
 

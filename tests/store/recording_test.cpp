@@ -132,7 +132,7 @@ TEST_P(EveryScene, ComesBackAsItWas) {
   std::vector<double> times;
   std::vector<Circle> discs;
   {
-    RunFile file(folder.path / "a.h5", simulation, {"a.lua", ""});
+    RunFile file(folder.path / "a.h5", simulation, {"a.lua", "-- the script"});
     for (int k = 0; k < 4; ++k) {
       file.add(simulation);
       wanted.push_back(fields_of(simulation));
@@ -144,7 +144,8 @@ TEST_P(EveryScene, ComesBackAsItWas) {
   }
   Recording recording(folder.path / "a.h5", {1});
   EXPECT_EQ(recording.times(), times);
-  EXPECT_EQ(recording.script_name(), "a.lua");
+  EXPECT_EQ(recording.origin().script_name, "a.lua");
+  EXPECT_EQ(recording.origin().script_text, "-- the script");
   for (const std::size_t k : {3U, 0U, 2U, 1U, 3U}) {  // in any order
     recording.go_to(k);
     EXPECT_EQ(recording.shown(), k);
@@ -186,6 +187,20 @@ TEST(Recording, FindsTheRecordNearestInTime) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(recording.nearest(times[k]), k);
   EXPECT_EQ(recording.nearest(0.6 * times[1] + 0.4 * times[2]), 1U);
   EXPECT_EQ(recording.nearest(0.4 * times[1] + 0.6 * times[2]), 2U);
+}
+
+TEST(Recording, StaysWholeWhileItsFileIsWrittenAnew) {
+  const test::Folder folder;
+  Recording recording(small_file(folder.path), {1});
+  const std::vector<float> before = displacement(recording.simulation()).values;
+  Simulation other(test::bare_plate(20, 10), test::numerics(), {1});
+  RunFile file(folder.path / "small.h5", other, {});
+  file.add(other);
+  file.finish();
+  recording.go_to(3);
+  recording.go_to(0);
+  EXPECT_EQ(displacement(recording.simulation()).values, before);
+  EXPECT_EQ(Recording(folder.path / "small.h5", {1}).times().size(), 1U);
 }
 
 // What opening the file and looking at every record says, "" when nothing is wrong.
