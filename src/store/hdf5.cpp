@@ -38,6 +38,7 @@ Hdf5Handle storage(std::vector<hsize_t> shape) {
   H5Pset_chunk(plan.get(), static_cast<int>(shape.size()), shape.data());
   H5Pset_shuffle(plan.get());
   H5Pset_deflate(plan.get(), deflate_level);
+  H5Pset_fletcher32(plan.get());  // a disk that forgets is an error, not a picture
   return plan;
 }
 

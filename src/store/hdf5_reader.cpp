@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "store/hdf5_reader.hpp"
 
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_text = std::size_t{1} << 26U;  // bytes
 constexpr hsize_t most_rows = 1'000'000;
+constexpr std::string_view locked = "Resource temporarily unavailable";
 
 std::string extents_text(const std::vector<hsize_t>& shape) {
   return fmt::format("{}", fmt::join(shape, " x "));
@@ -28,9 +30,8 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path) {
   file_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
   if (file_.get() >= 0) return;
   const std::string why = cause_of_failure();
-  refuse(why, H5Fis_hdf5(path.c_str()) == 0
-                  ? "a run file is what s:record{} writes"
-                  : "while its run goes on it cannot be read; s:close() completes it");
+  if (H5Fis_hdf5(path.c_str()) == 0) refuse(why, "a run file is what s:record{} writes");
+  refuse(why, why == locked ? "another program is writing it: wait for its end" : "");
 }
 
 void Hdf5Reader::refuse(const std::string& what, const std::string& remedy) const {

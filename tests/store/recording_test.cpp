@@ -241,6 +241,33 @@ TEST(Recording, RefusesAFileThatWasCutOff) {
   }
 }
 
+// Where the first piece of a dataset lies in the file.
+std::streamoff place_of(const fs::path& path, const char* name) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t dataset = H5Dopen2(file, name, H5P_DEFAULT);
+  const hid_t space = H5Dget_space(dataset);
+  haddr_t place = 0;
+  H5Dget_chunk_info(dataset, space, 0, nullptr, nullptr, &place, nullptr);
+  H5Sclose(space);
+  H5Dclose(dataset);
+  H5Fclose(file);
+  return static_cast<std::streamoff>(place);
+}
+
+TEST(Recording, NoticesAByteThatHasChanged) {
+  const test::Folder folder;
+  const fs::path path = small_file(folder.path);
+  const std::string whole = read_text(path);
+  for (const char* field : {"displacement", "velocity", "broken"}) {
+    const std::string name = std::string("records/0/00002/") + field;
+    std::string changed = whole;
+    char& byte = changed.at(static_cast<std::size_t>(place_of(path, name.c_str())) + 12);
+    byte = static_cast<char>(byte ^ 4);
+    write_text(folder.path / "changed.h5", changed);
+    EXPECT_THAT(complaint(folder.path / "changed.h5"), HasSubstr("its " + name + " is damaged"));
+  }
+}
+
 // Changes something in a copy of the small file.
 class Damaged {
  public:
