@@ -18,6 +18,7 @@
 #include "app/command_info.hpp"
 #include "app/command_new.hpp"
 #include "app/command_prompt.hpp"
+#include "app/command_render.hpp"
 #include "app/command_run.hpp"
 #include "app/exit_code.hpp"
 #include "app/libraries.hpp"
@@ -29,12 +30,14 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 6> commands{"run", "check", "new", "bench", "info", "docs"};
+constexpr std::array<std::string_view, 7> commands{"run",   "check", "render", "new",
+                                                   "bench", "info",  "docs"};
 constexpr int most_threads = 1024;
 
 // Everything the command line can say.
 struct Request {
   RunRequest run;
+  RenderRequest render;
   BenchRequest bench;
   std::vector<std::string> settings;
   std::string new_name;
@@ -131,6 +134,24 @@ void describe_run(CLI::App& app, Request& request) {
   run->footer("What follows -- is given to the script, in `arg` and `...`.");
 }
 
+void describe_render(CLI::App& app, Request& request) {
+  CLI::App* render =
+      app.add_subcommand("render", "Make pictures and movies of recorded runs, without computing");
+  render
+      ->add_option("FILES", request.render.words,
+                   "Run files; then what to write, .png or a movie; then options, key=value")
+      ->required();
+  render
+      ->add_option("-j,--threads", request.render.execution.threads, "Threads (one for each core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads));
+  render->add_flag("-q,--quiet", request.render.quiet, "Say nothing but errors");
+  render->footer(
+      "RUN.h5 alone tells what is recorded. Options are those of r:frame and r:movie for one run,\n"
+      "of contact_sheet and side_by_side for several or for times={...}:\n"
+      "hackle render run.h5 stress.png field=stress_1 time=20*us range={0,12*MPa}");
+}
+
 void describe_bench(CLI::App& app, Request& request) {
   CLI::App* bench = app.add_subcommand("bench", "Measure how fast this machine solves a plate");
   bench->add_option("--peer", request.bench.peer, "Compare with it: lammps or none")
@@ -166,6 +187,7 @@ void describe(CLI::App& app, Request& request) {
   describe_limits(app, request.run.limits);
   describe_run(app, request);
   describe_check(app, request);
+  describe_render(app, request);
   describe_new(app, request);
   describe_bench(app, request);
   CLI::App* info = app.add_subcommand("info", "Show version, libraries and machine");
@@ -192,6 +214,7 @@ int execute(const CLI::App& app, Request& request) {
   }
   if (app.got_subcommand("run")) return command_run(request.run);
   if (app.got_subcommand("check")) return command_check(request.run);
+  if (app.got_subcommand("render")) return command_render(request.render);
   if (app.got_subcommand("new")) return command_new(request.new_name);
   if (app.got_subcommand("bench")) return command_bench(request.bench);
   if (app.got_subcommand("info")) return command_info(request.info_as_json);

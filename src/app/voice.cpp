@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/voice.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <set>
@@ -51,13 +52,18 @@ void tell(const Error& error) {
   fmt::print(stderr, "{}", error_text(error, in_colour()));
 }
 
+void tell_file(const std::filesystem::path& file) {
+  fmt::print(stderr, "wrote {}{}\n", file.string(), size_text(file));
+}
+
 void tell_files(const std::vector<Summary>& simulations) {
   std::fflush(stdout);
   std::set<std::filesystem::path> told;
   for (const Summary& summary : simulations)
     for (const std::filesystem::path& file : summary.files)
-      if (told.insert(file).second)
-        fmt::print(stderr, "wrote {}{}\n", file.string(), size_text(file));
+      if (told.insert(file).second) tell_file(file);
+  const auto run = std::ranges::find(told, ".h5", &std::filesystem::path::extension);
+  if (run != told.end()) fmt::print(stderr, "next: hackle render {}\n", run->string());
 }
 
 Talk talk(bool quiet) {

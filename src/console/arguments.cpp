@@ -15,6 +15,7 @@
 #include "console/guard.hpp"
 #include "console/lua_function.hpp"
 #include "console/material_binding.hpp"
+#include "console/recording_binding.hpp"
 #include "console/session.hpp"
 
 namespace hackle {
@@ -248,6 +249,10 @@ void Arguments::read_value(lua_State* L, int index, const Option& option) {
       return take_points(L, index, option);
     case OptionType::markers:
       return take_markers(L, index, option);
+    case OptionType::numbers:
+      return take_numbers(L, index, option);
+    case OptionType::recordings:
+      return take_recordings(L, index, option);
     case OptionType::choice:
       return take_choice(L, index, option);
     case OptionType::material:
@@ -406,6 +411,48 @@ void Arguments::take_markers(lua_State* L, int index, const Option& option) {
   keep(option, std::move(markers));
 }
 
+// Whether a list is there that is as long as the option says; says so if not.
+bool Arguments::is_list(lua_State* L, int index, const Option& option) {
+  if (lua_type(L, index) != LUA_TTABLE) {
+    wrong_type(L, index, option);
+    return false;
+  }
+  const lua_Unsigned count = lua_rawlen(L, index);
+  if (option.range.holds(static_cast<double>(count)) && entries(L, index) == count) return true;
+  wrong(option, fmt::format("{} is not {}", full_name(option), expectation(option)));
+  return false;
+}
+
+void Arguments::take_numbers(lua_State* L, int index, const Option& option) {
+  if (!is_list(L, index, option)) return;
+  std::vector<double> numbers;
+  for (lua_Unsigned k = 1; k <= lua_rawlen(L, index); ++k) {
+    const bool typed = lua_rawgeti(L, index, static_cast<lua_Integer>(k)) == LUA_TNUMBER;
+    numbers.push_back(lua_tonumber(L, -1));
+    lua_pop(L, 1);
+    if (!typed || !std::isfinite(numbers.back()))
+      return wrong(option, fmt::format("{}: entry {} of {} is no finite number", doc_->name, k,
+                                       option.name));
+  }
+  keep(option, std::move(numbers));
+}
+
+void Arguments::take_recordings(lua_State* L, int index, const Option& option) {
+  if (!is_list(L, index, option)) return;
+  std::vector<std::shared_ptr<Recording>> recordings;
+  for (lua_Unsigned k = 1; k <= lua_rawlen(L, index); ++k) {
+    lua_rawgeti(L, index, static_cast<lua_Integer>(k));
+    const auto* scripted = object_at<ScriptedRecording>(L, -1);
+    if (scripted != nullptr) recordings.push_back(scripted->recording);
+    lua_pop(L, 1);
+    if (scripted == nullptr)
+      return wrong(option,
+                   fmt::format("{}: entry {} of {} is no recording", doc_->name, k, option.name),
+                   "recording \"run.h5\" opens one");
+  }
+  keep(option, std::move(recordings));
+}
+
 void Arguments::take_choice(lua_State* L, int index, const Option& option) {
   if (lua_type(L, index) != LUA_TSTRING) return wrong_type(L, index, option);
   const std::string_view text = text_at(L, index);
@@ -557,6 +604,14 @@ std::vector<Vec2> Arguments::points(std::string_view name) const {
 
 std::vector<Marker> Arguments::markers(std::string_view name) const {
   return value_or(name, std::vector<Marker>{});
+}
+
+std::vector<double> Arguments::numbers(std::string_view name) const {
+  return value_or(name, std::vector<double>{});
+}
+
+std::vector<std::shared_ptr<Recording>> Arguments::recordings(std::string_view name) const {
+  return value_or(name, std::vector<std::shared_ptr<Recording>>{});
 }
 
 Material Arguments::material(std::string_view name) const {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@
 #include "scene/field_of_place.hpp"
 #include "scene/material.hpp"
 #include "scene/vec2.hpp"
+#include "store/recording.hpp"
 
 namespace hackle {
 
@@ -46,6 +48,8 @@ class Arguments {
   Eigen::Vector3d window(std::string_view name) const;  // x, y and half the width
   std::vector<Vec2> points(std::string_view name) const;
   std::vector<Marker> markers(std::string_view name) const;
+  std::vector<double> numbers(std::string_view name) const;
+  std::vector<std::shared_ptr<Recording>> recordings(std::string_view name) const;
   Material material(std::string_view name) const;
   VectorField vector_field(std::string_view name) const;
   ScalarField scalar_field(std::string_view name) const;
@@ -68,7 +72,8 @@ class Arguments {
   };
   using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Eigen::Vector3d,
                              Material, Choice, VectorField, ScalarField, Course, LuaFunction,
-                             std::vector<Vec2>, std::vector<std::string>, std::vector<Marker>>;
+                             std::vector<Vec2>, std::vector<std::string>, std::vector<double>,
+                             std::vector<Marker>, std::vector<std::shared_ptr<Recording>>>;
   struct Slot {
     std::optional<Value> value;
     bool bad = false;
@@ -103,6 +108,9 @@ class Arguments {
   void take_window(lua_State* L, int index, const Option& option);
   void take_points(lua_State* L, int index, const Option& option);
   void take_markers(lua_State* L, int index, const Option& option);
+  bool is_list(lua_State* L, int index, const Option& option);
+  void take_numbers(lua_State* L, int index, const Option& option);
+  void take_recordings(lua_State* L, int index, const Option& option);
   void take_choice(lua_State* L, int index, const Option& option);
   void take_material(lua_State* L, int index, const Option& option);
   void take_vector_field(lua_State* L, int index, const Option& option);

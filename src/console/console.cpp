@@ -17,6 +17,7 @@
 #include "console/object_type.hpp"
 #include "console/plate_binding.hpp"
 #include "console/process_binding.hpp"
+#include "console/recording_binding.hpp"
 #include "console/reference.hpp"
 #include "console/simulation_binding.hpp"
 #include "console/standard_library.hpp"
@@ -159,6 +160,7 @@ struct Console::Parts {
     open_type(L, type_name<Material>, material_type());
     open_type(L, type_name<Plate>, plate_type());
     open_type(L, type_name<ScriptedRun>, simulation_type());
+    open_type(L, type_name<ScriptedRecording>, recording_type());
     open_functions(L, all_functions());
     open_exit(L);
     open_print(L);

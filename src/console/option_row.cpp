@@ -35,6 +35,10 @@ std::string_view type_word(OptionType type) {
       return "points";
     case OptionType::markers:
       return "markers";
+    case OptionType::numbers:
+      return "list of numbers";
+    case OptionType::recordings:
+      return "list of recordings";
     case OptionType::choice:
       return "choice";
     case OptionType::material:
@@ -54,7 +58,8 @@ std::string_view type_word(OptionType type) {
 // Of lists the range is that of their length.
 std::string values_text(const Option& option) {
   const bool list = option.type == OptionType::points || option.type == OptionType::texts ||
-                    option.type == OptionType::markers;
+                    option.type == OptionType::markers || option.type == OptionType::numbers ||
+                    option.type == OptionType::recordings;
   if (list && option.unit.empty()) return shortest(option.range.least) + " or more";
   if (list) return fmt::format("{} or more, {}", shortest(option.range.least), option.unit);
   if (option.type == OptionType::choice) return comma_list(option.choices);

@@ -20,6 +20,7 @@ PictureOptions picture_of(const Arguments& arguments) {
     const Vec2 range = arguments.pair("range");
     picture.range = Ends{range.x(), range.y()};
   }
+  if (arguments.has("percentile")) picture.percentile = arguments.number("percentile");
   if (arguments.has("scale")) picture.logarithmic = arguments.text_of_choice("scale", "") == "log";
   if (arguments.has("follow")) picture.follow = arguments.choice<Toward>("follow");
   picture.rotation = arguments.number("rotate", picture.rotation);

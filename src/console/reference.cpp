@@ -18,6 +18,7 @@
 #include "console/option_row.hpp"
 #include "console/options_binding.hpp"
 #include "console/plate_binding.hpp"
+#include "console/recording_binding.hpp"
 #include "console/see_also.hpp"
 #include "console/show_binding.hpp"
 #include "console/simulation_binding.hpp"
@@ -179,14 +180,15 @@ std::string page_of_scalar(std::string_view name) {
 }  // namespace
 
 std::vector<const TypeDoc*> all_types() {
-  return {&material_type(), &plate_type(), &simulation_type()};
+  return {&material_type(), &plate_type(), &simulation_type(), &recording_type()};
 }
 
 std::vector<Function> all_functions() {
   std::vector<Function> list;
-  for (const auto functions : {material_functions(), plate_functions(), course_functions(),
-                               simulation_functions(), background_functions(), show_functions(),
-                               contact_sheet_functions(), options_functions(), help_functions()})
+  for (const auto functions :
+       {material_functions(), plate_functions(), course_functions(), simulation_functions(),
+        background_functions(), show_functions(), recording_functions(), contact_sheet_functions(),
+        options_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());
   return list;
 }

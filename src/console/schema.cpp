@@ -62,6 +62,10 @@ std::string expectation(const Option& option) {
       return fmt::format("a list of {} or more points {{x, y}}{}", option.range.least, in_unit);
     case OptionType::markers:
       return fmt::format("a list of {} or more {{x, y, \"label\"}}{}", option.range.least, in_unit);
+    case OptionType::numbers:
+      return fmt::format("a list of {} or more numbers{}", option.range.least, in_unit);
+    case OptionType::recordings:
+      return fmt::format("a list of {} or more of what recording returns", option.range.least);
     case OptionType::choice:
       return "one of " + comma_list(option.choices);
     case OptionType::material:

@@ -26,6 +26,8 @@ enum class OptionType {
   window,        // {x, y, half}, the middle of a window and half its width in the range
   points,        // a list of points, as many as the range says
   markers,       // a list of {x, y, "label"}, as many as the range says
+  numbers,       // a list of finite numbers, as many as the range says
+  recordings,    // a list of what recording{...} returns, as many as the range says
   choice,        // one of `choices`
   material,      // the name of one, or what material{...} returns
   vector_field,  // {x, y}, or a function of x and y that returns two numbers
@@ -82,6 +84,16 @@ constexpr std::array<Option, A + B> joined(const std::array<Option, A>& first,
   std::array<Option, A + B> all;
   std::ranges::copy(second, std::ranges::copy(first, all.begin()).out);
   return all;
+}
+
+// All but the one of this name, which must be among them.
+template <std::size_t N>
+constexpr std::array<Option, N - 1> without(std::string_view name,
+                                            const std::array<Option, N>& options) {
+  std::array<Option, N - 1> others;
+  std::ranges::copy_if(options, others.begin(),
+                       [&](const Option& option) { return option.name != name; });
+  return others;
 }
 
 struct FunctionDoc {

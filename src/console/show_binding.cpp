@@ -7,24 +7,35 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/files.hpp"
 #include "console/arguments.hpp"
 #include "console/guard.hpp"
 #include "console/live_view.hpp"
 #include "console/picture_options.hpp"
 #include "console/picture_text.hpp"
+#include "console/recording_binding.hpp"
 #include "console/simulation_binding.hpp"
 #include "output/chart_data.hpp"
+#include "output/painting.hpp"
+#include "render/png.hpp"
 
 namespace hackle {
 namespace {
+
+constexpr auto show_options = joined(
+    std::array{Option{.name = "time",
+                      .unit = "s",
+                      .alternative = true,
+                      .sentence = "Of a recording: the record that is shown, or that of the end."}},
+    picture_options);
 
 constexpr FunctionDoc show_doc{
     .name = "show",
     .leading = "s",
     .sentence =
-        "Shows a simulation as it is in the terminal; where there is none, as show_1.png, "
-        "show_2.png, ... in the output folder.",
-    .options = picture_options,
+        "Shows a simulation as it is, or a recording, in the terminal; where there is none, as "
+        "show_1.png, show_2.png, ... in the output folder.",
+    .options = show_options,
     .example = "show(s) show(s, { zoom = {60*mm, 20*mm, 10*mm} })"};
 
 constexpr auto watch_options = joined(
@@ -62,11 +73,25 @@ void open_braces(lua_State* L) {
   lua_rawseti(L, 2, 1);
 }
 
-const ScriptedRun& simulation_at(lua_State* L, int index) {
-  if (const ScriptedRun* scripted = object_at<ScriptedRun>(L, index)) return *scripted;
+void check_is_shown(lua_State* L, int index) {
+  if (object_at<ScriptedRun>(L, index) != nullptr) return;
+  if (object_at<ScriptedRecording>(L, index) != nullptr) return;
   throw Error(ErrorKind::refused,
               fmt::format("show: expected a simulation first, got {}", description(L, index)),
               fmt::format("as in {}", show_doc.example));
+}
+
+// What is shown: a simulation as it is, or a recording at the time that is asked for.
+const Simulation& simulation_at(lua_State* L, int index, const Arguments& arguments) {
+  if (const ScriptedRun* scripted = object_at<ScriptedRun>(L, index)) {
+    if (arguments.has("time"))
+      throw Error(ErrorKind::refused, "show: time is for recordings",
+                  "a simulation is shown as it is; s:run() goes on");
+    return scripted->simulation();
+  }
+  Recording& recording = *object_at<ScriptedRecording>(L, index)->recording;
+  recording.go_to(recording.nearest(arguments.number("time", recording.times().back())));
+  return recording.simulation();
 }
 
 void show_in_terminal(const Session& session, const Simulation& simulation,
@@ -79,18 +104,26 @@ void show_in_terminal(const Session& session, const Simulation& simulation,
   write_picture(text, terminal, STDOUT_FILENO);
 }
 
-void show_in_file(Session& session, Run& run, const PictureOptions& options) {
+// A run keeps account of the pictures that were made of it; a recording has none.
+void show_in_file(Session& session, Run* run, const Simulation& simulation,
+                  const PictureOptions& options) {
   const auto path =
       session.output_path("show", fmt::format("show_{}.png", ++session.pictures_shown));
-  run.frame(path, options);
+  if (run != nullptr) {
+    run->frame(path, options);
+  } else if (session.settings.purpose == Purpose::results) {
+    check_writable(path);
+    make_folder_of(path);
+    write_png(paint(simulation, options), path);
+  }
   std::FILE* file = session.settings.print_to_stderr ? stderr : stdout;
-  fmt::print(file, "{}: {}\n", caption(run.simulation(), options), path.string());
+  fmt::print(file, "{}: {}\n", caption(simulation, options), path.string());
   std::fflush(file);
 }
 
 int show(lua_State* L) {
   open_braces(L);
-  const ScriptedRun& scripted = simulation_at(L, 1);
+  check_is_shown(L, 1);
   if (lua_isnoneornil(L, 2)) {
     lua_settop(L, 1);
     lua_newtable(L);
@@ -98,13 +131,15 @@ int show(lua_State* L) {
   const Arguments arguments = Arguments::from_table(L, 2, show_doc);
   arguments.problems.throw_if_any();
   const PictureOptions options = picture_of(arguments);
-  check("show", options, scripted.simulation().lattice().grid);
+  const Simulation& simulation = simulation_at(L, 1, arguments);
+  check("show", options, simulation.lattice().grid);
   check_alone("show", options);
   Session& session = session_of(L);
+  const ScriptedRun* scripted = object_at<ScriptedRun>(L, 1);
   if (session.settings.show_in_terminal)
-    show_in_terminal(session, scripted.simulation(), options);
+    show_in_terminal(session, simulation, options);
   else
-    show_in_file(session, scripted.run(), options);
+    show_in_file(session, scripted != nullptr ? &scripted->run() : nullptr, simulation, options);
   return 0;
 }
 

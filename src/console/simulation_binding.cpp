@@ -94,14 +94,8 @@ int movie(lua_State* L) {
   ScriptedRun& scripted = self<ScriptedRun>(L, movie_doc);
   const Arguments arguments = Arguments::from_table(L, 2, movie_doc);
   arguments.problems.throw_if_any();
-  MovieOptions options;
-  options.picture = sized_picture_of(arguments);
+  MovieOptions options = movie_of(arguments);
   options.every = arguments.number("every");
-  options.fps = arguments.number("fps", options.fps);
-  options.profile = arguments.choice("profile", options.profile);
-  if (arguments.has("crf")) options.crf = static_cast<int>(arguments.integer("crf"));
-  options.hold = arguments.number("hold", options.hold);
-  options.fallback = arguments.flag("fallback");
   const auto path = session_of(L).output_path("movie", arguments.text("file"));
   scripted.promised.push_back(scripted.run().movie(path, options));
   return 0;
@@ -267,6 +261,17 @@ std::vector<Function> all_methods_of_simulation() {
 
 void ScriptedRun::check_still_writable() const {
   for (const std::filesystem::path& path : promised) check_writable(path);
+}
+
+MovieOptions movie_of(const Arguments& arguments) {
+  MovieOptions options;
+  options.picture = sized_picture_of(arguments);
+  options.fps = arguments.number("fps", options.fps);
+  options.profile = arguments.choice("profile", options.profile);
+  if (arguments.has("crf")) options.crf = static_cast<int>(arguments.integer("crf"));
+  options.hold = arguments.number("hold", options.hold);
+  options.fallback = arguments.flag("fallback");
+  return options;
 }
 
 const TypeDoc& simulation_type() {

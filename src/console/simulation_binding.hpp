@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "console/arguments.hpp"
 #include "console/live_view.hpp"
 #include "console/object_type.hpp"
 #include "console/session.hpp"
@@ -38,6 +39,9 @@ class ScriptedRun {
 
 template <>
 inline constexpr const char* type_name<ScriptedRun> = "hackle.simulation";
+
+// What the options of movie_options say, all but `every`.
+MovieOptions movie_of(const Arguments& arguments);
 
 const TypeDoc& simulation_type();
 std::span<const Function> simulation_functions();

@@ -8,7 +8,7 @@
 
 #include "base/progress.hpp"
 #include "base/worker.hpp"
-#include "movie/encoder.hpp"
+#include "output/movie_file.hpp"
 #include "output/output.hpp"
 #include "output/painting.hpp"
 #include "output/run.hpp"
@@ -22,7 +22,7 @@ class MovieOutput : public Output {
   MovieOutput(const std::filesystem::path& path, const MovieOptions& options,
               const Simulation& simulation, const Origin& origin, Talk talk);
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return file_.path(); }
 
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override;
@@ -34,24 +34,18 @@ class MovieOutput : public Output {
  private:
   // Without a shot, the end of the movie.
   using Work = std::optional<Shot>;
-  void tell(const std::string& note) const;
-  void keep_what_was_cut_off() const;
   void paint(const Work& work);
   void hand_over(Work work);
 
-  std::filesystem::path path_;
   MovieOptions options_;
   PictureStyle style_;
   Schedule schedule_;
-  MovieFormat format_;  // its size comes with the first frame
-  Talk talk_;
+  MovieFile file_;
   bool failed_ = false;
   bool complete_ = false;
   std::atomic<double> render_seconds_ = 0.0;
-  std::atomic<double> encode_seconds_ = 0.0;
   // Created with the first frame, on the painting thread, where GL wants to live and die.
   std::unique_ptr<PlatePainter> painter_;
-  std::unique_ptr<Encoder> encoder_;
   std::unique_ptr<Worker<Work>> painting_;
 };
 

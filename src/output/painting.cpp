@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "measure/links.hpp"
+#include "output/automatic_range.hpp"
 #include "output/chart_data.hpp"
 #include "output/view.hpp"
 #include "render/colour_map.hpp"
@@ -42,8 +43,7 @@ FieldChoice second_field(const PictureOptions& options) {
 }
 
 // What suits the field; a logarithmic scale of four decades where it has none of its own.
-Ends ends_of(const FieldChoice& field, const Simulation& simulation) {
-  if (field.range) return *field.range;
+Ends usual_ends(const FieldChoice& field, const Simulation& simulation) {
   Ends ends = field.scalar.ends(simulation);
   if (field.is_fringes()) ends.most *= field.thickness;
   if (field.logarithmic && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
@@ -53,7 +53,7 @@ Ends ends_of(const FieldChoice& field, const Simulation& simulation) {
 FieldStyle style_of(const FieldChoice& field, const Simulation& simulation) {
   FieldStyle style;
   style.colour_map = field.colours.empty() ? std::string(field.scalar.colours) : field.colours;
-  const Ends ends = ends_of(field, simulation);
+  const Ends ends = field.range.value_or(usual_ends(field, simulation));
   style.least = ends.least;
   style.most = ends.most;
   style.logarithmic = field.logarithmic;
@@ -109,7 +109,35 @@ std::string title_of(const PictureOptions& options, const Simulation& simulation
   return fmt::format("{}, {} thick", name, quantity(options.thickness, "m"));
 }
 
+void check_percentile(const char* output, const PictureOptions& options, Problems& problems) {
+  if (!(*options.percentile >= 50.0 && *options.percentile <= 100.0))
+    problems.add(fmt::format("{}: percentile is {}, it must lie between 50 and 100", output,
+                             *options.percentile));
+  if (options.range)
+    problems.add(fmt::format("{}: range and percentile are given", output),
+                 "range says where the colour bar ends, percentile lets the values say it");
+}
+
 }  // namespace
+
+bool is_logarithmic(const PictureOptions& options) {
+  return first_field(options).logarithmic;
+}
+
+Ends usual_ends(const PictureOptions& options, const Simulation& simulation) {
+  return usual_ends(first_field(options), simulation);
+}
+
+std::vector<float> field_values(const PictureOptions& options, const Simulation& simulation) {
+  return values_of(first_field(options), simulation);
+}
+
+void refuse_percentile(const char* output, const PictureOptions& options) {
+  if (options.percentile)
+    throw Error(ErrorKind::refused,
+                fmt::format("{}: percentile needs to know what will be seen", output),
+                "give a range; or record the run, and let recording(...):movie{} find it");
+}
 
 void check(const char* output, const PictureOptions& options, const Grid& grid) {
   Problems problems;
@@ -127,6 +155,7 @@ void check(const char* output, const PictureOptions& options, const Grid& grid) 
   problems.throw_if_any();
   check_range(output, "range", first_field(options), problems);
   if (options.second) check_range(output, "second_range", second_field(options), problems);
+  if (options.percentile) check_percentile(output, options, problems);
   problems.throw_if_any();
 }
 
@@ -140,7 +169,9 @@ PictureStyle style_of(const PictureOptions& options, const Simulation& simulatio
     style.note = fmt::format("displacements × {:.4g}", style.magnification);
   style.background = options.background;
   style.width = options.width;
-  style.field = style_of(first_field(options), simulation);
+  FieldChoice first = first_field(options);
+  if (options.percentile) first.range = automatic_range(options, simulation);
+  style.field = style_of(first, simulation);
   if (options.second) style.second = style_of(second_field(options), simulation);
   style.arrangement = options.arrangement;
   style.overlay = options.overlay;
@@ -171,7 +202,7 @@ int widest_picture(const PictureOptions& options, const Simulation& simulation,
 
 Shot shot_of(const PictureOptions& options, const Simulation& simulation) {
   Shot shot;
-  shot.values = values_of(first_field(options), simulation);
+  shot.values = field_values(options, simulation);
   if (options.second) shot.second = values_of(second_field(options), simulation);
   shot.time = simulation.time();
   shot.discs = impactors(simulation);

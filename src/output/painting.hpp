@@ -15,6 +15,19 @@ namespace hackle {
 // asks.
 void check(const char* output, const PictureOptions& options, const Grid& grid);
 
+// Of a movie that is made while the plate is solved: its range must be known before. Throws Error
+// (refused) for a percentile.
+void refuse_percentile(const char* output, const PictureOptions& options);
+
+// Whether the colour bar is.
+bool is_logarithmic(const PictureOptions& options);
+// The range that suits the field, whatever is asked for: it depends on the plate alone.
+Ends usual_ends(const PictureOptions& options, const Simulation& simulation);
+
+// What is painted of the field, by Grid::index; nan where there is no material.
+std::vector<float> field_values(const PictureOptions& options, const Simulation& simulation);
+
+// Without a range in the options it is the one of the state as it is, or what suits the field.
 // Throws Error (refused) when the materials lack what the field needs.
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation);
 

@@ -30,6 +30,11 @@ struct MovieOptions {
   bool fallback = false;   // to the next best kind when an encoder is missing
 };
 
+// How many times slower than it was a movie shows what happened.
+inline double slow_motion_of(const MovieOptions& options) {
+  return 1.0 / (options.every * options.fps);
+}
+
 struct RecordOptions {
   double every = 0.0;  // simulated seconds from record to record, at least a step
 };

@@ -20,10 +20,10 @@ using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 struct Measures {
   explicit Measures(const SheetLayout& layout)
       : width(layout.width),
-        height(std::round(0.75 * layout.width)),
+        height(layout.height > 0 ? layout.height : std::round(0.75 * layout.width)),
         gap(std::max(4.0, std::round(0.04 * layout.width))),
-        font(std::max(10.0, std::round(0.05 * layout.width))),
-        pitch(height + 2.2 * font + 0.5 * gap) {}
+        font(std::max(10.0, std::round(layout.font * layout.width))),
+        pitch(height + (layout.titled ? 2.2 * font + 0.5 * gap : gap)) {}
   double width, height, gap, font;
   double pitch;  // from the top of a cell to that of the one below it
 };
@@ -53,7 +53,7 @@ void draw_title(Canvas& canvas, const Font& font, const Measures& cell, double x
                                 cell.font, 0.5, theme_of(Background::dark).text));
 }
 
-Image blank(const Measures& cell, int columns, int rows) {
+Image blank(const Measures& cell, int columns, int rows, bool even) {
   const double width = columns * (cell.width + cell.gap) + cell.gap;
   const double height = rows * cell.pitch + cell.gap;
   if (width > most_of_sheet || height > most_of_sheet)
@@ -61,29 +61,49 @@ Image blank(const Measures& cell, int columns, int rows) {
                 fmt::format("contact_sheet: the sheet would be {:.0f} x {:.0f} px, more than {}",
                             width, height, most_of_sheet),
                 "give a smaller width or fewer pictures");
-  return {static_cast<int>(width), static_cast<int>(height)};
+  const int odd = even ? 1 : 0;
+  const int w = static_cast<int>(width), h = static_cast<int>(height);
+  return {w + (w & odd), h + (h & odd)};
 }
 
-}  // namespace
-
-Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout& layout) {
-  if (pictures.empty()) throw Error(ErrorKind::refused, "contact_sheet: there is no picture");
-  const int count = static_cast<int>(pictures.size());
+// Of `count` cells; picture(k) is the surface of each and title(k) its text.
+template <class Picture, class Title>
+Image sheet_of(int count, const SheetLayout& layout, Picture picture, Title title) {
+  if (count == 0) throw Error(ErrorKind::refused, "contact_sheet: there is no picture");
   const int columns = std::min(layout.columns, count);
   const Measures cell(layout);
-  Image sheet = blank(cell, columns, (count + columns - 1) / columns);
+  Image sheet = blank(cell, columns, (count + columns - 1) / columns, layout.even);
   const Font font;
   Canvas canvas(sheet);
   canvas.colour(background_colour);
   canvas.fill(0, 0, sheet.width, sheet.height);
   for (int k = 0; k < count; ++k) {
-    const int column = k % columns, row = k / columns;
-    const SheetPicture& one = pictures[static_cast<std::size_t>(k)];
-    const double x = cell.gap + column * (cell.width + cell.gap), y = cell.gap + row * cell.pitch;
-    draw_picture(canvas, cell, x, y, read(one.file).get());
-    draw_title(canvas, font, cell, x, y, one.title);
+    const double x = cell.gap + k % columns * (cell.width + cell.gap);
+    const double y = cell.gap + k / columns * cell.pitch;
+    draw_picture(canvas, cell, x, y, picture(static_cast<std::size_t>(k)).get());
+    draw_title(canvas, font, cell, x, y, title(static_cast<std::size_t>(k)));
   }
   return sheet;
+}
+
+}  // namespace
+
+Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout& layout) {
+  return sheet_of(
+      static_cast<int>(pictures.size()), layout,
+      [&](std::size_t k) { return read(pictures[k].file); },
+      [&](std::size_t k) { return pictures[k].title; });
+}
+
+Image contact_sheet(std::vector<SheetImage>& images, const SheetLayout& layout) {
+  return sheet_of(
+      static_cast<int>(images.size()), layout,
+      [&](std::size_t k) {
+        Image& image = images[k].image;
+        return Surface(cairo_image_surface_create_for_data(
+            image.pixels.data(), CAIRO_FORMAT_RGB24, image.width, image.height, image.stride()));
+      },
+      [&](std::size_t k) { return images[k].title; });
 }
 
 }  // namespace hackle

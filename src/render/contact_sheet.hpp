@@ -15,9 +15,19 @@ struct SheetPicture {
   std::string title;           // may be empty
 };
 
+// The same with a picture in memory.
+struct SheetImage {
+  Image image;
+  std::string title;
+};
+
 struct SheetLayout {
-  int columns = 4;  // at least 1
-  int width = 320;  // px, of each cell; a cell is 3/4 as high
+  int columns = 4;     // at least 1
+  int width = 320;     // px, of each cell
+  int height = 0;      // px, of each cell; 0: 3/4 of its width
+  double font = 0.05;  // of the titles, in widths of a cell; at least 10 px
+  bool titled = true;  // there is room for titles
+  bool even = false;   // width and height of the sheet are, for a movie
 };
 
 // The largest width and height of a sheet, px.
@@ -27,5 +37,6 @@ inline constexpr int most_of_sheet = 16384;
 // below it (shortened where it does not fit). Throws Error (refused) when there is none or the
 // sheet would be larger than most_of_sheet, Error (files) when one cannot be read.
 Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout& layout);
+Image contact_sheet(std::vector<SheetImage>& images, const SheetLayout& layout);
 
 }  // namespace hackle

@@ -116,6 +116,13 @@ void Simulation::restore(State state) {
   prepare();
 }
 
+void Simulation::show(Snapshot snapshot) {
+  plate_.loads.impactors = std::move(snapshot.impactors);
+  heat_.hold(std::move(snapshot.thermal_strain));
+  state_ = std::move(snapshot.state);
+  stop();
+}
+
 // The energy that the start gives is accounted for as work.
 void Simulation::start() {
   heat_.update(lattice_, 0);

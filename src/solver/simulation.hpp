@@ -36,6 +36,13 @@ struct StepSeconds {
   double sum() const { return damping + heat + loads.all; }
 };
 
+// A state as it was once, with what belongs to it in a picture.
+struct Snapshot {
+  State state;                         // step == start: u and v belong to the same time
+  std::vector<double> thermal_strain;  // by Grid::index; empty where nothing was heated
+  std::vector<Impactor> impactors;     // one for each disc of the state
+};
+
 class Simulation {
  public:
   // Checks plate and numerics first: throws Error (refused) with every problem found, before
@@ -90,6 +97,10 @@ class Simulation {
   // Goes on from another state of the same lattice: a kept one, which gives the same bits, or one
   // prepared by hand.
   void restore(State state);
+
+  // To be looked at: the state and its discs, without loads. Only of a simulation that was made
+  // without loads and is never stepped: what a step would need is not prepared.
+  void show(Snapshot snapshot);
 
   const Plate& plate() const { return plate_; }
   const Numerics& numerics() const { return numerics_; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "lattice/load_map.hpp"
@@ -31,6 +32,8 @@ class ThermalStrain {
 
   // By Grid::index; empty when nothing is heated.
   const std::vector<double>& values() const { return values_; }
+  // These from now on, whatever the temperature does. Only where it is empty().
+  void hold(std::vector<double> values) { values_ = std::move(values); }
 
   // Half a step earlier: the mean of a step and the one before, or the start's. Work is counted
   // from middle to middle, as then it is right to the second order of the step.

@@ -16,21 +16,22 @@
 #include "measure/field.hpp"
 #include "store/hdf5.hpp"
 #include "store/inputs.hpp"
+#include "store/lattice_hash.hpp"
 #include "store/xdmf.hpp"
 
 namespace hackle {
 namespace {
 
-constexpr int format_version = 1;
 constexpr unsigned most_groups = 1000;  // of a thousand records each
+constexpr unsigned most_members = 6;    // of a record
 
 std::vector<double> places(const Grid& grid) {
   std::vector<double> list;
-  list.reserve(3 * grid.nodes());
+  list.reserve(2 * grid.nodes());
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const Vec2 place = grid.position(i, j);
-      list.insert(list.end(), {place.x(), place.y(), 0.0});
+      list.insert(list.end(), {place.x(), place.y()});
     }
   return list;
 }
@@ -43,12 +44,34 @@ void require_finite(const Field& field) {
                   "take a smaller step");
 }
 
-// ParaView wants three components.
-std::vector<float> with_zero_z(const Field& field) {
-  std::vector<float> list;
-  list.reserve(field.values.size() / 2 * 3);
-  for (std::size_t at = 0; at < field.values.size(); at += 2)
-    list.insert(list.end(), {field.values[at], field.values[at + 1], 0.0F});
+// The bonds broken since the start, as bits: node by node, the words of each side by side.
+std::vector<std::uint32_t> broken_bonds(const Simulation& simulation) {
+  const Grid& grid = simulation.lattice().grid;
+  const BondBits &born = simulation.lattice().bonds, &now = simulation.state().bonds;
+  const auto words = static_cast<std::size_t>(simulation.lattice().family.words());
+  std::vector<std::uint32_t> broken;
+  broken.reserve(words * grid.nodes());
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      auto at = static_cast<std::size_t>(grid.layout().at(i, j));
+      for (std::size_t word = 0; word < words; ++word, at += born.plane())
+        broken.push_back(born.words()[at] & ~now.words()[at]);
+    }
+  return broken;
+}
+
+// Place (m), velocity (m/s) and radius (m) of each.
+std::vector<double> discs(const Simulation& simulation) {
+  const Grid& grid = simulation.lattice().grid;
+  const std::vector<Impactor>& impactors = simulation.plate().loads.impactors;
+  std::vector<double> list;
+  for (std::size_t k = 0; k < simulation.state().discs.size(); ++k) {
+    const Disc& disc = simulation.state().discs[k];
+    const Vec2 place = grid.centre + grid.dx * disc.centre;
+    const Vec2 velocity = grid.dx / simulation.dt() * disc.velocity;
+    list.insert(list.end(),
+                {place.x(), place.y(), velocity.x(), velocity.y(), impactors[k].radius});
+  }
   return list;
 }
 
@@ -60,20 +83,23 @@ std::filesystem::path sidecar_of(std::filesystem::path run_file) {
   return run_file.replace_extension(".xdmf");
 }
 
-// Refuses a name that the sidecar takes, and removes the sidecar of an older run file.
+// Refuses a name that the sidecar takes, and removes an older run file, which a recording may still
+// have open, and its sidecar.
 const std::filesystem::path& prepared(const std::filesystem::path& path) {
   if (sidecar_of(path) == path)
     throw Error(ErrorKind::files, fmt::format("cannot write a run file to '{}'", path.string()),
                 "end its name in .h5; the .xdmf beside it is written for you");
   std::error_code ignored;
   std::filesystem::remove(sidecar_of(path), ignored);
+  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
+    std::filesystem::remove(path, ignored);
   return path;
 }
 
 }  // namespace
 
 double run_file_bytes(std::size_t nodes, std::int64_t records) {
-  constexpr double fixed = 1e5, places = 4.0, a_record = 8e3, a_node_and_record = 12.0;
+  constexpr double fixed = 1e5, places = 4.0, a_record = 8e3, a_node_and_record = 8.0;
   const auto each = static_cast<double>(nodes), times = static_cast<double>(records);
   return fixed + places * each + times * (a_record + a_node_and_record * each);
 }
@@ -82,41 +108,62 @@ struct RunFile::Parts {
   Parts(const std::filesystem::path& path_, const Simulation& simulation, const Origin& origin)
       : path(path_), grid(simulation.lattice().grid), file(prepared(path_)) {
     describe(simulation, origin);
-    write(file.root(), "nodes", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 3, places(grid).data(), "m",
-          "places of the nodes");
-    if (!simulation.lattice().material.empty())
-      write(file.root(), "material", H5T_STD_U8LE, H5T_NATIVE_UINT8, 1,
-            simulation.lattice().material.data(), "",
-            "0: of the plate, k: of its k-th other material, 255: cut out");
+    write(file.root(), {"nodes", H5T_IEEE_F64LE, {grid.nodes(), 3}, "m", "places of the nodes"},
+          H5T_NATIVE_DOUBLE, 2, places(grid).data());
     has_material = !simulation.lattice().material.empty();
+    if (has_material)
+      write(file.root(),
+            {"material",
+             H5T_STD_U8LE,
+             {grid.nodes()},
+             "",
+             "0: of the plate, k: of its k-th other material, 255: cut out"},
+            H5T_NATIVE_UINT8, 1, simulation.lattice().material.data());
     time = file.series("time", H5T_IEEE_F64LE, "s", "simulated time of each record");
     step = file.series("step", H5T_STD_I64LE, "", "time steps done at each record");
     file.name(file.group(most_groups), "records");
     file.flush();
   }
 
-  // A dataset of `components` values a node.
-  void write(const Hdf5Handle& group, const std::string& name, hid_t file_type, hid_t memory_type,
-             hsize_t components, const void* values, const std::string& units,
-             const std::string& long_name) {
-    std::vector<hsize_t> shape{grid.nodes()};
-    if (components > 1) shape.push_back(components);
-    file.write(group, name, file_type, memory_type, shape, values, units, long_name);
+  void write(const Hdf5Handle& group, const Dataset& dataset, hid_t memory_type, hsize_t columns,
+             const void* values) {
+    file.write(group, dataset, memory_type, columns, values);
   }
 
-  void write_scalar(const Hdf5Handle& group, const Field& field, const std::string& long_name) {
+  // What ParaView shows; it wants three components of a vector.
+  void write_field(const Hdf5Handle& group, const Field& field, const std::string& long_name) {
     require_finite(field);
-    write(group, field.name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, 1, field.values.data(), field.unit,
-          long_name);
+    std::vector<hsize_t> shape{grid.nodes()};
+    if (field.components > 1) shape.push_back(3);
+    write(group, {field.name, H5T_IEEE_F32LE, shape, field.unit, long_name}, H5T_NATIVE_FLOAT,
+          static_cast<hsize_t>(field.components), field.values.data());
   }
-  void write_vector(const Hdf5Handle& group, const Field& field, const std::string& long_name) {
-    require_finite(field);
-    write(group, field.name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, 3, with_zero_z(field).data(),
-          field.unit, long_name);
+
+  // What the state is besides.
+  void write_state(const Hdf5Handle& group, const Simulation& simulation) {
+    const auto words = static_cast<hsize_t>(simulation.lattice().family.words());
+    write(group,
+          {"broken",
+           H5T_STD_U32LE,
+           {grid.nodes(), words},
+           "",
+           "bits of the bonds that have broken since the start, of those that a node keeps"},
+          H5T_NATIVE_UINT32, words, broken_bonds(simulation).data());
+    if (const std::vector<double>& strain = simulation.thermal_strain(); !strain.empty())
+      write(group, {"thermal_strain", H5T_IEEE_F32LE, {grid.nodes()}, "", "thermal strain"},
+            H5T_NATIVE_DOUBLE, 1, strain.data());
+    if (const std::vector<double> list = discs(simulation); !list.empty())
+      write(group,
+            {"discs",
+             H5T_IEEE_F64LE,
+             {list.size() / 5, 5},
+             "",
+             "of each impactor: place x and y (m), velocity x and y (m/s), radius (m)"},
+            H5T_NATIVE_DOUBLE, 5, list.data());
   }
 
   void describe(const Simulation& simulation, const Origin& origin) {
-    file.attribute("format_version", format_version);
+    file.attribute("format_version", run_file_format);
     file.attribute("records_committed", 0LL);
     file.attribute("software", std::string("Hackle"));
     file.attribute("version", std::string(version()));
@@ -125,6 +172,7 @@ struct RunFile::Parts {
     file.attribute("created",
                    fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
     file.attribute("script_name", origin.script_name);
+    file.attribute("lattice_hash", lattice_hash(simulation.lattice()));
     file.write_text("script", origin.script_text, "the script that made this run");
     file.write_text("inputs", inputs_of(simulation), "plate and numerics, resolved, in JSON");
   }
@@ -163,11 +211,12 @@ void RunFile::add(const Simulation& simulation) {
   if (record % records_a_group == 0) parts_->begin_thousand();
   // Three flushes: first what nothing points to yet, then the names, then the word that it counts.
   // At no moment does anything committed depend on bytes that are still to come.
-  const Hdf5Handle group = file.group(3);
-  parts_->write_scalar(group, damage(simulation),
-                       "share of the bonds a node was born with that are broken");
-  parts_->write_vector(group, displacement(simulation), "displacement of the nodes");
-  parts_->write_vector(group, velocity(simulation), "velocity of the nodes");
+  const Hdf5Handle group = file.group(most_members);
+  parts_->write_field(group, damage(simulation),
+                      "share of the bonds a node was born with that are broken");
+  parts_->write_field(group, displacement(simulation), "displacement of the nodes");
+  parts_->write_field(group, velocity(simulation), "velocity of the nodes");
+  parts_->write_state(group, simulation);
   file.flush();
 
   const double time = simulation.time();

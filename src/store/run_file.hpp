@@ -16,22 +16,27 @@ struct Origin {
   std::string script_text;
 };
 
-// RUN.h5 holds, with T records and N nodes (row by row from the lower left):
-//   /nodes                        N x 3  f64  m    places of the nodes
-//   /time                         T      f64  s
-//   /step                         T      i64
-//   /records/0/00000/damage       N      f32       a group for each thousand, in it one a record
-//   /records/0/00000/displacement N x 3  f32  m
-//   /records/0/00000/velocity     N x 3  f32  m/s
-//   /script, /inputs              text             the script; plate and numerics, resolved, in
-//   JSON
+// RUN.h5 holds, with T records, N nodes (row by row from the lower left) and W words of bonds:
+//   /nodes                          N x 3  f64  m    places of the nodes
+//   /material                       N      u8        where they differ
+//   /time                           T      f64  s
+//   /step                           T      i64
+//   /records/0/00000/damage         N      f32       a group for each thousand, in it one a record
+//   /records/0/00000/displacement   N x 3  f32  m
+//   /records/0/00000/velocity       N x 3  f32  m/s
+//   /records/0/00000/broken         N x W  u32       bits of the broken bonds that a node keeps
+//   /records/0/00000/thermal_strain N      f32       where something is heated
+//   /records/0/00000/discs          K x 5  f64       of K impactors, if there are any
+//   /script, /inputs                text             the script; plate and numerics in JSON
 // Every dataset has `long_name` and, if it holds numbers, `units`; the root has format_version,
-// software, version, git_hash, compiler, created (UTC), script_name and records_committed, which is
-// written after the data of a record: readers trust only so many (of /time and /step too). A run
-// that is killed at whatever moment leaves a file in which they are whole; its sidecar may lack the
-// last tenth.
+// software, version, git_hash, compiler, created (UTC), script_name, lattice_hash (see
+// lattice_hash.hpp) and records_committed, which is written after the data of a record: readers
+// trust only so many (of /time and /step too). A run that is killed at whatever moment leaves a
+// file in which they are whole; its sidecar may lack the last tenth. Recording reads it back.
+inline constexpr int run_file_format = 2;
+
 // About how many bytes a run file with so many nodes and records takes, and its sidecar. What is
-// left of 28 bytes a node after compression was measured on plates that branch: 10 to 11.
+// left of 32 bytes a node after compression was measured on plates that branch: 5 to 7.
 double run_file_bytes(std::size_t nodes, std::int64_t records);
 
 class RunFile {

@@ -64,6 +64,10 @@ Values nonsense(OptionType type) {
               "{{0, 0, 'a'}, b = 1}"};
     case OptionType::choice:
       return {"5", "{}", "'nonsense'", "''", "true"};
+    case OptionType::numbers:
+      return {"5", "'a'", "{}", "{'a'}", "{0/0}", "{1, 1/0}", "{1, x = 1}", "{{}}"};
+    case OptionType::recordings:
+      return {"5", "r", "{}", "{5}", "{'r.h5'}", "{s}", "{r, p}", "{r, x = r}"};
     case OptionType::material:
       return {"5", "'glas'", "{}", "true", "print"};
     case OptionType::vector_field:
@@ -113,7 +117,7 @@ TEST_P(EveryFunction, RefusesNonsenseByTheNameOfTheOption) {
   if (doc.call == Call::free) return;
   const test::Folder folder;
   Console console(test::quiet(folder.path));
-  console.evaluate(test::scene);
+  console.evaluate(test::scene + test::recorded);
   for (const Option& option : doc.options) {
     Values values = nonsense(option.type);
     for (const std::string& value : outside(option)) values.push_back(value);
@@ -137,8 +141,9 @@ TEST_P(EveryFunction, RefusesNonsenseByTheNameOfTheOption) {
 TEST_P(EveryFunction, OffersTheNearestNameForAMisspelledOption) {
   const FunctionDoc& doc = *GetParam();
   if (doc.call != Call::options) return;
-  Console console(test::quiet());
-  console.evaluate(test::scene);
+  const test::Folder folder;
+  Console console(test::quiet(folder.path));
+  console.evaluate(test::scene + test::recorded);
   for (const Option& option : doc.options) {
     if (option.name.size() < 4) continue;
     std::string misspelled(option.name);

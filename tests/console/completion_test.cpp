@@ -28,7 +28,7 @@ std::vector<std::string> texts_of(const Completion& completion) {
 class CompletionTest : public testing::Test {
  protected:
   CompletionTest() {
-    console_.evaluate(test::scene);
+    console_.evaluate(test::scene + test::recorded);
     console_.evaluate(R"(
       t = { alpha = 1, beta = print, ["not a name"] = 2, inner = { gamma = 3 } }
       word = "text"
@@ -49,7 +49,8 @@ class CompletionTest : public testing::Test {
     return text + console_.complete(text).insertion();
   }
 
-  Console console_{test::quiet()};
+  test::Folder folder_;
+  Console console_{test::quiet(folder_.path)};
 };
 
 struct Row {

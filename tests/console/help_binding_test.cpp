@@ -85,7 +85,8 @@ TEST(Help, TakesFunctionsAndObjectsToo) {
 
 TEST(Help, OnAnOptionNamesTheFunctionsThatTakeIt) {
   EXPECT_THAT(printed("help 'horizon'"), HasSubstr("horizon, an option of simulate\n"));
-  EXPECT_THAT(printed("help 'fps'"), HasSubstr("fps, an option of s:movie\n"));
+  EXPECT_THAT(printed("help 'fps'"),
+              HasSubstr("fps, an option of side_by_side, s:movie, r:movie\n"));
   EXPECT_THAT(printed("help 'edge'"), HasSubstr("an option of p:traction, s:traction\n"));
 }
 

@@ -60,10 +60,11 @@ TEST(Schema, WhatIsNotRequiredSaysItsDefaultOrIsOneWayOfSeveral) {
 TEST(Schema, EveryExampleRuns) {
   const test::Folder folder;
   for (const FunctionDoc* doc : all_docs())
-    EXPECT_EQ(test::message_of(test::scene + "s = simulate(p, { spacing = 0.5*mm })\n" +
-                                   std::string(doc->example),
-                               test::quiet(folder.path)),
-              "")
+    EXPECT_EQ(
+        test::message_of(test::scene + test::recorded + "s = simulate(p, { spacing = 0.5*mm })\n" +
+                             std::string(doc->example),
+                         test::quiet(folder.path)),
+        "")
         << doc->name;
 }
 

@@ -37,6 +37,15 @@ p:traction { edge = "bottom", stress = {0, -12*MPa} }
 s = simulate(p, { spacing = 2*mm })
 )";
 
+// Recording r of that simulation, two records; a new s like the first.
+inline const std::string recorded = R"(
+s:record { "r.h5", every = 1*us }
+s:run(1*us)
+s:close()
+r = recording "r.h5"
+s = simulate(p, { spacing = 2*mm })
+)";
+
 // Plate p of 100 x 40 mm, bare.
 inline const std::string plate_p =
     "p = plate { width = 100*mm, height = 40*mm, material = 'duran50' }\n";

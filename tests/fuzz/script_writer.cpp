@@ -163,6 +163,10 @@ std::string value(Bytes& bytes, const Option& option) {
         const std::string place = number(bytes, option.unit);
         return fmt::format("{{{0}, {0}, {1}}}", place, bytes.pick(texts));
       });
+    case OptionType::numbers:
+      return list(bytes, [&] { return number(bytes, option.unit); });
+    case OptionType::recordings:
+      return list(bytes, [] { return std::string("r"); });
     case OptionType::choice:
       return fmt::format("'{}'", bytes.pick(option.choices));
     case OptionType::material:
@@ -204,7 +208,7 @@ std::string arguments(Bytes& bytes, const FunctionDoc& doc) {
 
 std::string call_of_method(Bytes& bytes, const TypeDoc& type) {
   const FunctionDoc& doc = *type.methods[bytes.below(type.methods.size())].doc;
-  const std::string owner = type.name == "simulation" ? "s" : type.name == "plate" ? "p" : "m";
+  const std::string owner(type.methods.front().doc->owner);
   const std::string self = bytes.once_in(16) ? bytes.pick(nasties) : owner;
   return fmt::format("{}.{}({}, {})", owner, doc.name, self, arguments(bytes, doc));
 }
@@ -212,10 +216,11 @@ std::string call_of_method(Bytes& bytes, const TypeDoc& type) {
 std::string call_of_function(Bytes& bytes) {
   const std::vector<Function> all = all_functions();
   const FunctionDoc& doc = *all[bytes.below(all.size())].doc;
-  const std::string kept = doc.name == "plate"      ? "p = "
-                           : doc.name == "simulate" ? "s = "
-                           : doc.name == "material" ? "m = "
-                                                    : "_ = ";
+  const std::string kept = doc.name == "plate"       ? "p = "
+                           : doc.name == "simulate"  ? "s = "
+                           : doc.name == "material"  ? "m = "
+                           : doc.name == "recording" ? "r = "
+                                                     : "_ = ";
   return fmt::format("{}{}({})", kept, doc.name, arguments(bytes, doc));
 }
 
@@ -235,6 +240,11 @@ p = plate { width = 20*mm, height = 10*mm, material = m }
 p:crack { from = {0, 5*mm}, to = {10*mm, 5*mm} }
 p:traction { edge = "top", stress = {0, 12*MPa} }:clamp { edge = "bottom", depth = 2*mm }
 s = simulate(p, { spacing = 1*mm })
+t = s:fork()
+t:record { "r.h5", every = 1*us }
+t:run(1*us)
+t:close()
+r = recording "r.h5"
 t = s:fork()
 )";
 

@@ -100,7 +100,7 @@ bool committed_are_whole(const RunFileReader& partly, const RunFileReader& whole
   if (times.size() < count || !std::equal(times.begin(), times.begin() + count, all_times.begin()))
     return false;
   for (std::size_t record = 0; record < count; ++record)
-    for (const char* field : {"/damage", "/displacement", "/velocity"}) {
+    for (const char* field : {"/damage", "/displacement", "/velocity", "/broken"}) {
       const std::string name = record_group(record) + field;
       if (partly.numbers(name) != whole.numbers(name)) return false;
     }

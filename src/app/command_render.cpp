@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_render.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "app/exit_code.hpp"
+#include "app/voice.hpp"
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "base/text.hpp"
+#include "console/console.hpp"
+#include "console/reference.hpp"
+
+namespace hackle {
+namespace {
+
+bool ends_in(const std::string& name, std::string_view ending) {
+  std::string end = std::filesystem::path(name).extension().string();
+  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
+  return end == ending;
+}
+
+bool is_option(const std::string& word) {
+  std::error_code ignored;
+  const std::size_t equals = word.find('=');
+  return equals != std::string::npos && equals > 0 && !std::filesystem::exists(word, ignored);
+}
+
+// As Lua reads it, whatever it holds.
+std::string quoted(const std::string& text) {
+  std::string all = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') all += '\\';
+    all += c == '\n' ? std::string("\\n") : std::string(1, c);
+  }
+  return all + '"';
+}
+
+const FunctionDoc& doc_of(std::string_view owner, std::string_view name) {
+  for (const FunctionDoc* doc : all_docs())
+    if (doc->owner == owner && doc->name == name) return *doc;
+  throw std::logic_error("no such function");
+}
+
+// The function that makes what is asked for.
+const FunctionDoc& function_for(const RenderJob& job) {
+  const auto has = [&](std::string_view name) {
+    return std::ranges::any_of(job.options, [&](const auto& given) { return given.first == name; });
+  };
+  const bool picture = ends_in(job.out, ".png");
+  if (picture && (job.runs.size() > 1 || has("times"))) return doc_of("", "contact_sheet");
+  if (job.runs.size() > 1) return doc_of("", "side_by_side");
+  return picture ? doc_of("r", "frame") : doc_of("r", "movie");
+}
+
+bool is_quoted(const std::string& value) {
+  return value.size() > 1 && (value.front() == '"' || value.front() == '\'') &&
+         value.back() == value.front();
+}
+
+std::string value_text(const Option& option, const std::string& value) {
+  const bool text = option.type == OptionType::text || option.type == OptionType::choice;
+  return text && !is_quoted(value) ? quoted(value) : value;
+}
+
+[[noreturn]] void refuse_name(const FunctionDoc& doc, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Option& option : doc.options) names.push_back(option.name);
+  throw Error(
+      ErrorKind::refused,
+      fmt::format("render: {} has no option '{}'{}", doc.name, name, did_you_mean(name, names)),
+      "options: " + comma_list(names));
+}
+
+std::string options_text(const RenderJob& job, const FunctionDoc& doc) {
+  std::string text;
+  for (const auto& [name, value] : job.options) {
+    const Option* option = find_option(doc, name);
+    if (option == nullptr) refuse_name(doc, name);
+    text += fmt::format(", {} = {}", name, value_text(*option, value));
+  }
+  return text;
+}
+
+std::string recordings_text(const std::vector<std::string>& runs) {
+  std::string text;
+  for (const std::string& run : runs)
+    text += fmt::format("{}recording {}", text.empty() ? "" : ", ", quoted(run));
+  return text;
+}
+
+ConsoleSettings settings_of(const RenderRequest& request) {
+  ConsoleSettings settings;
+  settings.output_folder = ".";
+  settings.execution = request.execution;
+  settings.talk = talk(request.quiet);
+  settings.trust = true;  // the script is made of what was typed
+  return settings;
+}
+
+// Each by itself, so that a message names it.
+void check_values(Console& console, const RenderJob& job) {
+  const FunctionDoc& doc = function_for(job);
+  for (const auto& [name, value] : job.options) {
+    const Option* option = find_option(doc, name);
+    if (option == nullptr) refuse_name(doc, name);
+    try {
+      console.evaluate(fmt::format("_ = {}", value_text(*option, value)));
+    } catch (const Error& error) {
+      throw Error(ErrorKind::usage, fmt::format("render: {}={} is no value", name, value),
+                  "expected " + expectation(*option) + ", as in a script");
+    }
+  }
+}
+
+// What a file says, for a terminal.
+std::string printable(std::string text) {
+  const auto controls = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  std::ranges::replace_if(text, controls, '?');
+  return text;
+}
+
+// What is in a file, and what can be made of it.
+void tell_of(Console& console, const std::string& run) {
+  fmt::print("{}: {}\n", run, printable(console.evaluate("recording " + quoted(run)).at(0)));
+  const std::string script = printable(console.evaluate("_.script").at(0));
+  if (!script.empty()) fmt::print("  made by {}\n", script);
+}
+
+void tell_what_is_there(Console& console, const RenderJob& job) {
+  for (const std::string& run : job.runs) tell_of(console, run);
+  const std::string& run = job.runs.front();
+  const std::string stem = std::filesystem::path(run).stem().string();
+  fmt::print(
+      "next: hackle render {} {}.png field=stress_1\n"
+      "      hackle render {} {}.mp4 field=von_mises percentile=99\n",
+      run, stem, run, stem);
+}
+
+}  // namespace
+
+RenderJob render_job(const std::vector<std::string>& words) {
+  RenderJob job;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    if (is_option(word))
+      job.options.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+    else
+      job.runs.push_back(word);
+  }
+  if (job.runs.empty())
+    throw Error(ErrorKind::usage, "render: there is no run file",
+                "as in hackle render run.h5 picture.png");
+  if (job.runs.size() > 1 && !ends_in(job.runs.back(), ".h5")) {
+    job.out = job.runs.back();
+    job.runs.pop_back();
+  }
+  if (job.out.empty() && !job.options.empty())
+    throw Error(ErrorKind::usage, "render: there is no file to write",
+                "name it after the run file, as in hackle render run.h5 picture.png");
+  return job;
+}
+
+std::string script_of(const RenderJob& job) {
+  const FunctionDoc& doc = function_for(job);
+  const std::string rest = quoted(job.out) + options_text(job, doc);
+  if (doc.owner == "r")
+    return fmt::format("({}):{} {{ {} }}", recordings_text(job.runs), doc.name, rest);
+  return fmt::format("{} {{ {}, recordings = {{ {} }} }}", doc.name, rest,
+                     recordings_text(job.runs));
+}
+
+int command_render(const RenderRequest& request) {
+  const InterruptHandler handler;
+  return exit_code_of([&] {
+    const RenderJob job = render_job(request.words);
+    Console console(settings_of(request));
+    if (job.out.empty()) {
+      tell_what_is_there(console, job);
+      return 0;
+    }
+    check_values(console, job);
+    console.evaluate(script_of(job));
+    if (!request.quiet) tell_file(job.out);
+    return 0;
+  });
+}
+
+}  // namespace hackle

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "console/recording_binding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "base/units.hpp"
+#include "console/arguments.hpp"
+#include "console/object_type.hpp"
+#include "console/recording_docs.hpp"
+#include "console/session.hpp"
+#include "console/simulation_binding.hpp"
+#include "output/painting.hpp"
+#include "output/replay.hpp"
+#include "render/png.hpp"
+
+namespace hackle {
+namespace {
+
+// A script that is only checked may want to open what it would have written by then.
+void check_is_there(const Session& session, const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (session.settings.purpose == Purpose::check && !std::filesystem::exists(path, ignored))
+    throw Error(ErrorKind::script, fmt::format("recording: '{}' is not there yet", path.string()));
+}
+
+int open_recording(lua_State* L) {
+  const Session& session = session_of(L);
+  const Arguments arguments = Arguments::from_table(L, 1, recording_doc);
+  arguments.problems.throw_if_any();
+  const auto path = session.input_path("recording", arguments.text("file"));
+  check_is_there(session, path);
+  push_object(L, ScriptedRecording{std::make_shared<Recording>(path, session.settings.execution)});
+  return 1;
+}
+
+int frame(lua_State* L) {
+  Recording& recording = *self<ScriptedRecording>(L, recorded_frame_doc).recording;
+  const Arguments arguments = Arguments::from_table(L, 2, recorded_frame_doc);
+  arguments.problems.throw_if_any();
+  const Session& session = session_of(L);
+  const PictureOptions options = sized_picture_of(arguments);
+  check("frame", options, recording.simulation().lattice().grid);
+  const auto path = session.output_path("frame", arguments.text("file"));
+  check_writable(path);
+  if (session.settings.purpose != Purpose::results) return 0;
+  recording.go_to(recording.nearest(arguments.number("time", recording.times().back())));
+  const Image image = paint(recording.simulation(), options);
+  make_folder_of(path);
+  write_png(image, path);
+  return 0;
+}
+
+std::optional<double> optional_number(const Arguments& arguments, std::string_view name) {
+  return arguments.has(name) ? std::optional(arguments.number(name)) : std::nullopt;
+}
+
+Moments moments_of(const Arguments& arguments) {
+  return {optional_number(arguments, "from"), optional_number(arguments, "to"),
+          optional_number(arguments, "every")};
+}
+
+int movie(lua_State* L) {
+  const auto recording = self<ScriptedRecording>(L, recorded_movie_doc).recording;
+  const Arguments arguments = Arguments::from_table(L, 2, recorded_movie_doc);
+  arguments.problems.throw_if_any();
+  const Session& session = session_of(L);
+  const auto path = session.output_path("movie", arguments.text("file"));
+  check_writable(path);
+  if (session.settings.purpose != Purpose::results) return 0;
+  film(recording, path, movie_of(arguments), moments_of(arguments), session.settings.talk);
+  return 0;
+}
+
+int side_by_side(lua_State* L) {
+  Arguments arguments = Arguments::from_table(L, 1, side_by_side_doc);
+  const Tiles tiles = tiles_of(arguments, "side_by_side");
+  arguments.problems.throw_if_any();
+  const Session& session = session_of(L);
+  const auto path = session.output_path("side_by_side", arguments.text("file"));
+  check_writable(path);
+  if (session.settings.purpose != Purpose::results) return 0;
+  MovieOptions options = movie_of(arguments);
+  options.picture.width = static_cast<int>(arguments.integer("width", 640));
+  film_side_by_side(tiles, path, options, moments_of(arguments),
+                    static_cast<int>(arguments.integer("columns", 2)), session.settings.talk);
+  return 0;
+}
+
+Recording& recording_of(lua_State* L) {
+  return *object_at<ScriptedRecording>(L, 1)->recording;
+}
+
+int to_text(lua_State* L) {
+  const Recording& recording = recording_of(L);
+  push_text(
+      L,
+      fmt::format("{} records from {} to {}, {} nodes, {}",
+                  grouped(static_cast<std::int64_t>(recording.times().size())),
+                  quantity(recording.times().front(), "s"), quantity(recording.times().back(), "s"),
+                  grouped(static_cast<std::int64_t>(recording.simulation().lattice().grid.nodes())),
+                  describe(recording.simulation().plate())));
+  return 1;
+}
+
+int push_times(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const double time : recording_of(L).times()) {
+    lua_pushnumber(L, time);
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+int push_nodes(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(recording_of(L).simulation().lattice().grid.nodes()));
+  return 1;
+}
+
+int push_file(lua_State* L) {
+  push_text(L, recording_of(L).path().string());
+  return 1;
+}
+
+int push_script(lua_State* L) {
+  push_text(L, recording_of(L).origin().script_name);
+  return 1;
+}
+
+constexpr std::array methods{Function{&recorded_frame_doc, guarded<frame>},
+                             Function{&recorded_movie_doc, guarded<movie>}};
+
+constexpr std::array fields{
+    Property{"times", "s", "Of the records, a list.", push_times},
+    Property{"nodes", "", "Of the lattice.", push_nodes},
+    Property{"file", "", "Where it is.", push_file},
+    Property{"script", "", "Name of the script that made the run.", push_script},
+};
+
+}  // namespace
+
+Tiles tiles_of(Arguments& arguments, const char* who) {
+  Tiles tiles;
+  for (const auto& recording : arguments.recordings("recordings"))
+    tiles.push_back({recording, recording->path().stem().string()});
+  if (tiles.size() == 1) tiles.front().title.clear();  // its pictures say enough
+  const std::vector<std::string> titles = arguments.texts("titles");
+  if (tiles.empty() || titles.empty()) return tiles;
+  if (titles.size() != tiles.size())
+    arguments.problems.add(
+        fmt::format("{}: there are {} titles for {} recordings", who, titles.size(), tiles.size()),
+        "give as many, or none");
+  for (std::size_t k = 0; k < std::min(titles.size(), tiles.size()); ++k)
+    tiles[k].title = titles[k];
+  return tiles;
+}
+
+const TypeDoc& recording_type() {
+  static constexpr TypeDoc type{.name = "recording",
+                                .sentence = "A recorded run, to be looked at again.",
+                                .methods = methods,
+                                .fields = fields,
+                                .to_text = guarded<to_text>,
+                                .destroy = destroy_object<ScriptedRecording>};
+  return type;
+}
+
+std::span<const Function> recording_functions() {
+  static constexpr std::array functions{Function{&recording_doc, guarded<open_recording>},
+                                        Function{&side_by_side_doc, guarded<side_by_side>}};
+  return functions;
+}
+
+}  // namespace hackle

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "store/recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "store/hdf5_reader.hpp"
+#include "store/inputs_reader.hpp"
+#include "store/lattice_hash.hpp"
+#include "store/run_file.hpp"
+#include "store/xdmf.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr std::int64_t most_records = 1'000'000;
+
+void check_format(const Hdf5Reader& file) {
+  if (!file.has_attribute("software") || file.attribute("software") != "Hackle" ||
+      !file.has_attribute("format_version"))
+    file.refuse("it is no run file of Hackle", "a run file is what s:record{} writes");
+  const std::int64_t format = file.integer("format_version");
+  if (format < run_file_format)
+    file.refuse(fmt::format("it was written in format {}, which lacks the bonds", format),
+                "run its script again to record it anew");
+  if (format > run_file_format)
+    file.refuse(fmt::format("it was written in format {}, newer than {}", format, run_file_format),
+                "take the version of Hackle that wrote it");
+}
+
+// What cannot be built is a fault of the file, whatever the scene says.
+Simulation rebuilt(const Hdf5Reader& file, Execution execution) {
+  try {
+    Inputs inputs = read_inputs(file.text("inputs"));
+    return {std::move(inputs.plate), inputs.numerics, execution};
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::files) throw;
+    file.refuse(error.problems().front().what);
+  }
+}
+
+void check_lattice(const Hdf5Reader& file, const Lattice& lattice) {
+  if (file.attribute("lattice_hash") != lattice_hash(lattice))
+    file.refuse(fmt::format("its lattice cannot be built again; it was recorded by version {}",
+                            file.attribute("version")),
+                "run its script again with this version");
+}
+
+std::int64_t committed(const Hdf5Reader& file) {
+  const std::int64_t count = file.integer("records_committed");
+  if (count < 0 || count > most_records)
+    file.refuse(fmt::format("it says that it holds {} records", count));
+  if (count == 0) file.refuse("it holds no record", "its run ended before the first one");
+  return count;
+}
+
+void put(const std::vector<double>& values, const Grid& grid, double unit, const char* what,
+         const Hdf5Reader& file, const auto& set) {
+  for (const double value : values)
+    if (!std::isfinite(value)) file.refuse(fmt::format("a {} is not finite", what));
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const std::size_t at = 2 * grid.index(i, j);
+      set(i, j, Vec2(values[at] / unit, values[at + 1] / unit));
+    }
+}
+
+void break_bonds(const std::vector<std::uint32_t>& broken, const Grid& grid, int words,
+                 BondBits& bonds) {
+  auto bits = broken.begin();
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      for (int word = 0; word < words; ++word, ++bits)
+        if (*bits != 0) bonds.clear(grid.layout().at(i, j), word, *bits);
+}
+
+}  // namespace
+
+struct Recording::Parts {
+  Parts(const std::filesystem::path& path_, Execution execution)
+      : path(path_), file(opened(path_)), simulation(rebuilt(file, execution)) {
+    check_lattice(file, simulation.lattice());
+    const auto count = static_cast<hsize_t>(committed(file));
+    times = file.first_doubles("time", count);
+    steps = file.first_integers("step", count);
+    for (std::size_t k = 0; k < count; ++k)
+      if (!(std::isfinite(times[k]) && steps[k] >= 0 &&
+            static_cast<double>(steps[k]) <= most_steps && (k == 0 || times[k] >= times[k - 1])))
+        file.refuse(fmt::format("time or step of record {} is damaged", k));
+    origin = {file.attribute("script_name"), file.text("script")};
+  }
+
+  static Hdf5Reader opened(const std::filesystem::path& path) {
+    Hdf5Reader file(path);
+    check_format(file);
+    return file;
+  }
+
+  // What is in the group of a record.
+  Snapshot snapshot(const std::string& group, std::int64_t step) const {
+    const Lattice& lattice = simulation.lattice();
+    const Grid& grid = lattice.grid;
+    Snapshot snapshot;
+    State& state = snapshot.state = State(lattice, Precision::f64);
+    state.step = state.start = step;
+    const std::vector<hsize_t> vectors{grid.nodes(), 3};
+    put(file.doubles(group + "/displacement", vectors, 2), grid, grid.dx, "displacement", file,
+        [&](int i, int j, const Vec2& u) { state.set_u(i, j, u); });
+    put(file.doubles(group + "/velocity", vectors, 2), grid, grid.dx / simulation.dt(), "velocity",
+        file, [&](int i, int j, const Vec2& v) { state.set_v(i, j, v); });
+    const int words = lattice.family.words();
+    break_bonds(file.words(group + "/broken", {grid.nodes(), static_cast<hsize_t>(words)}), grid,
+                words, state.bonds);
+    if (file.holds(group + "/thermal_strain"))
+      snapshot.thermal_strain = file.doubles(group + "/thermal_strain", {grid.nodes()}, 1);
+    if (file.holds(group + "/discs")) add_discs(group + "/discs", snapshot);
+    return snapshot;
+  }
+
+  void add_discs(const std::string& name, Snapshot& snapshot) const {
+    constexpr hsize_t columns = 5;
+    const Grid& grid = simulation.lattice().grid;
+    const std::vector<double> values =
+        file.doubles(name, {file.rows(name, columns), columns}, columns);
+    for (std::size_t at = 0; at < values.size(); at += columns) {
+      const double* value = values.data() + at;
+      const Vec2 centre(value[0], value[1]), velocity(value[2], value[3]);
+      snapshot.state.discs.push_back(
+          {grid.from_centre(centre), simulation.dt() / grid.dx * velocity});
+      snapshot.impactors.push_back({centre, value[4], velocity});
+    }
+  }
+
+  std::filesystem::path path;
+  Hdf5Reader file;
+  Simulation simulation;
+  Origin origin;
+  std::vector<double> times;
+  std::vector<std::int64_t> steps;
+  std::size_t shown = 0;
+};
+
+Recording::Recording(const std::filesystem::path& path, Execution execution)
+    : parts_(std::make_unique<Parts>(path, execution)) {
+  go_to(0);
+}
+
+Recording::~Recording() = default;
+
+const std::filesystem::path& Recording::path() const {
+  return parts_->path;
+}
+
+const Origin& Recording::origin() const {
+  return parts_->origin;
+}
+
+const std::vector<double>& Recording::times() const {
+  return parts_->times;
+}
+
+std::size_t Recording::nearest(double time) const {
+  const std::vector<double>& times = parts_->times;
+  const auto after = std::ranges::lower_bound(times, time);
+  if (after == times.begin()) return 0;
+  const bool later = after != times.end() && *after - time < time - *(after - 1);
+  return static_cast<std::size_t>(after - times.begin()) - (later ? 0 : 1);
+}
+
+void Recording::go_to(std::size_t record) {
+  parts_->simulation.show(parts_->snapshot(record_group(record), parts_->steps.at(record)));
+  parts_->shown = record;
+}
+
+std::size_t Recording::shown() const {
+  return parts_->shown;
+}
+
+const Simulation& Recording::simulation() const {
+  return parts_->simulation;
+}
+
+}  // namespace hackle
