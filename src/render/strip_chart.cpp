@@ -126,7 +126,7 @@ void StripChart::write_times() {
 }
 
 void StripChart::place_lines(const Chart& chart, double now) {
-  now_ = std::round(px(now));
+  now_ = px(now);
   for (std::size_t k = 0; k < chart.curves.size(); ++k) {
     const std::vector<Vec2>& points = chart.curves[k].points;
     if (points.empty()) continue;
@@ -138,16 +138,17 @@ void StripChart::place_lines(const Chart& chart, double now) {
 
 void StripChart::draw(Canvas& canvas) const {
   constexpr double faint = 0.6;
+  const double before = 0.5 * hairline_;  // so that lines are centred on what they mark
   const double width = std::max(1.5, std::round(0.12 * size_));
   for (const double value : values_) {
     canvas.colour(theme_.outline, value == 0.0 ? 1.0 : faint);
-    canvas.fill(left_, std::round(py(value)), right_ - left_, hairline_);
+    canvas.fill(left_, std::round(py(value) - before), right_ - left_, hairline_);
   }
   canvas.colour(theme_.outline);
   for (const double time : times_)
-    canvas.fill(std::round(px(time)), bottom_, hairline_, std::round(0.3 * size_));
+    canvas.fill(std::round(px(time) - before), bottom_, hairline_, std::round(0.3 * size_));
   canvas.colour(theme_.quiet);
-  canvas.fill(now_, top_, hairline_, bottom_ - top_);
+  canvas.fill(std::round(now_ - before), top_, hairline_, bottom_ - top_);
   for (const Line& line : lines_) {
     canvas.colour(line.colour);
     canvas.line(line.points, width);
