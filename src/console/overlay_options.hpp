@@ -27,7 +27,7 @@ inline constexpr std::array overlay_options{
     Option{.name = "load_curve",
            .type = OptionType::flag,
            .fallback = "false",
-           .sentence = "The loads over time, with the present moment."},
+           .sentence = "The loads over time, with the present moment; in a picture those of now."},
     Option{.name = "energy",
            .type = OptionType::flag,
            .fallback = "false",

@@ -54,50 +54,22 @@ double last_moment(const std::vector<LoadCourse>& courses) {
   return last;
 }
 
-bool same_kind(const LoadCourse& a, const LoadCourse& b) {
-  return a.kind == b.kind && a.course->describe() == b.course->describe();
-}
-
-// What a load adds to the chart: what differs from all before it.
-struct LoadCurve {
-  LoadCourse load;
-  std::vector<Vec2> points;
-};
-
-std::vector<LoadCurve> distinct(const std::vector<LoadCourse>& loads, bool stresses, double now,
-                                double until) {
-  std::vector<LoadCurve> curves;
-  for (const LoadCourse& load : loads) {
-    std::vector<Vec2> points = points_of(*load.course, stresses ? *load.stress : 1.0, now, until);
-    const bool known = std::ranges::any_of(curves, [&](const LoadCurve& other) {
-      return same_kind(other.load, load) && other.points == points;
-    });
-    if (!known) curves.push_back({load, std::move(points)});
+// Tells loads apart that have the same kind and place.
+void number_places(std::vector<LoadCourse>& loads) {
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    int number = 1;
+    for (std::size_t other = k + 1; other < loads.size(); ++other) {
+      if (loads[other].kind != loads[k].kind || loads[other].place != loads[k].place) continue;
+      loads[other].place += fmt::format("{}{}", loads[k].place.empty() ? "" : " ", ++number);
+    }
   }
-  return curves;
-}
-
-// The kind; where there are several of it, with its place; where there are several of that, with
-// its number.
-std::string name_of(const std::vector<LoadCurve>& curves, std::size_t k) {
-  const LoadCourse& load = curves[k].load;
-  int of_kind = 0, of_place = 0, number = 0;
-  for (std::size_t other = 0; other < curves.size(); ++other) {
-    if (curves[other].load.kind != load.kind) continue;
-    ++of_kind;
-    if (curves[other].load.place != load.place) continue;
-    ++of_place;
-    number += other <= k ? 1 : 0;
-  }
-  std::string name = load.kind;
-  if (of_kind > 1 && !load.place.empty()) name += " " + load.place;
-  return of_place > 1 ? fmt::format("{} {}", name, number) : name;
 }
 
 }  // namespace
 
 Chart load_curve(const Simulation& simulation) {
-  const std::vector<LoadCourse> courses = courses_of(simulation.plate().loads);
+  std::vector<LoadCourse> courses = courses_of(simulation.plate().loads);
+  number_places(courses);
   const double now = simulation.time();
   Chart chart;
   const bool stresses =
@@ -107,9 +79,10 @@ Chart load_curve(const Simulation& simulation) {
   chart.until = std::max(simulation.end_time(), now);
   if (chart.until == 0.0) chart.until = 1.25 * last_moment(courses);
   if (chart.until == 0.0) chart.until = 100.0 * simulation.dt();
-  const std::vector<LoadCurve> curves = distinct(courses, stresses, now, chart.until);
-  for (std::size_t k = 0; k < curves.size(); ++k)
-    chart.curves.push_back({name_of(curves, k), curves[k].points});
+  for (const LoadCourse& one : courses)
+    chart.curves.push_back(
+        {one.kind, one.place,
+         points_of(*one.course, stresses ? *one.stress : 1.0, now, chart.until)});
   return chart;
 }
 
@@ -119,9 +92,9 @@ Chart energy_chart(const Simulation& simulation) {
   return {"energy",
           "J/m",
           std::max(simulation.end_time(), time),
-          {{"kinetic", {{time, now.kinetic}}},
-           {"strain", {{time, now.strain}}},
-           {"broken", {{time, now.broken}}}}};
+          {{"kinetic", "", {{time, now.kinetic}}},
+           {"strain", "", {{time, now.strain}}},
+           {"broken", "", {{time, now.broken}}}}};
 }
 
 void check_alone(const char* output, const PictureOptions& options) {

@@ -10,7 +10,8 @@
 namespace hackle {
 
 struct Curve {
-  std::string name;
+  std::string kind;          // "traction"
+  std::string place;         // "top": tells it from others of its kind; may be empty
   std::vector<Vec2> points;  // (time in s, value), in order; two of the same time are a jump
 };
 
@@ -20,6 +21,13 @@ struct Chart {
   double until = 0.0;   // s, where the axis of time ends at least
   std::vector<Curve> curves;
 };
+
+// Curves of a kind that never differ are one.
+struct NamedCurve {
+  std::string name;  // the kind, with its place where there are several of it
+  std::vector<Vec2> points;
+};
+std::vector<NamedCurve> distinct(const std::vector<Curve>& curves);
 
 // Of the line through points (at least one), which goes on level before the first and after the
 // last.
@@ -35,7 +43,7 @@ class ChartHistory {
   const Chart& add(const Chart& fresh, double time);
 
  private:
-  Curve went_on(const Curve& curve) const;
+  std::vector<Vec2> went_on(const Curve& curve) const;
 
   Chart fresh_, all_;
   double last_ = 0.0;  // s, of the last moment

@@ -29,20 +29,21 @@ StripChart::StripChart(const Rectangle& room, const Chart& chart, double now, co
       size_(layout.small_font),
       hairline_(layout.hairline),
       theme_(theme),
-      font_(font) {
+      font_(font),
+      curves_(distinct(chart.curves)) {
   find_scale(chart, now);
   top_ = room.y + std::round(2.0 * size_);
   bottom_ = room.bottom() - std::round(1.5 * size_);
   write_heading(chart);
   write_values();
   write_times();
-  place_lines(chart, now);
+  place_lines(now);
 }
 
 void StripChart::find_scale(const Chart& chart, double now) {
   constexpr int intervals = 3;
   double least = 0.0, most = 0.0;
-  for (const Curve& curve : chart.curves)
+  for (const NamedCurve& curve : curves_)
     for (const Vec2& point : curve.points) {
       least = std::min(least, point.y());
       most = std::max(most, point.y());
@@ -74,17 +75,17 @@ void StripChart::write_heading(const Chart& chart) {
       unit_.empty() ? chart.heading : fmt::format("{} ({})", chart.heading, unit_);
   const std::string shown = font_.fitting(heading, size_, 0.6 * room_.width);
   add(shown, room_.x, room_.y + size_, 0.0, theme_.text);
-  write_names(chart, room_.x + font_.width_of(shown, size_) + 1.5 * size_);
+  write_names(room_.x + font_.width_of(shown, size_) + 1.5 * size_);
 }
 
 // From the right, each with an equal share of the room; what gets too little is left out.
-void StripChart::write_names(const Chart& chart, double left) {
+void StripChart::write_names(double left) {
   const double gap = std::round(size_);
-  const auto count = static_cast<double>(chart.curves.size());
+  const auto count = static_cast<double>(curves_.size());
   const double share = (room_.right() - left - gap * (count - 1.0)) / count;
   double right = room_.right();
-  for (std::size_t k = chart.curves.size(); k-- > 0;) {
-    const std::string name = font_.fitting(chart.curves[k].name, size_, share);
+  for (std::size_t k = curves_.size(); k-- > 0;) {
+    const std::string name = font_.fitting(curves_[k].name, size_, share);
     add(name, right, room_.y + size_, 1.0, theme_.curves[k % theme_.curves.size()]);
     right = texts_.back().x - gap;
   }
@@ -125,10 +126,10 @@ void StripChart::write_times() {
   }
 }
 
-void StripChart::place_lines(const Chart& chart, double now) {
-  now_ = std::round(px(now));
-  for (std::size_t k = 0; k < chart.curves.size(); ++k) {
-    const std::vector<Vec2>& points = chart.curves[k].points;
+void StripChart::place_lines(double now) {
+  now_ = px(now);
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    const std::vector<Vec2>& points = curves_[k].points;
     if (points.empty()) continue;
     Line line{{}, {px(now), py(value_at(points, now))}, theme_.curves[k % theme_.curves.size()]};
     for (const Vec2& point : points) line.points.emplace_back(px(point.x()), py(point.y()));
@@ -138,16 +139,17 @@ void StripChart::place_lines(const Chart& chart, double now) {
 
 void StripChart::draw(Canvas& canvas) const {
   constexpr double faint = 0.6;
+  const double before = 0.5 * hairline_;  // so that lines are centred on what they mark
   const double width = std::max(1.5, std::round(0.12 * size_));
   for (const double value : values_) {
     canvas.colour(theme_.outline, value == 0.0 ? 1.0 : faint);
-    canvas.fill(left_, std::round(py(value)), right_ - left_, hairline_);
+    canvas.fill(left_, std::round(py(value) - before), right_ - left_, hairline_);
   }
   canvas.colour(theme_.outline);
   for (const double time : times_)
-    canvas.fill(std::round(px(time)), bottom_, hairline_, std::round(0.3 * size_));
+    canvas.fill(std::round(px(time) - before), bottom_, hairline_, std::round(0.3 * size_));
   canvas.colour(theme_.quiet);
-  canvas.fill(now_, top_, hairline_, bottom_ - top_);
+  canvas.fill(std::round(now_ - before), top_, hairline_, bottom_ - top_);
   for (const Line& line : lines_) {
     canvas.colour(line.colour);
     canvas.line(line.points, width);

@@ -29,10 +29,10 @@ class StripChart {
 
   void find_scale(const Chart& chart, double now);
   void write_heading(const Chart& chart);
-  void write_names(const Chart& chart, double left);
+  void write_names(double left);
   void write_values();
   void write_times();
-  void place_lines(const Chart& chart, double now);
+  void place_lines(double now);
   void add(const std::string& text, double x, double y, double anchor, Colour colour);
   double px(double time) const;
   double py(double value) const;
@@ -42,6 +42,7 @@ class StripChart {
   int hairline_;  // px
   const Theme& theme_;
   const Font& font_;
+  std::vector<NamedCurve> curves_;
   double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;  // px, of the frame
   double until_ = 1.0;                                          // s
   double least_ = 0.0, most_ = 1.0;                             // values at bottom and top

@@ -4,8 +4,8 @@
 namespace hackle {
 namespace {
 
-// Curves: after Okabe and Ito, "Color Universal Design" (2008); on white those that are bright
-// enough to vanish are darker.
+// Curves: after Okabe and Ito, "Color Universal Design" (2008); darker on white, so that names
+// in these colours can be read.
 constexpr Theme dark{
     .background = background_colour,
     .text = {222, 228, 236},
@@ -19,7 +19,7 @@ constexpr Theme light{
     .quiet = {92, 100, 114},
     .outline = {172, 180, 192},
     .disc = {92, 112, 136},
-    .curves = {{{0, 114, 178}, {196, 128, 0}, {200, 72, 20}, {0, 132, 98}, {168, 84, 132}}}};
+    .curves = {{{0, 114, 178}, {160, 104, 0}, {176, 52, 24}, {0, 132, 98}, {168, 84, 132}}}};
 
 constexpr Theme seen_through(Theme theme) {
   theme.opacity = 0.0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,20 @@ std::vector<double> multiples(double step, double first, double last) {
   if (!std::isfinite(step) || step == 0.0 || last - first > most) return values;
   for (double k = first; k <= last; ++k) values.push_back(k == 0.0 ? 0.0 : k * step);  // never -0
   return values;
+}
+
+// "−" for "-", and powers of ten as people write them.
+std::string printed(const std::string& text) {
+  const std::size_t e = text.find('e');
+  std::string number = text.substr(0, e);
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  if (e == std::string::npos) return number;
+  constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string power = number == "1" ? "10" : number + "·10";
+  const int exponent = std::stoi(text.substr(e + 1));
+  if (exponent < 0) power += "⁻";
+  for (const char digit : std::to_string(std::abs(exponent))) power += raised[digit - '0'];
+  return power;
 }
 
 }  // namespace
@@ -58,7 +73,8 @@ std::vector<std::string> tick_texts(const std::vector<double>& values) {
   std::vector<std::string> texts;
   for (int digits = fewest; digits <= most; ++digits) {
     texts.clear();
-    for (const double value : values) texts.push_back(fmt::format("{:.{}g}", value, digits));
+    for (const double value : values)
+      texts.push_back(printed(fmt::format("{:.{}g}", value, digits)));
     if (std::ranges::adjacent_find(texts) == texts.end()) break;
   }
   return texts;

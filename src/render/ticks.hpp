@@ -17,7 +17,7 @@ std::vector<double> enclosing_values(double least, double most, int intervals);
 // Powers of ten from `least` to `most` (0 < least < most), every one or every so many, as above.
 std::vector<double> decades(double least, double most, int intervals);
 
-// Four digits of each, more where two would read alike.
+// Four digits of each, more where two would read alike; "−20", "10⁻⁵".
 std::vector<std::string> tick_texts(const std::vector<double>& values);
 
 }  // namespace hackle

@@ -22,7 +22,7 @@ Traction traction(Edge edge, double stress, Course course = {}) {
   return {edge, VectorField(0.0, stress), 0.0, std::move(course)};
 }
 
-TEST(LoadCurve, PullsOfTheSameCourseShareACurveInPascal) {
+TEST(LoadCurve, IsInPascalWhereThereAreStressesOnly) {
   Loads loads;
   loads.tractions = {traction(Edge::top, 12e6, ramp(4e-6)),
                      traction(Edge::bottom, -12e6, ramp(4e-6))};
@@ -31,8 +31,10 @@ TEST(LoadCurve, PullsOfTheSameCourseShareACurveInPascal) {
   const Chart chart = load_curve(s);
   EXPECT_EQ(chart.unit, "Pa");
   EXPECT_EQ(chart.until, std::max(s.end_time(), s.time()));
-  ASSERT_EQ(chart.curves.size(), 1U);
-  EXPECT_EQ(chart.curves[0].name, "traction");
+  ASSERT_EQ(chart.curves.size(), 2U);
+  EXPECT_EQ(chart.curves[0].kind, "traction");
+  EXPECT_EQ(chart.curves[0].place, "top");
+  EXPECT_EQ(chart.curves[1].points, chart.curves[0].points);
   EXPECT_EQ(chart.curves[0].points, (Points{{0.0, 0.0}, {4e-6, 12e6}, {chart.until, 12e6}}));
 }
 
@@ -44,9 +46,7 @@ TEST(LoadCurve, AFunctionIsKnownAtThePresentOnly) {
   s.run(1e-5);
   const Chart chart = load_curve(s);
   ASSERT_EQ(chart.curves.size(), 2U);
-  EXPECT_EQ(chart.curves[0].name, "traction top");
   EXPECT_EQ(chart.curves[0].points, (Points{{s.time(), 12e6 * (1e5 * s.time())}}));
-  EXPECT_EQ(chart.curves[1].name, "traction bottom");
   EXPECT_EQ(chart.curves[1].points.size(), 2U);
 }
 
@@ -65,6 +65,16 @@ TEST(LoadCurve, LoadsOfSeveralUnitsShowTheirFactors) {
   EXPECT_EQ(chart.curves[0].points.front().y(), 1.0);
   EXPECT_EQ(chart.curves[1].points.front().y(), 0.0);
   EXPECT_EQ(chart.curves[1].points.back().y(), 1.0);
+}
+
+TEST(LoadCurve, TellsLoadsOfTheSameEdgeApart) {
+  Loads loads;
+  loads.tractions = {traction(Edge::top, 12e6), traction(Edge::top, 6e6), traction(Edge::left, 1e6),
+                     traction(Edge::top, 3e6)};
+  const Chart chart = load_curve(simulation(loads));
+  std::vector<std::string> places;
+  for (const Curve& curve : chart.curves) places.push_back(curve.place);
+  EXPECT_EQ(places, (std::vector<std::string>{"top", "top 2", "left", "top 3"}));
 }
 
 TEST(LoadCurve, SaysWhenThereAreNone) {

@@ -79,7 +79,7 @@ TEST(Painting, ChartsArePaidForOnlyWhereAskedFor) {
   EXPECT_TRUE(shot_of(options, simulation).load_curve.curves.empty());
   options.overlay.energy = options.overlay.load_curve = true;
   EXPECT_EQ(shot_of(options, simulation).energy.curves.size(), 3U);
-  EXPECT_EQ(shot_of(options, simulation).load_curve.curves.size(), 1U);
+  EXPECT_EQ(shot_of(options, simulation).load_curve.curves.size(), 2U);
 }
 
 TEST(Painting, TheWidestPictureFits) {

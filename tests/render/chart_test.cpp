@@ -9,7 +9,7 @@ namespace {
 using Points = std::vector<Vec2>;
 
 Chart chart(Points points, double until = 10.0) {
-  return {"load", "Pa", until, {{"traction", std::move(points)}}};
+  return {"load", "Pa", until, {{"traction", "top", std::move(points)}}};
 }
 
 TEST(ChartHistory, SinglePointsBecomeACurve) {
@@ -47,6 +47,39 @@ TEST(ChartHistory, TheAxisNeverShrinksAndAnEarlierTimeBeginsAnew) {
   const Chart& anew = history.add(chart({{0.5, 3.0}}, 5.0), 0.5);
   EXPECT_EQ(anew.curves[0].points, (Points{{0.5, 3.0}}));
   EXPECT_EQ(anew.until, 5.0);
+}
+
+// Pulled at both ends alike, until one is let go.
+TEST(ChartHistory, CurvesPartWhereTheyBeginToDiffer) {
+  const auto pulled = [](double top) {
+    return Chart{"load",
+                 "Pa",
+                 10.0,
+                 {{"traction", "top", {{0.0, top}, {10.0, top}}},
+                  {"traction", "bottom", {{0.0, 2.0}, {10.0, 2.0}}}}};
+  };
+  ChartHistory history;
+  history.add(pulled(2.0), 0.0);
+  EXPECT_EQ(distinct(history.add(pulled(2.0), 4.0).curves).size(), 1U);
+  const auto curves = distinct(history.add(pulled(0.0), 6.0).curves);
+  ASSERT_EQ(curves.size(), 2U);
+  EXPECT_EQ(curves[0].name, "traction top");
+  EXPECT_EQ(value_at(curves[0].points, 3.0), 2.0);
+  EXPECT_EQ(value_at(curves[0].points, 7.0), 0.0);
+  EXPECT_EQ(curves[1].name, "traction bottom");
+}
+
+TEST(Curve, HasItsPlaceInItsNameOnlyWhereThereAreSeveral) {
+  const Points one{{0.0, 1.0}}, other{{0.0, 2.0}};
+  const auto curves = distinct({{"traction", "top", one},
+                                {"traction", "bottom", one},
+                                {"pressure", "hole", one},
+                                {"pressure", "slot", other},
+                                {"support", "", one}});
+  std::vector<std::string> names;
+  for (const NamedCurve& curve : curves) names.push_back(curve.name);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"traction", "pressure hole", "pressure slot", "support"}));
 }
 
 TEST(Curve, IsReadBetweenItsPointsAndIsLevelBeyond) {

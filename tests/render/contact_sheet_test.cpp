@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "render/theme.hpp"
 #include "render/png.hpp"
+#include "render/theme.hpp"
 #include "support/folder.hpp"
 
 namespace hackle {

@@ -78,6 +78,7 @@ Chart any_chart(std::mt19937& random, double now) {
   Chart chart{words(random, 30), "J/m", 3e-5, {}};
   for (int k = std::uniform_int_distribution<int>(0, 6)(random); k > 0; --k)
     chart.curves.push_back({words(random, 12) + "n",
+                            "",
                             {{now, std::uniform_real_distribution<double>(-1e5, 1e5)(random)}}});
   return chart;
 }

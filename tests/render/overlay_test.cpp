@@ -17,7 +17,7 @@ using test::lit;
 const Grid paper_plate{200, 80, 0.5e-3, {0.05, 0.02}};
 
 Chart chart(const char* heading, double now) {
-  return {heading, "J/m", 30e-6, {{"kinetic", {{now, 5.0}}}, {"strain", {{now, 2.0}}}}};
+  return {heading, "J/m", 30e-6, {{"kinetic", "", {{now, 5.0}}}, {"strain", "", {{now, 2.0}}}}};
 }
 
 Moment moment(double time) {

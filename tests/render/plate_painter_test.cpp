@@ -135,6 +135,21 @@ TEST(PlatePainter, ShowsBackgroundWhereThereIsNoMaterial) {
   expect_near(cell(PlatePainter(s).paint(f), s, 2, 1), background_colour);
 }
 
+TEST(PlatePainter, OnATransparentGroundThePlateAloneIsOpaque) {
+  PictureStyle s = style(4, 4);
+  s.background = Background::transparent;
+  Shot f = shot(s, 0.2F);
+  f.values[s.grid.index(2, 1)] = std::nanf("");
+  const Image image = PlatePainter(s).paint(f);
+  const Rectangle plate = layout_of(s).plate;
+  const auto alpha = [&](int x, int y) {
+    return static_cast<int>(image.pixels[static_cast<std::size_t>(y * image.stride() + 4 * x + 3)]);
+  };
+  EXPECT_EQ(alpha(plate.x + plate.width / 8, plate.y + plate.height / 8), 255);
+  EXPECT_EQ(alpha(plate.x + plate.width * 5 / 8, plate.y + plate.height * 5 / 8), 0);
+  EXPECT_EQ(alpha(plate.x / 2, plate.y + 10), 0);
+}
+
 TEST(PlatePainter, TheFirstRowIsAtTheBottom) {
   const PictureStyle s = style(4, 4);
   Shot f = shot(s, 0.0F);

@@ -39,7 +39,8 @@ int lowest(const Image& image, int x, Colour colour) {
 }
 
 TEST_F(Strip, ARampRisesAndThenIsLevel) {
-  const Chart ramp{"load", "Pa", 1e-5, {{"traction", {{0.0, 0.0}, {5e-6, 12e6}, {1e-5, 12e6}}}}};
+  const Chart ramp{
+      "load", "Pa", 1e-5, {{"traction", "", {{0.0, 0.0}, {5e-6, 12e6}, {1e-5, 12e6}}}}};
   const Image image = draw(ramp, 0.0);
   std::vector<int> tops;
   for (const int x : {150, 200, 290, 330}) {
@@ -57,12 +58,12 @@ TEST_F(Strip, ARampRisesAndThenIsLevel) {
 }
 
 TEST_F(Strip, SaysWhatItShowsInUnitsThatSuit) {
-  draw({"load", "Pa", 3e-5, {{"traction", {{0.0, 0.0}, {3e-5, 12e6}}}}}, 1e-5);
+  draw({"load", "Pa", 3e-5, {{"traction", "", {{0.0, 0.0}, {3e-5, 12e6}}}}}, 1e-5);
   EXPECT_THAT(texts, Contains(Field(&PlacedText::text, "load (MPa)")));
   EXPECT_THAT(texts, Contains(Field(&PlacedText::text, "traction")));
   EXPECT_THAT(texts, Contains(Field(&PlacedText::text, "15")));
   EXPECT_THAT(texts, Contains(Field(&PlacedText::text, "30 µs")));
-  draw({"energy", "J/m", 1e-3, {{"kinetic", {{0.0, 2500.0}}}}}, 0.0);
+  draw({"energy", "J/m", 1e-3, {{"kinetic", "", {{0.0, 2500.0}}}}}, 0.0);
   EXPECT_THAT(texts, Contains(Field(&PlacedText::text, "energy (kJ/m)")));
 }
 
@@ -83,7 +84,7 @@ TEST_F(Strip, MarksThePresentMoment) {
 }
 
 TEST_F(Strip, StaysInItsRoom) {
-  const Chart wild{"energy", "J/m", 1e-5, {{"a", {{0.0, -1e9}, {2e-5, 1e9}}}, {"b", {}}}};
+  const Chart wild{"energy", "J/m", 1e-5, {{"a", "", {{0.0, -1e9}, {2e-5, 1e9}}}, {"b", "", {}}}};
   const Image image = draw(wild, 3e-5);
   EXPECT_EQ(test::differing_outside(image, Image(420, 140), room), 0);
 }

@@ -47,6 +47,7 @@ TEST(Ticks, DecadesAreThinnedOut) {
 
 TEST(Ticks, TextsTellNeighboursApart) {
   EXPECT_THAT(tick_texts({0.0, 0.25, 0.5}), ElementsAre("0", "0.25", "0.5"));
+  EXPECT_THAT(tick_texts({-20.0, 1e-5, 2.5e12}), ElementsAre("−20", "10⁻⁵", "2.5·10¹²"));
   EXPECT_THAT(tick_texts({1000000.0, 1000000.5}), ElementsAre("1000000", "1000000.5"));
 }
 

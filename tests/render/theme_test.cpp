@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "render/theme.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace hackle {
+namespace {
+
+// Relative luminance and contrast as WCAG 2.1 defines them.
+double luminance(Colour colour) {
+  const auto linear = [](int part) {
+    const double c = part / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) + 0.0722 * linear(colour.blue);
+}
+double contrast(Colour a, Colour b) {
+  const double one = luminance(a), other = luminance(b);
+  return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
+}
+
+// 4.5 is what WCAG asks for text.
+TEST(Theme, EverythingThatIsWrittenCanBeRead) {
+  for (const Background background : {Background::dark, Background::light}) {
+    const Theme& theme = theme_of(background);
+    EXPECT_GT(contrast(theme.text, theme.background), 7.0);
+    EXPECT_GT(contrast(theme.quiet, theme.background), 4.5);
+    for (const Colour curve : theme.curves) EXPECT_GT(contrast(curve, theme.background), 4.5);
+  }
+}
+
+TEST(Theme, ATransparentGroundIsMadeForPaper) {
+  const Theme &transparent = theme_of(Background::transparent),
+              &light = theme_of(Background::light);
+  EXPECT_EQ(transparent.opacity, 0.0);
+  EXPECT_EQ(light.opacity, 1.0);
+  EXPECT_TRUE(transparent.text == light.text);
+}
+
+TEST(Theme, EveryBackgroundHasItsName) {
+  EXPECT_EQ(background_names[static_cast<std::size_t>(Background::dark)], "dark");
+  EXPECT_EQ(background_names[static_cast<std::size_t>(Background::light)], "light");
+  EXPECT_EQ(background_names[static_cast<std::size_t>(Background::transparent)], "transparent");
+}
+
+}  // namespace
+}  // namespace hackle
