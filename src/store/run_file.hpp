@@ -36,7 +36,7 @@ struct Origin {
 inline constexpr int run_file_format = 2;
 
 // About how many bytes a run file with so many nodes and records takes, and its sidecar. What is
-// left of 32 bytes a node after compression was measured on plates that branch: 5 to 7.
+// left of 32 bytes a node after compression was measured on plates that branch: 6 to 8.
 double run_file_bytes(std::size_t nodes, std::int64_t records);
 
 class RunFile {
