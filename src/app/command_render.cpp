@@ -64,7 +64,8 @@ bool is_quoted(const std::string& value) {
 }
 
 std::string value_text(const Option& option, const std::string& value) {
-  const bool text = option.type == OptionType::text || option.type == OptionType::choice;
+  const bool text = option.type == OptionType::text || option.type == OptionType::caption ||
+                    option.type == OptionType::choice;
   return text && !is_quoted(value) ? quoted(value) : value;
 }
 

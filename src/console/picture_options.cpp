@@ -37,6 +37,7 @@ PictureOptions picture_of(const Arguments& arguments) {
 PictureOptions sized_picture_of(const Arguments& arguments) {
   PictureOptions picture = picture_of(arguments);
   picture.width = static_cast<int>(arguments.integer("width", picture.width));
+  if (arguments.has("px_per_mm")) picture.pixels_a_metre = 1e3 * arguments.number("px_per_mm");
   return picture;
 }
 

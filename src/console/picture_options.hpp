@@ -49,7 +49,9 @@ inline constexpr std::array view_options{
            .type = OptionType::choice,
            .fallback = "below",
            .choices = arrangement_names,
-           .sentence = "The second field: below or right of the midline, or over the first one."},
+           .sentence =
+               "The second field: below or right of the midline, over the first one, or beside "
+               "it."},
     Option{.name = "second_range",
            .type = OptionType::pair,
            .fallback = suits_the_field,
@@ -105,7 +107,10 @@ inline constexpr Option width_option{.name = "width",
                                      .range = between(320.0, 7680.0),
                                      .fallback = "1280",
                                      .sentence = "Of the picture, even."};
-
+inline constexpr Option scale_option{.name = "px_per_mm",
+                                     .range = above(0.0),
+                                     .alternative = true,
+                                     .sentence = "Instead of the width: px that a mm takes."};
 // All but the width.
 PictureOptions picture_of(const Arguments& arguments);
 

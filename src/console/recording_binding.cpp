@@ -14,6 +14,7 @@
 #include "console/recording_docs.hpp"
 #include "console/session.hpp"
 #include "console/simulation_binding.hpp"
+#include "output/chart_data.hpp"
 #include "output/painting.hpp"
 #include "output/replay.hpp"
 #include "render/png.hpp"
@@ -45,6 +46,8 @@ int frame(lua_State* L) {
   const Session& session = session_of(L);
   const PictureOptions options = sized_picture_of(arguments);
   check("frame", options, recording.simulation().lattice().grid);
+  check_recorded("frame", options);
+  check_alone("frame", options);
   const auto path = session.output_path("frame", arguments.text("file"));
   check_writable(path);
   if (session.settings.purpose != Purpose::results) return 0;

@@ -31,7 +31,7 @@ inline constexpr Option time_option{
     .name = "time", .unit = "s", .fallback = "the end", .sentence = "Of the record that is shown."};
 
 inline constexpr auto recorded_frame_options =
-    joined(std::array{file_option, time_option, width_option}, picture_options);
+    joined(std::array{file_option, time_option, width_option, scale_option}, picture_options);
 
 inline constexpr FunctionDoc recorded_frame_doc{
     .name = "frame",

@@ -120,6 +120,7 @@ inline constexpr auto movie_options = joined(
         file_option,
         every_option,
         width_option,
+        scale_option,
         Option{.name = "fps",
                .range = between(1.0, 240.0),
                .fallback = "30",
@@ -154,7 +155,7 @@ inline constexpr FunctionDoc movie_doc{
     .example = "s:movie { \"crack.mp4\", field = \"damage\", every = 0.25*us }"};
 
 inline constexpr auto frame_options =
-    joined(std::array{file_option, width_option}, picture_options);
+    joined(std::array{file_option, width_option, scale_option}, picture_options);
 
 inline constexpr FunctionDoc frame_doc{.name = "frame",
                                        .owner = "s",

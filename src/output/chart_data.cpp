@@ -105,4 +105,10 @@ void check_alone(const char* output, const PictureOptions& options) {
       "ask for it in s:movie, or read s:report()");
 }
 
+void check_recorded(const char* output, const PictureOptions& options) {
+  if (!options.overlay.load_curve) return;
+  throw Error(ErrorKind::refused, fmt::format("{}: a recording does not hold the loads", output),
+              "ask for load_curve while the plate is solved, in s:movie or s:frame");
+}
+
 }  // namespace hackle

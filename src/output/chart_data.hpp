@@ -20,4 +20,7 @@ Chart energy_chart(const Simulation& simulation);
 // before it.
 void check_alone(const char* output, const PictureOptions& options);
 
+// Throws Error (refused) when they ask for what a recording does not hold: the loads.
+void check_recorded(const char* output, const PictureOptions& options);
+
 }  // namespace hackle

@@ -94,12 +94,35 @@ void check_range(const char* output, const char* option, const FieldChoice& fiel
                              output, option, least));
 }
 
+// And of those beside it, whose bonds reach into it.
+std::vector<BondLine> bonds_in(const Window& window, const Simulation& simulation) {
+  const int reach = simulation.lattice().family.reach();
+  return bond_lines(simulation, {window.left - reach, window.left + window.nx - 1 + reach,
+                                 window.bottom - reach, window.bottom + window.ny - 1 + reach});
+}
+
 std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
   std::vector<std::uint8_t> bytes(shares.size());
   std::ranges::transform(shares, bytes.begin(), [](float share) {
     return static_cast<std::uint8_t>(std::lround(255.0F * share));
   });
   return bytes;
+}
+
+// Throws Error (refused) when the picture would be too large.
+void set_size(PictureStyle& style, const PictureOptions& options) {
+  style.width = options.width;
+  if (!options.pixels_a_metre) return;
+  style.cell = *options.pixels_a_metre * style.grid.dx;
+  const Grid seen = part(style.grid, *style.window);
+  const double longest = style.cell * std::max(seen.nx, seen.ny);
+  const PlateSize size{style.cell, options.second && options.arrangement == Arrangement::beside};
+  if (longest < most_width) style.width = width_for(seen, size);
+  if (longest >= most_width || style.width > most_width)
+    throw Error(ErrorKind::refused,
+                fmt::format("px_per_mm is {}, the picture would be wider or higher than {} px",
+                            shortest(1e-3 * *options.pixels_a_metre), most_width),
+                "take fewer, or a zoom");
 }
 
 std::string title_of(const PictureOptions& options, const Simulation& simulation) {
@@ -168,7 +191,7 @@ PictureStyle style_of(const PictureOptions& options, const Simulation& simulatio
   if (style.magnification > 0.0)
     style.note = fmt::format("displacements × {:.4g}", style.magnification);
   style.background = options.background;
-  style.width = options.width;
+  set_size(style, options);
   FieldChoice first = first_field(options);
   if (options.percentile) first.range = automatic_range(options, simulation);
   style.field = style_of(first, simulation);
@@ -212,7 +235,9 @@ Shot shot_of(const PictureOptions& options, const Simulation& simulation) {
     shot.displacement = displacement(simulation).values;
     shot.links = links(simulation);
   }
-  if (options.follow) shot.window = followed(window_of(options, simulation), options, simulation);
+  const Window window = followed(window_of(options, simulation), options, simulation);
+  if (options.follow) shot.window = window;
+  if (options.bonds) shot.bonds = bonds_in(window, simulation);
   if (options.overlay.load_curve) shot.load_curve = load_curve(simulation);
   if (options.overlay.energy) shot.energy = energy_chart(simulation);
   return shot;

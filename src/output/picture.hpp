@@ -24,9 +24,10 @@ inline constexpr std::array<std::string_view, 4> toward_names{"right", "left", "
 
 // How a picture is made.
 struct PictureOptions {
-  std::string field = "damage";  // one of scalar_names
-  int width = 1280;              // px, even, 320..7680; the height follows from the plate
-  std::optional<Ends> range;     // of the colour bar, SI; what suits the field if not given
+  std::string field = "damage";          // one of scalar_names
+  int width = 1280;                      // px, even, 320..7680; the height follows from the plate
+  std::optional<double> pixels_a_metre;  // instead of the width
+  std::optional<Ends> range;             // of the colour bar, SI; what suits the field if not given
   // Instead of a range, %, 50..100: the range spans this share of the values that are seen.
   std::optional<double> percentile;
   std::optional<bool> logarithmic;    // as the field has it if not given

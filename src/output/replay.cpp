@@ -13,6 +13,7 @@
 #include "base/interrupt.hpp"
 #include "base/units.hpp"
 #include "output/automatic_range.hpp"
+#include "output/chart_data.hpp"
 #include "output/movie_file.hpp"
 #include "output/movie_output.hpp"
 #include "output/painting.hpp"
@@ -137,6 +138,7 @@ class Composition {
 
 void check_all(const char* who, const Tiles& tiles, const PictureOptions& options) {
   for (const Tile& tile : tiles) check(who, options, tile.recording->simulation().lattice().grid);
+  check_recorded(who, options);
 }
 
 }  // namespace
@@ -210,6 +212,7 @@ void film_side_by_side(const Tiles& tiles, const fs::path& path, MovieOptions op
 Image sheet_of(const Tiles& tiles, const std::vector<double>& times, PictureOptions options,
                SheetLayout layout) {
   check_all("contact_sheet", tiles, options);
+  check_alone("contact_sheet", options);
   std::vector<SheetImage> images;
   layout.height = 0;
   layout.font = title_size;

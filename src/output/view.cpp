@@ -9,6 +9,7 @@
 
 #include "base/units.hpp"
 #include "measure/cracks.hpp"
+#include "render/bond_drawing.hpp"
 
 namespace hackle {
 namespace {
@@ -73,6 +74,12 @@ int margin_of(const PictureOptions& options, const Simulation& simulation) {
   return static_cast<int>(std::ceil(std::min(reach, 0.5 * std::min(grid.nx, grid.ny))));
 }
 
+double nodes_seen(const PictureOptions& options, const Grid& grid) {
+  if (!options.zoom) return static_cast<double>(grid.nodes());
+  const Window window = window_of(*options.zoom, grid);
+  return static_cast<double>(window.nx) * window.ny;
+}
+
 Vec2 direction_of(Toward toward) {
   constexpr std::array<std::array<double, 2>, toward_names.size()> directions{
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
@@ -85,6 +92,10 @@ Vec2 direction_of(Toward toward) {
 void check_view(const char* output, const PictureOptions& options, const Grid& grid,
                 Problems& problems) {
   if (options.zoom) check(output, *options.zoom, grid, problems);
+  if (options.bonds && nodes_seen(options, grid) > most_drawn_nodes)
+    problems.add(fmt::format("{}: bonds of {:.0f} nodes would be drawn, {} are the most", output,
+                             nodes_seen(options, grid), most_drawn_nodes),
+                 "zoom = {x, y, half} looks at a part of the plate");
   if (options.follow && !options.zoom)
     problems.add(fmt::format("{}: follow needs a zoom", output),
                  "zoom = {x, y, half} says where to begin, and how much is seen");

@@ -32,7 +32,11 @@ Vec2 Camera::share(const Vec2& cells) const {
 }
 
 Vec2 Camera::pixel(const Vec2& place) const {
-  const Vec2 at = share(grid_.from_centre(place) + 0.5 * Vec2(grid_.nx, grid_.ny));
+  return pixel_of_cells(grid_.from_centre(place) + 0.5 * Vec2(grid_.nx, grid_.ny));
+}
+
+Vec2 Camera::pixel_of_cells(const Vec2& cells) const {
+  const Vec2 at = share(cells);
   return {plate_.x + 0.5 * plate_.width * (1.0 + at.x()),
           plate_.y + 0.5 * plate_.height * (1.0 - at.y())};
 }

@@ -15,7 +15,9 @@ class Camera {
   // Of a point given in cells from the lower left corner of the lattice: -1..1 over the rectangle,
   // x right, y up.
   Vec2 share(const Vec2& cells) const;
-  // The same in px of the picture, y down, of a place given in m.
+  // The same in px of the picture, y down.
+  Vec2 pixel_of_cells(const Vec2& cells) const;
+  // The same of a place given in m.
   Vec2 pixel(const Vec2& place) const;
   // px that a metre takes along x and y; they differ in a stretched picture.
   Vec2 pixels_a_metre() const;

@@ -40,6 +40,11 @@ void Canvas::outline(const Rectangle& r, int width) {
 }
 
 // What is nearer than half a pixel to the last point cannot be seen.
+void Canvas::clip(const Rectangle& r) {
+  cairo_rectangle(cairo_.get(), r.x, r.y, r.width, r.height);
+  cairo_clip(cairo_.get());
+}
+
 void Canvas::line(std::span<const Vec2> points, double width) {
   if (points.empty()) return;
   constexpr double least = 0.5;

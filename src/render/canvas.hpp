@@ -28,6 +28,8 @@ class Canvas {
   void fill(double x, double y, double width, double height);
   // Around the rectangle, so many px wide.
   void outline(const Rectangle& r, int width);
+  // Nothing is drawn outside of it from now on.
+  void clip(const Rectangle& r);
   void line(std::span<const Vec2> points, double width);
   // Seen through a little, with a bright rim.
   void disc(const Vec2& centre, double radius_x, double radius_y, Colour colour);

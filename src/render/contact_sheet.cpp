@@ -100,10 +100,10 @@ Image contact_sheet(std::vector<SheetImage>& images, const SheetLayout& layout) 
       static_cast<int>(images.size()), layout,
       [&](std::size_t k) {
         Image& image = images[k].image;
-        return Surface(cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_RGB24,
-                                                           image.width, image.height,
-                                                           image.stride()),
-                       cairo_surface_destroy);
+        return Surface(
+            cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_RGB24,
+                                                image.width, image.height, image.stride()),
+            cairo_surface_destroy);
       },
       [&](std::size_t k) { return images[k].title; });
 }

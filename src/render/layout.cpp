@@ -26,16 +26,28 @@ double cell_size(const Grid& grid, double width, double height) {
   return size >= 3.0 ? std::floor(size) : size;
 }
 
+double font_for(int width) {
+  return std::max(10.0, std::round(0.0175 * width));
+}
+int margin_for(int width) {
+  return whole(1.5 * font_for(width));
+}
+
+// Of two plates that are taller than they are wide, the second lies right of the first.
+bool lies_across(const Grid& grid, const PlateSize& size) {
+  return size.twice && grid.ny > grid.nx;
+}
+
 // Lays out from the top; `y` is how far it has come.
 class Composer {
  public:
-  Composer(const Grid& grid, int width, const OverlayText& text)
-      : grid_(grid), text_(text), parts_(text.parts) {
+  Composer(const Grid& grid, int width, const OverlayText& text, const PlateSize& size)
+      : grid_(grid), text_(text), parts_(text.parts), size_(size) {
     layout_.width = width;
-    layout_.font = std::max(10.0, std::round(0.0175 * width));
+    layout_.font = font_for(width);
     layout_.small_font = std::max(9.0, std::round(0.8 * layout_.font));
     layout_.hairline = std::max(1, whole(0.05 * layout_.font));
-    margin_ = whole(1.5 * layout_.font);
+    margin_ = margin_for(width);
     gap_ = at_least(layout_.font);
   }
 
@@ -59,14 +71,18 @@ class Composer {
     return at_least(font_.width_of(text, size));
   }
 
-  // Captions and legend are flush with the plate, unless it is too narrow for them.
+  // Captions and legend are flush with the plates, unless they are too narrow for them.
   void size_plate() {
     const int inner = layout_.width - 2 * margin_;
-    const double cell = cell_size(grid_, inner, layout_.width);
+    const bool across = lies_across(grid_, size_);
+    const int room_for_one = across ? (inner - gap_) / 2 : inner;
+    const double cell =
+        size_.cell > 0.0 ? size_.cell : cell_size(grid_, room_for_one, layout_.width);
     layout_.plate.width = std::max(1, whole(cell * grid_.nx));
     layout_.plate.height = std::max(1, whole(cell * grid_.ny));
-    const bool wide = layout_.plate.width > inner * 9 / 10;
-    side_ = wide ? (layout_.width - layout_.plate.width) / 2 : margin_;
+    plates_width_ = layout_.plate.width * (across ? 2 : 1) + (across ? gap_ : 0);
+    const bool wide = plates_width_ > inner * 9 / 10;
+    side_ = wide ? (layout_.width - plates_width_) / 2 : margin_;
   }
 
   // The first line, from that of the last text on, where there is room; else a new one.
@@ -105,9 +121,18 @@ class Composer {
   }
 
   void place_plate() {
-    layout_.plate.x = (layout_.width - layout_.plate.width) / 2;
-    layout_.plate.y = y_;
-    y_ = layout_.plate.bottom();
+    Rectangle& plate = layout_.plate;
+    plate.x = (layout_.width - plates_width_) / 2;
+    plate.y = y_;
+    y_ = plate.bottom();
+    if (size_.twice) {
+      layout_.second_plate = plate;
+      if (lies_across(grid_, size_))
+        layout_.second_plate.x = plate.right() + gap_;
+      else
+        layout_.second_plate.y = plate.bottom() + gap_;
+      y_ = layout_.second_plate.bottom();
+    }
     layout_.foot = y_ + margin_ / 2;
   }
 
@@ -176,9 +201,10 @@ class Composer {
   const Grid& grid_;
   const OverlayText& text_;
   const OverlayOptions& parts_;
+  const PlateSize& size_;
   Font font_;
   Layout layout_;
-  int margin_ = 0, gap_ = 0, side_ = 0, y_ = 0;
+  int margin_ = 0, gap_ = 0, side_ = 0, plates_width_ = 0, y_ = 0;
   std::vector<Line> lines_;  // of the caption
   std::size_t first_line_ = 0;
 };
@@ -191,8 +217,19 @@ Grid part(const Grid& grid, const Window& window) {
   return {window.nx, window.ny, grid.dx, grid.centre + grid.dx * middle};
 }
 
-Layout make_layout(const Grid& grid, int width, const OverlayText& text) {
-  return Composer(grid, width, text).compose();
+Layout make_layout(const Grid& grid, int width, const OverlayText& text, const PlateSize& size) {
+  return Composer(grid, width, text, size).compose();
+}
+
+int width_for(const Grid& grid, const PlateSize& size) {
+  const int plate = whole(size.cell * grid.nx);
+  int width = 320;
+  const auto needed = [&] {
+    const int between = lies_across(grid, size) ? plate + at_least(font_for(width)) : 0;
+    return plate + between + 2 * margin_for(width);
+  };
+  while (needed() > width) width += std::max(2, even(0.5 * (needed() - width)));
+  return width;
 }
 
 Layout bare_layout(int width, int height) {

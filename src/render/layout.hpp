@@ -37,17 +37,28 @@ struct Layout {
   Rectangle caption;        // all lines above the plate
   Rectangle title, note, clock, slow_motion;  // of one line each, in the caption
   Rectangle plate;
+  Rectangle second_plate;     // of the same size, below or right of the first one; mostly empty
   std::vector<BarRoom> bars;  // one below the other
   Rectangle scale;            // where the scale bar may lie, with its text
   Rectangle load_curve, energy;
   int foot = 0;  // px from the top; discs are seen down to here, the legend begins below it
 };
 
+// How a picture shows a plate.
+struct PlateSize {
+  double cell = 0.0;  // px of a cell; 0: as large as it can be
+  bool twice = false;
+};
+
 // For a picture `width` px wide, even. Cells are whole pixels when they are at least 3 px, so that
-// all look alike. A tall plate is made smaller until the plate is at most as high as the picture is
-// wide. Texts that do not fit beside each other get lines of their own; what is still too long is
-// to be shortened to its rectangle. Throws what Font throws.
-Layout make_layout(const Grid& grid, int width, const OverlayText& text = {});
+// all look alike, unless their size is given. A tall plate is made smaller until the plate is at
+// most as high as the picture is wide. Texts that do not fit beside each other get lines of their
+// own; what is still too long is to be shortened to its rectangle. Throws what Font throws.
+Layout make_layout(const Grid& grid, int width, const OverlayText& text = {},
+                   const PlateSize& size = {});
+
+// The least width, px, of a picture that holds plates of the size that is given; even.
+int width_for(const Grid& grid, const PlateSize& size);
 
 // The plate alone fills the picture: width x height px, even or not, whatever its shape.
 Layout bare_layout(int width, int height);

@@ -53,14 +53,20 @@ constexpr auto sides = std::to_array<Side>({{0.75, 0.35, 0.0},
                                             {-0.5, -0.8, 1.0},
                                             {-0.5, 1.45, 1.0}});
 
+// Between caption and legend; on one of two plates, on it alone.
+Box room(const Layout& layout, const Rectangle& plate, double margin) {
+  if (!layout.second_plate.empty())
+    return {plate.x + margin, static_cast<double>(plate.y), plate.right() - margin,
+            static_cast<double>(plate.bottom())};
+  return {margin, static_cast<double>(layout.caption.bottom()), layout.width - margin,
+          static_cast<double>(layout.foot)};
+}
+
 // Finds room for one label after another.
 class Placer {
  public:
-  Placer(const Layout& layout, const Font& font)
-      : font_(font),
-        size_(layout.small_font),
-        room_{0.5 * size_, static_cast<double>(layout.caption.bottom()), layout.width - 0.5 * size_,
-              static_cast<double>(layout.foot)} {}
+  Placer(const Layout& layout, const Rectangle& plate, const Font& font)
+      : font_(font), size_(layout.small_font), room_(room(layout, plate, 0.5 * size_)) {}
 
   void take(const Box& box) { taken_.push_back(box); }
 
@@ -92,13 +98,14 @@ class Placer {
 }  // namespace
 
 std::vector<PlacedMarker> place_markers(const std::vector<Marker>& markers, const Layout& layout,
-                                        const Camera& camera, const Font& font) {
-  Placer placer(layout, font);
+                                        const Rectangle& plate, const Camera& camera,
+                                        const Font& font) {
+  Placer placer(layout, plate, font);
   std::vector<PlacedMarker> placed;
   std::vector<const std::string*> labels;
   for (const Marker& marker : markers) {
     const Vec2 place = camera.pixel(marker.place);
-    if (!is_seen(place, layout.plate)) continue;
+    if (!is_seen(place, plate)) continue;
     placer.take(around(place, radius(layout) + 1.0));
     placed.push_back({place, {}});
     labels.push_back(&marker.label);

@@ -83,19 +83,21 @@ void Overlay::write_caption(const OverlayText& text) {
   write(text.note, layout_.note, layout_.small_font, theme_.quiet);
 }
 
-void Overlay::draw_marks(Image& image, const Camera& camera, const Moment& moment) {
+void Overlay::draw_marks(Image& image, const Rectangle& plate, const Camera& camera,
+                         const Moment& moment) {
   Canvas canvas(image);
   if (font_) {
     canvas.colour(theme_.outline);
-    canvas.outline(layout_.plate, layout_.hairline);
+    canvas.outline(plate, layout_.hairline);
   }
   const Vec2 scale = camera.pixels_a_metre();
   for (const Circle& disc : moment.discs)
     canvas.disc(camera.pixel(disc.centre), disc.radius * scale.x(), disc.radius * scale.y(),
                 theme_.disc);
   if (!font_) return;
-  placed_ = place_markers(markers_, layout_, camera, *font_);
-  hackle::draw(canvas, placed_, layout_, *font_);
+  const auto placed = place_markers(markers_, layout_, plate, camera, *font_);
+  hackle::draw(canvas, placed, layout_, *font_);
+  placed_.insert(placed_.end(), placed.begin(), placed.end());
 }
 
 void Overlay::draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& history,
@@ -124,8 +126,11 @@ void Overlay::write_clock(double time) {
                                    theme_.quiet));
 }
 
-void Overlay::draw(Image& image, const Camera& camera, const Moment& moment) {
-  draw_marks(image, camera, moment);
+void Overlay::draw(Image& image, const std::vector<Camera>& cameras, const Moment& moment) {
+  placed_.clear();
+  draw_marks(image, layout_.plate, cameras.front(), moment);
+  if (!layout_.second_plate.empty())
+    draw_marks(image, layout_.second_plate, cameras.back(), moment);
   for (const Strip& strip : strips_) copy(strip.pixels, image, strip.area);
   if (font_) draw_fleeting(image, moment);
 }

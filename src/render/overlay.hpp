@@ -33,9 +33,10 @@ class Overlay {
   Overlay(const Layout& layout, const OverlayText& text, const std::vector<ColourMap>& maps,
           double pixels_a_metre);
 
-  // On a picture of the layout's size, over whatever reaches beyond the plate there. Moments of a
+  // On a picture of the layout's size, over whatever reaches beyond the plate there. A camera for
+  // each of its plates. Moments of a
   // series are drawn in order: charts show what was drawn before.
-  void draw(Image& image, const Camera& camera, const Moment& moment);
+  void draw(Image& image, const std::vector<Camera>& cameras, const Moment& moment);
 
   // All that was written by draw(), the last time it was called.
   std::vector<PlacedText> texts() const;
@@ -50,7 +51,7 @@ class Overlay {
                  double pixels_a_metre);
   void keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all);
   void write_caption(const OverlayText& text);
-  void draw_marks(Image& image, const Camera& camera, const Moment& moment);
+  void draw_marks(Image& image, const Rectangle& plate, const Camera& camera, const Moment& moment);
   void draw_fleeting(Image& image, const Moment& moment);
   void write_clock(double time);
   void draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& history, const Chart& chart,

@@ -15,9 +15,11 @@
 namespace hackle {
 
 // Where a second field is seen: in the lower or the right half of the plate, for scenes that are
-// symmetric about the midline, or over the first field, the more opaque the larger it is.
-enum class Arrangement { below, right, over };
-inline constexpr std::array<std::string_view, 3> arrangement_names{"below", "right", "over"};
+// symmetric about the midline, over the first field, the more opaque the larger it is, or on a
+// plate of its own.
+enum class Arrangement { below, right, over, beside };
+inline constexpr std::array<std::string_view, 4> arrangement_names{"below", "right", "over",
+                                                                   "beside"};
 
 // How a field is painted.
 struct FieldStyle {
@@ -36,6 +38,7 @@ struct PictureStyle {
   double rotation = 0.0;         // rad, counterclockwise, about the middle of what is seen
   double magnification = 0.0;    // of displacements; 0 is the plate at rest
   int width = 1280;              // px, even
+  double cell = 0.0;             // px; 0: as large as the width allows
   int bare_height = 0;           // px; above 0 the plate alone, stretched to fill the picture
   FieldStyle field;
   std::optional<FieldStyle> second;              // of another field

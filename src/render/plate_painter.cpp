@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "render/bond_drawing.hpp"
 #include "render/camera.hpp"
 #include "render/cell_mesh.hpp"
 #include "render/colour_map.hpp"
@@ -79,6 +80,10 @@ Colouring colouring_of(const FieldStyle& field) {
   return {map_of(field), field.least, field.most, field.logarithmic};
 }
 
+bool is_beside(const PictureStyle& style) {
+  return style.second && style.arrangement == Arrangement::beside && style.bare_height == 0;
+}
+
 // Whether cells are not all rectangles of the same size.
 bool needs_mesh(const PictureStyle& style) {
   return style.magnification > 0.0 || style.rotation != 0.0;
@@ -93,7 +98,8 @@ int points_for(int cells, int pixels) {
 
 Layout layout_of(const PictureStyle& style) {
   if (style.bare_height > 0) return bare_layout(style.width, style.bare_height);
-  return make_layout(part(style.grid, window_of(style)), style.width, text_of(style));
+  return make_layout(part(style.grid, window_of(style)), style.width, text_of(style),
+                     {style.cell, is_beside(style)});
 }
 
 struct PlatePainter::Parts {
@@ -101,57 +107,75 @@ struct PlatePainter::Parts {
       : style(std::move(style_)),
         layout(layout_of(style)),
         overlay(layout, text_of(style), maps_of(style),
-                camera(window_of(style)).pixels_a_metre().x()),
+                camera(layout.plate, window_of(style)).pixels_a_metre().x()),
         context(layout.width, layout.height),
-        colour_pass(gl, background_of(style), colouring_of(style.field)) {
-    if (style.second) colour_pass.set_second(colouring_of(*style.second), style.arrangement);
+        first_pass(gl, background_of(style), colouring_of(style.field)) {
+    if (is_beside(style))
+      second_pass.emplace(gl, background_of(style), colouring_of(*style.second));
+    else if (style.second)
+      first_pass.set_second(colouring_of(*style.second), style.arrangement);
     if (needs_mesh(style)) mesh_pass.emplace(gl, layout.plate.width, layout.plate.height);
   }
   ~Parts() { context.make_current(); }  // its objects go to the context they came from
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  Camera camera(const Window& window) const {
-    return {style.grid, window, style.rotation, layout.plate};
+  Camera camera(const Rectangle& plate, const Window& window) const {
+    return {style.grid, window, style.rotation, plate};
+  }
+  std::vector<Camera> cameras(const Window& window) const {
+    return {camera(layout.plate, window), camera(layout.second_plate, window)};
   }
 
-  void draw_field(const Shot& shot, const Window& window) {
+  void draw_all(const Shot& shot, const Window& window) {
+    clear_picture();
+    draw_plate(first_pass, layout.plate, shot, window);
+    if (second_pass) draw_plate(*second_pass, layout.second_plate, shot, window);
+  }
+
+  void draw_plate(ColourPass& pass, const Rectangle& plate, const Shot& shot,
+                  const Window& window) {
     if (mesh_pass)
-      draw_mesh(shot, window);
+      draw_mesh(pass, plate, shot, window);
     else
-      draw_cells(shot, window);
+      draw_cells(pass, plate, shot, window);
   }
 
-  void draw_cells(const Shot& shot, const Window& window) {
-    const int width = points_for(window.nx, layout.plate.width);
-    const int height = points_for(window.ny, layout.plate.height);
-    colour_pass.paint(points_of(shot, window, width, height));
-    copy_to_picture(colour_pass.framebuffer(), width, height);
+  void draw_cells(ColourPass& pass, const Rectangle& plate, const Shot& shot,
+                  const Window& window) {
+    const int width = points_for(window.nx, plate.width);
+    const int height = points_for(window.ny, plate.height);
+    pass.paint(points_of(pass, shot, window, width, height));
+    copy_to_picture(pass.framebuffer(), width, height, plate);
   }
 
-  void draw_mesh(const Shot& shot, const Window& window) {
+  void draw_mesh(ColourPass& pass, const Rectangle& plate, const Shot& shot, const Window& window) {
     const Displaced displaced{shot.displacement, shot.links, style.magnification};
     Window cells = seen_cells(window, style.rotation, style.grid, displaced);
-    const Blocks blocks = blocks_of(cells, window, layout.plate.width, layout.plate.height);
+    const Blocks blocks = blocks_of(cells, window, plate.width, plate.height);
     cells.nx = blocks.columns * blocks.size;
     cells.ny = blocks.rows * blocks.size;
-    Points points = points_of(shot, cells, blocks.columns, blocks.rows);
+    Points points = points_of(pass, shot, cells, blocks.columns, blocks.rows);
     // Single cells open where bonds are broken; blocks of them hide what is broken inside.
     if (blocks.size == 1 && !shot.links.empty()) points.gaps.clear();
-    colour_pass.paint(points);
-    auto places = corners(blocks, cells, style.grid, displaced, camera(window));
+    pass.paint(points);
+    auto places = corners(blocks, cells, style.grid, displaced, camera(plate, window));
     hide_void(points.values, places);
-    mesh_pass->paint(blocks, places, colour_pass.colours(), background_of(style));
-    copy_to_picture(mesh_pass->framebuffer(), layout.plate.width, layout.plate.height);
+    mesh_pass->paint(blocks, places, pass.colours(), background_of(style));
+    copy_to_picture(mesh_pass->framebuffer(), plate.width, plate.height, plate);
   }
 
   // Spread evenly over the window.
-  Points points_of(const Shot& shot, const Window& window, int width, int height) const {
+  Points points_of(const ColourPass& pass, const Shot& shot, const Window& window, int width,
+                   int height) const {
+    const auto sampled = [&](const std::vector<float>& values, const FieldStyle& field) {
+      return samples(values, style.grid, window, width, height, field.sampling);
+    };
     Points points{width, height, {}, {}, {}, {}};
-    points.values = samples(shot.values, style.grid, window, width, height, style.field.sampling);
-    if (style.second)
-      points.second =
-          samples(shot.second, style.grid, window, width, height, style.second->sampling);
+    const bool is_second = second_pass && &pass == &*second_pass;
+    points.values =
+        is_second ? sampled(shot.second, *style.second) : sampled(shot.values, style.field);
+    if (style.second && !second_pass) points.second = sampled(shot.second, *style.second);
     if (!shot.gaps.empty()) points.gaps = samples(shot.gaps, style.grid, window, width, height);
     points.middle = {width * (0.5 * style.grid.nx - window.left) / window.nx,
                      height * (0.5 * style.grid.ny - window.bottom) / window.ny};
@@ -165,17 +189,30 @@ struct PlatePainter::Parts {
         std::fill_n(places.begin() + static_cast<std::ptrdiff_t>(8 * block), 8, 0.0F);
   }
 
-  // All `width` x `height` px of it, to where the plate is.
-  void copy_to_picture(const Framebuffer& from, int width, int height) {
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
+  void clear_picture() {
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.target());
     const auto [red, green, blue, alpha] = background_of(style);
     gl.ClearColor(red, green, blue, alpha);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    const Rectangle& plate = layout.plate;
+  }
+
+  // All `width` x `height` px of it, to where the plate is.
+  void copy_to_picture(const Framebuffer& from, int width, int height, const Rectangle& plate) {
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.target());
     const int below = layout.height - plate.bottom();  // OpenGL counts rows from the bottom
     gl.BlitFramebuffer(0, 0, width, height, plate.x, below, plate.right(), below + plate.height,
                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+
+  void draw_lattice(Image& image, const Shot& shot, const Window& window) const {
+    for (const Rectangle& plate : {layout.plate, layout.second_plate}) {
+      if (plate.empty() || shot.bonds.empty()) continue;
+      Canvas canvas(image);
+      draw_bonds(canvas, shot.bonds, style.grid,
+                 {shot.displacement, shot.links, style.magnification}, camera(plate, window),
+                 plate);
+    }
   }
 
   PictureStyle style;
@@ -183,7 +220,8 @@ struct PlatePainter::Parts {
   Overlay overlay;
   GlContext context;  // before everything that lives in it
   const GlFunctions& gl = context.functions();
-  ColourPass colour_pass;
+  ColourPass first_pass;
+  std::optional<ColourPass> second_pass;  // for a plate of its own
   std::optional<MeshPass> mesh_pass;
 };
 
@@ -201,9 +239,10 @@ int PlatePainter::height() const {
 Image PlatePainter::paint(const Shot& shot) {
   const Window window = shot.window.value_or(window_of(parts_->style));
   parts_->context.make_current();
-  parts_->draw_field(shot, window);
+  parts_->draw_all(shot, window);
   Image image = parts_->context.finish();
-  parts_->overlay.draw(image, parts_->camera(window),
+  parts_->draw_lattice(image, shot, window);
+  parts_->overlay.draw(image, parts_->cameras(window),
                        {shot.time, shot.discs, shot.load_curve, shot.energy});
   return image;
 }

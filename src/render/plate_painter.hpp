@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/image.hpp"
+#include "measure/bond_lines.hpp"
 #include "measure/field.hpp"
 #include "render/chart.hpp"
 #include "render/picture_style.hpp"
@@ -21,6 +22,7 @@ struct Shot {
   std::vector<std::uint8_t> gaps;   // damage in 255ths, to be seen as gaps; empty where it is not
   std::vector<float> displacement;  // m, x and y; empty for the plate at rest
   std::vector<std::uint8_t> links;  // of Link, when there are displacements
+  std::vector<BondLine> bonds;      // to be drawn one by one
   double time = 0.0;                // s
   std::vector<Circle> discs;
   std::optional<Window> window;  // as large as that of the style, which it stands in for

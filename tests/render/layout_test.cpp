@@ -88,8 +88,9 @@ Camera camera_of(const Grid& seen, const Layout& layout) {
 }
 
 // Draws it all, and looks whether texts and parts keep to themselves.
-void expect_sound(const Grid& seen, int width, const OverlayText& text, const Moment& moment) {
-  const Layout layout = make_layout(seen, width, text);
+void expect_sound(const Grid& seen, int width, const OverlayText& text, const PlateSize& size,
+                  const Moment& moment) {
+  const Layout layout = make_layout(seen, width, text, size);
   EXPECT_EQ(layout.width % 2, 0);
   EXPECT_EQ(layout.height % 2, 0);
   EXPECT_GT(layout.plate.width, 0);
@@ -98,9 +99,11 @@ void expect_sound(const Grid& seen, int width, const OverlayText& text, const Mo
   Overlay overlay(layout, text, std::vector<ColourMap>(text.bars.size(), {"", {{}, {}}}),
                   camera.pixels_a_metre().x());
   Image image(layout.width, layout.height);
-  overlay.draw(image, camera, moment);
+  overlay.draw(image, {camera, Camera(seen, {0, 0, seen.nx, seen.ny}, 0.0, layout.second_plate)},
+               moment);
   const Font font;
   std::vector<Box> boxes{box_of(layout.plate)};
+  if (size.twice) boxes.push_back(box_of(layout.second_plate));
   for (const BarRoom& bar : layout.bars) boxes.push_back(box_of(bar.colours));
   for (const PlacedText& one : overlay.texts())
     if (!one.text.empty()) boxes.push_back(box_of(font, one));
@@ -126,7 +129,7 @@ TEST(Layout, NothingOverlapsWhateverThePlateTheWidthAndTheTexts) {
     SCOPED_TRACE(testing::Message()
                  << "trial " << trial << ": " << nx << " x " << ny << " at " << width);
     const double now = 1e-7 * up_to(10000000);
-    expect_sound(grid(nx, ny), width, any_text(random),
+    expect_sound(grid(nx, ny), width, any_text(random), {0.0, trial % 4 == 1},
                  {now, {}, any_chart(random, now), any_chart(random, now)});
     if (testing::Test::HasFailure()) return;
   }
@@ -145,8 +148,8 @@ TEST(Layout, LabelsOfMarkersKeepToThemselves) {
           {{1e-3 * nx * share(random), 1e-3 * ny * share(random)}, words(random, 60)});
     const Layout layout = make_layout(grid(nx, ny), 320 + 6 * trial, text);
     std::vector<Box> boxes;
-    for (const PlacedMarker& marker :
-         place_markers(text.parts.markers, layout, camera_of(grid(nx, ny), layout), font)) {
+    for (const PlacedMarker& marker : place_markers(text.parts.markers, layout, layout.plate,
+                                                    camera_of(grid(nx, ny), layout), font)) {
       EXPECT_TRUE(overlap(box_of(layout.plate), {marker.place.x() - 1, marker.place.y() - 1,
                                                  marker.place.x() + 1, marker.place.y() + 1}));
       if (!marker.label || marker.label->text.empty()) continue;
@@ -232,6 +235,20 @@ TEST(Neat, IsOneTwoOrFiveTimesAPowerOfTen) {
   EXPECT_DOUBLE_EQ(neat_at_most(2.0), 2.0);
   EXPECT_DOUBLE_EQ(neat_at_most(4.99), 2.0);
   EXPECT_DOUBLE_EQ(neat_at_most(700.0), 500.0);
+}
+
+TEST(Layout, CellsHaveTheSizeThatIsGiven) {
+  for (const double cell : {0.4, 2.5, 6.0, 7.3})
+    for (const bool twice : {false, true})
+      for (const Grid& plate : {grid(200, 80), grid(30, 200), grid(1, 1)}) {
+        const PlateSize size{cell, twice};
+        const int width = width_for(plate, size);
+        const Layout layout = make_layout(plate, width, {}, size);
+        EXPECT_EQ(width % 2, 0);
+        EXPECT_NEAR(layout.plate.width, std::max(1.0, cell * plate.nx), 0.5 + 1e-9);
+        EXPECT_GE(layout.plate.x, 0);
+        EXPECT_LE(twice ? layout.second_plate.right() : layout.plate.right(), layout.width);
+      }
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Image drawn(const OverlayText& text, int width, const Moment& what) {
   const Layout layout = make_layout(paper_plate, width, text);
   Image image(layout.width, layout.height);
   Overlay(layout, text, {load_colour_map("damage")}, camera(layout).pixels_a_metre().x())
-      .draw(image, camera(layout), what);
+      .draw(image, {camera(layout)}, what);
   return image;
 }
 
@@ -129,7 +129,7 @@ TEST_P(OverlayAt, AMovieIsDrawnAsSinglePicturesAre) {
   Overlay overlay(layout, text(), {load_colour_map("damage")}, camera(layout).pixels_a_metre().x());
   for (const double time : {0.0, 1e-6, 12e-6}) {
     Image image(layout.width, layout.height);
-    overlay.draw(image, camera(layout), moment(time));
+    overlay.draw(image, {camera(layout)}, moment(time));
     EXPECT_EQ(image.pixels, drawn(text(), GetParam(), moment(time)).pixels) << time;
   }
 }
@@ -139,10 +139,10 @@ TEST_P(OverlayAt, DrawsDiscsWhereTheyAreAndNowhereElse) {
   const Layout bare = bare_layout(layout.plate.width, layout.plate.height);
   Overlay overlay(bare, {}, {}, camera(bare).pixels_a_metre().x());
   Image image(bare.width, bare.height);
-  overlay.draw(image, camera(bare), {});
+  overlay.draw(image, {camera(bare)}, {});
   EXPECT_EQ(lit(image, bare.plate), 0);
   // A tenth of the plate's width across, in its middle: pi/4 of the square around it, and its rim.
-  overlay.draw(image, camera(bare), {0.0, {{{0.05, 0.02}, 0.005}}, {}, {}});
+  overlay.draw(image, {camera(bare)}, {0.0, {{{0.05, 0.02}, 0.005}}, {}, {}});
   const double width = 0.1 * bare.plate.width, area = 0.25 * std::numbers::pi * width * width;
   EXPECT_NEAR(lit(image, bare.plate), area, 2.0 * std::numbers::pi * width);
   const int x = bare.width / 2, y = bare.height / 2, r = static_cast<int>(0.5 * width) + 2;
