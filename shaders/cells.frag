@@ -1,12 +1,13 @@
 #version 330 core
 // Every block of cells in its colour.
 
-flat in int block;
+in vec2 at;
+flat in vec4 shown;
 out vec4 colour;
 
 uniform sampler2D colours;  // one texel a block, row 0 at the bottom
 
 void main() {
-  int columns = textureSize(colours, 0).x;
-  colour = texelFetch(colours, ivec2(block % columns, block / columns), 0);
+  // At the rim the middle of a pixel may lie outside of what is drawn.
+  colour = texelFetch(colours, ivec2(clamp(floor(at), shown.xy, shown.zw)), 0);
 }

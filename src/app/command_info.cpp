@@ -33,6 +33,7 @@ nlohmann::ordered_json facts() {
   facts["git"] = git_hash();
   facts["compiler"] = compiler();
   for (const Library& library : libraries()) facts["libraries"][library.name] = library.version;
+  facts["gl_library"] = gl_library_names[static_cast<std::size_t>(chosen_gl_library())];
   facts["gl_renderer"] = gl_renderer();
   facts["processor"] = processor_name();
   facts["instruction_set"] =
@@ -55,7 +56,8 @@ void print(const nlohmann::ordered_json& facts) {
              fmt::format("{} (git {})", text_of(facts["version"]), text_of(facts["git"])));
   print_line("compiler", text_of(facts["compiler"]));
   for (const auto& [name, version] : facts["libraries"].items()) print_line(name, text_of(version));
-  print_line("OpenGL", text_of(facts["gl_renderer"]));
+  print_line("OpenGL",
+             fmt::format("{}, {}", text_of(facts["gl_library"]), text_of(facts["gl_renderer"])));
   print_line("processor",
              fmt::format("{}, {} cores", text_of(facts["processor"]), text_of(facts["cores"])));
   print_line("instructions", text_of(facts["instruction_set"]));

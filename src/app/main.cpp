@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/command_line.hpp"
+#include "base/machine.hpp"
 
 int main(int argc, char** argv) {
+  hackle::keep_freed_memory();
   return hackle::run_program({argv + 1, argv + argc});
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string_view>
 
+#include <malloc.h>
 #include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -53,6 +54,11 @@ int available_cores() {
 
 bool stdout_is_terminal() {
   return isatty(STDOUT_FILENO) != 0;
+}
+
+void keep_freed_memory() {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that glibc takes
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
 }
 
 bool stderr_is_terminal() {

@@ -7,7 +7,9 @@ PictureOptions picture_of(const Arguments& arguments) {
   PictureOptions picture;
   picture.field = arguments.text_of_choice("field", picture.field);
   picture.colours = arguments.text_of_choice("colours", picture.colours);
-  if (arguments.has("second")) picture.second = arguments.text_of_choice("second", "");
+  if (const std::string second = arguments.text_of_choice("second", not_chosen);
+      second != not_chosen)
+    picture.second = second;
   picture.arrangement = arguments.choice<Arrangement>("arrange");
   if (arguments.has("second_range")) {
     const Vec2 range = arguments.pair("second_range");
@@ -22,7 +24,9 @@ PictureOptions picture_of(const Arguments& arguments) {
   }
   if (arguments.has("percentile")) picture.percentile = arguments.number("percentile");
   if (arguments.has("scale")) picture.logarithmic = arguments.text_of_choice("scale", "") == "log";
-  if (arguments.has("follow")) picture.follow = arguments.choice<Toward>("follow");
+  // Its first choice is none.
+  if (const auto follow = arguments.choice<std::size_t>("follow", 0); follow > 0)
+    picture.follow = static_cast<Toward>(follow - 1);
   picture.rotation = arguments.number("rotate", picture.rotation);
   picture.deformed = arguments.flag("deformed", picture.deformed);
   if (arguments.has("magnify")) picture.magnification = arguments.number("magnify");

@@ -2,8 +2,6 @@
 // What a picture shows and how large it is, as several functions take it.
 #pragma once
 
-#include <numbers>
-
 #include "console/arguments.hpp"
 #include "console/overlay_options.hpp"
 #include "output/run.hpp"
@@ -14,6 +12,19 @@ namespace hackle {
 inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
 // The default of what each field has for itself.
 inline constexpr std::string_view suits_the_field = "what suits the field";
+
+inline constexpr std::string_view not_chosen = "none";
+
+// The choices of an option that may be nothing.
+template <std::size_t N>
+constexpr std::array<std::string_view, N + 1> or_none(
+    const std::array<std::string_view, N>& names) {
+  std::array<std::string_view, N + 1> all{not_chosen};
+  std::ranges::copy(names, all.begin() + 1);
+  return all;
+}
+inline constexpr auto second_names = or_none(scalar_names);
+inline constexpr auto follow_names = or_none(toward_names);
 
 // What of the plate a picture shows, and how.
 inline constexpr std::array view_options{
@@ -42,8 +53,8 @@ inline constexpr std::array view_options{
            .sentence = "Of the colour bar."},
     Option{.name = "second",
            .type = OptionType::choice,
-           .fallback = "none",
-           .choices = scalar_names,
+           .fallback = not_chosen,
+           .choices = second_names,
            .sentence = "A second field in the same picture."},
     Option{.name = "arrange",
            .type = OptionType::choice,
@@ -73,12 +84,12 @@ inline constexpr std::array view_options{
            .sentence = "Middle and half the width of what is seen; it has the shape of the plate."},
     Option{.name = "follow",
            .type = OptionType::choice,
-           .fallback = "nothing",
-           .choices = toward_names,
+           .fallback = not_chosen,
+           .choices = follow_names,
            .sentence = "The zoom goes where the damage is that is foremost in this direction."},
     Option{.name = "rotate",
            .unit = "rad",
-           .range = between(-2.0 * std::numbers::pi, 2.0 * std::numbers::pi),
+           .range = between(-6.3, 6.3),
            .fallback = "0",
            .sentence = "Turns the picture counterclockwise; 90*deg for a plate on end."},
     Option{.name = "deformed",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl_objects.hpp"
 
+#include <numeric>
+
 namespace hackle {
 
 Texture::Texture(const GlFunctions& gl) : gl_(gl) {
@@ -69,7 +71,7 @@ VertexArray::VertexArray(const GlFunctions& gl) : gl_(gl) {
 }
 
 VertexArray::~VertexArray() {
-  for (const GLuint& buffer : {places_, order_})
+  for (const GLuint& buffer : {vertices_, order_})
     if (buffer != 0) gl_.DeleteBuffers(1, &buffer);
   gl_.DeleteVertexArrays(1, &id_);
 }
@@ -78,14 +80,23 @@ void VertexArray::bind() const {
   gl_.BindVertexArray(id_);
 }
 
-void VertexArray::set_places(std::span<const float> places) {
+void VertexArray::set_vertices(std::span<const float> numbers,
+                               std::initializer_list<int> attributes) {
   bind();
-  if (places_ == 0) gl_.GenBuffers(1, &places_);
-  gl_.BindBuffer(GL_ARRAY_BUFFER, places_);
-  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(places.size_bytes()), places.data(),
+  if (vertices_ == 0) gl_.GenBuffers(1, &vertices_);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
+  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(numbers.size_bytes()), numbers.data(),
                  GL_STREAM_DRAW);
-  gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-  gl_.EnableVertexAttribArray(0);
+  constexpr std::size_t size = sizeof(float);
+  const std::size_t all = std::accumulate(attributes.begin(), attributes.end(), std::size_t{0});
+  GLuint attribute = 0;
+  std::size_t before = 0;
+  for (const int count : attributes) {
+    gl_.VertexAttribPointer(attribute, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(all * size),
+                            reinterpret_cast<const void*>(before * size));
+    gl_.EnableVertexAttribArray(attribute++);
+    before += static_cast<std::size_t>(count);
+  }
 }
 
 void VertexArray::set_order(std::span<const std::uint32_t> vertices) {
@@ -93,7 +104,7 @@ void VertexArray::set_order(std::span<const std::uint32_t> vertices) {
   if (order_ == 0) gl_.GenBuffers(1, &order_);
   gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, order_);
   gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()),
-                 vertices.data(), GL_STATIC_DRAW);
+                 vertices.data(), GL_STREAM_DRAW);
 }
 
 }  // namespace hackle

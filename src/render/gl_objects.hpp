@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 
 #include "render/colour_map.hpp"
@@ -64,15 +65,15 @@ class VertexArray {
   VertexArray& operator=(const VertexArray&) = delete;
 
   void bind() const;
-  // Attribute 0, two numbers a vertex.
-  void set_places(std::span<const float> places);
+  // Attributes 0, 1, ... of so many numbers each, one after the other, vertex by vertex.
+  void set_vertices(std::span<const float> numbers, std::initializer_list<int> attributes);
   // For glDrawElements.
   void set_order(std::span<const std::uint32_t> vertices);
 
  private:
   const GlFunctions& gl_;
   GLuint id_ = 0;
-  GLuint places_ = 0, order_ = 0;
+  GLuint vertices_ = 0, order_ = 0;
 };
 
 }  // namespace hackle

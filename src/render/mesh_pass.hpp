@@ -16,8 +16,9 @@ class MeshPass {
   // For a part of the picture of so many px.
   MeshPass(const GlFunctions& gl, int width, int height);
 
-  // Draws every block in its colour, one texel a block, over `background` into framebuffer().
-  void paint(const Blocks& blocks, std::span<const float> corners, const Texture& colours,
+  // Draws the quadrilaterals in the colours of their blocks, one texel each, over `background` into
+  // framebuffer().
+  void paint(std::span<const MeshVertex> vertices, const Texture& colours,
              const std::array<float, 4>& background);
 
   // Several samples a pixel: to be copied into the picture.
@@ -29,7 +30,6 @@ class MeshPass {
   ShaderProgram program_;
   VertexArray vertices_;
   Framebuffer framebuffer_;
-  std::size_t ordered_ = 0;  // blocks that the order of vertices is for
 };
 
 }  // namespace hackle

@@ -159,9 +159,11 @@ struct PlatePainter::Parts {
     // Single cells open where bonds are broken; blocks of them hide what is broken inside.
     if (blocks.size == 1 && !shot.links.empty()) points.gaps.clear();
     pass.paint(points);
-    auto places = corners(blocks, cells, style.grid, displaced, camera(plate, window));
-    hide_void(points.values, places);
-    mesh_pass->paint(blocks, places, pass.colours(), background_of(style));
+    const auto places = corners(blocks, cells, style.grid, displaced, camera(plate, window));
+    constexpr double tolerance = 2.0 * 0.05;  // px, of the two units of Camera::share
+    mesh_pass->paint(quadrilaterals(blocks, places, points.values,
+                                    {tolerance / plate.width, tolerance / plate.height}),
+                     pass.colours(), background_of(style));
     copy_to_picture(mesh_pass->framebuffer(), plate.width, plate.height, plate);
   }
 
@@ -180,13 +182,6 @@ struct PlatePainter::Parts {
     points.middle = {width * (0.5 * style.grid.nx - window.left) / window.nx,
                      height * (0.5 * style.grid.ny - window.bottom) / window.ny};
     return points;
-  }
-
-  // What has no value has no size.
-  static void hide_void(const std::vector<float>& values, std::vector<float>& places) {
-    for (std::size_t block = 0; block < values.size(); ++block)
-      if (std::isnan(values[block]))
-        std::fill_n(places.begin() + static_cast<std::ptrdiff_t>(8 * block), 8, 0.0F);
   }
 
   void clear_picture() {

@@ -96,8 +96,8 @@ TEST(AutomaticRange, OnALogarithmicScaleBeginsAboveZero) {
 
 TEST(AutomaticRange, OfAPictureIsThatOfItsState) {
   const PictureStyle style = style_of(options_for("displacement", 100.0), stretched(0.1, 0.2));
-  EXPECT_FLOAT_EQ(static_cast<float>(style.least), static_cast<float>(0.1 * dx));
-  EXPECT_FLOAT_EQ(static_cast<float>(style.most), static_cast<float>(0.2 * dx));
+  EXPECT_FLOAT_EQ(static_cast<float>(style.field.least), static_cast<float>(0.1 * dx));
+  EXPECT_FLOAT_EQ(static_cast<float>(style.field.most), static_cast<float>(0.2 * dx));
 }
 
 TEST(AutomaticRange, ExcludesARangeAndKeepsItsBounds) {

@@ -31,6 +31,14 @@ TEST(Gallery, HeterogeneousGlassBranchesWithoutSymmetry) {
                    "runs[1].s:cracks { from = {0, 20*mm}, to = {100*mm, 40*mm} }.nodes"));
 }
 
+// It is the paper's first plate, filmed in another light.
+TEST(Gallery, ThePhotoelasticPlateForksAsTheFirstDoes) {
+  test::WatchedScript script("gallery/photoelastic.lua",
+                             {{"spacing", "0.5*mm"}, {"horizon", "2*mm"}}, "interval = 1*us");
+  EXPECT_EQ(script("runs[1].s:cracks().bands"), 2);
+  EXPECT_NEAR(script("runs[1].s:cracks().fork"), 67 * mm, 3 * mm);
+}
+
 TEST(Gallery, TheRingFliesApart) {
   test::WatchedScript script("gallery/ring.lua", {}, "interval = 2*us");
   EXPECT_TRUE(script.holds(R"((function()
