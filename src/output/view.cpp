@@ -52,10 +52,14 @@ Window window_of(const Zoom& zoom, const Grid& grid) {
   return window;
 }
 
-// Its middle as near to the place, m, as whole cells allow.
+// Its middle as near to the place, m, as whole cells allow, and not so far away that cells could
+// not be counted.
 Window moved(Window window, const Vec2& middle, const Grid& grid) {
+  constexpr double farthest = 1e8;
   const Vec2 corner =
-      grid.from_centre(middle) + 0.5 * Vec2(grid.nx - window.nx, grid.ny - window.ny);
+      (grid.from_centre(middle) + 0.5 * Vec2(grid.nx - window.nx, grid.ny - window.ny))
+          .cwiseMax(-farthest)
+          .cwiseMin(farthest);
   window.left = static_cast<int>(std::lround(corner.x()));
   window.bottom = static_cast<int>(std::lround(corner.y()));
   return window;

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "output/painting.hpp"
 #include "support/scenes.hpp"
 #include "support/states.hpp"
 
@@ -94,6 +95,19 @@ TEST(View, FollowsTheTipToWhereItIsShown) {
   const Window moved = followed(window_of(options, simulation), options, simulation);
   EXPECT_EQ(moved.left - at_rest.left, 10);
   EXPECT_EQ(moved.bottom - at_rest.bottom, 5);
+}
+
+TEST(View, FollowsNothingSoFarThatCellsCannotBeCounted) {
+  Simulation simulation = plate();
+  simulation.restore(test::displaced(simulation, [](const Vec2&) { return Vec2(1e4, -1e4); }));
+  PictureOptions options = zoomed(0.05, 0.02, 0.01);
+  options.follow = Toward::right;
+  options.deformed = true;
+  options.magnification = 1e9;
+  const Window window = followed(window_of(options, simulation), options, simulation);
+  EXPECT_EQ(window.left, 100'000'000);
+  EXPECT_EQ(window.bottom, -100'000'000);
+  EXPECT_NO_THROW(paint(simulation, options));
 }
 
 TEST(View, WithoutDamageTheZoomStaysWhereItIs) {
