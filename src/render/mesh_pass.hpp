@@ -5,8 +5,8 @@
 #include <array>
 #include <span>
 
-#include "render/cell_mesh.hpp"
 #include "render/gl_objects.hpp"
+#include "render/quadrilaterals.hpp"
 #include "render/shader_program.hpp"
 
 namespace hackle {
