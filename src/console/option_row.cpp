@@ -18,7 +18,6 @@ std::string_view type_word(OptionType type) {
     case OptionType::integer:
       return "integer";
     case OptionType::text:
-      return "text";
     case OptionType::caption:
       return "text";
     case OptionType::texts:

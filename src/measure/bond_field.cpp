@@ -57,7 +57,7 @@ std::vector<Stress> stresses(const Simulation& simulation) {
   const double unit = 0.5 * std::pow(grid.dx, 3);  // of 1/2 |xi| V
   visit_bonds(simulation, [&](const VisitedBond& bond) {
     if (!bond.holds) return;
-    const double pull = unit * bond.c * bond.weight * bond.s / bond.xi.norm();
+    const double pull = unit * bond.c * bond.weight * bond.s / bond.length;
     const Vec2 along = pull * bond.xi;
     for (const std::size_t node : {bond.one, bond.other}) {
       stresses[node].xx += along.x() * bond.xi.x();
@@ -73,7 +73,7 @@ std::vector<double> energy_densities(const Simulation& simulation) {
   std::vector<double> densities(grid.nodes());
   const double unit = 0.25 * std::pow(grid.dx, 3);  // of 1/2 c s^2/2 |xi| V
   visit_bonds(simulation, [&](const VisitedBond& bond) {
-    const double density = unit * bond.c * bond.weight * bond.xi.norm() * bond.s * bond.s;
+    const double density = unit * bond.c * bond.weight * bond.length * bond.s * bond.s;
     densities[bond.one] += density;
     densities[bond.other] += density;
   });

@@ -17,7 +17,8 @@ std::vector<BondLine> bond_lines(const Simulation& simulation, const NodeBlock& 
           lines.push_back(
               {i, j, column, row, simulation.state().bonds.holds(layout.at(i, j), bit)});
   });
-  std::ranges::stable_partition(lines, &BondLine::holds);
+  std::stable_partition(lines.begin(), lines.end(),
+                        [](const BondLine& bond) { return bond.holds; });
   return lines;
 }
 

@@ -127,7 +127,7 @@ fs::path Run::movie(const fs::path& path, const MovieOptions& options) {
   parts_->refuse_while_running();
   auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation, parts_->origin,
                                               parts_->talk);
-  const fs::path made = output->path();
+  fs::path made = output->path();
   parts_->outputs.add("movie", made, std::move(output));
   return made;
 }

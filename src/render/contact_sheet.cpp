@@ -78,8 +78,9 @@ Image sheet_of(int count, const SheetLayout& layout, Picture picture, Title titl
   canvas.colour(background_colour);
   canvas.fill(0, 0, sheet.width, sheet.height);
   for (int k = 0; k < count; ++k) {
-    const double x = cell.gap + k % columns * (cell.width + cell.gap);
-    const double y = cell.gap + k / columns * cell.pitch;
+    const int column = k % columns, row = k / columns;
+    const double x = cell.gap + column * (cell.width + cell.gap);
+    const double y = cell.gap + row * cell.pitch;
     draw_picture(canvas, cell, x, y, picture(static_cast<std::size_t>(k)).get());
     draw_title(canvas, font, cell, x, y, title(static_cast<std::size_t>(k)));
   }

@@ -100,8 +100,8 @@ class Egl : public GlBackEnd {
 std::unique_ptr<GlBackEnd> make_egl(int width, int height) {
   static const EglFunctions egl = load_egl();
   if (!egl.complete()) return nullptr;
-  const EGLDisplay display = egl.get_display(EGL_PLATFORM_SURFACELESS_MESA,
-                                             reinterpret_cast<void*>(EGL_DEFAULT_DISPLAY), nullptr);
+  EGLDisplay display = egl.get_display(EGL_PLATFORM_SURFACELESS_MESA,
+                                       reinterpret_cast<void*>(EGL_DEFAULT_DISPLAY), nullptr);
   if (display == EGL_NO_DISPLAY || egl.initialize(display, nullptr, nullptr) != EGL_TRUE ||
       egl.bind_api(EGL_OPENGL_API) != EGL_TRUE)
     return nullptr;
@@ -112,7 +112,7 @@ std::unique_ptr<GlBackEnd> make_egl(int width, int height) {
                                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                              EGL_NONE};
-  const EGLContext context =
+  EGLContext context =
       egl.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
   if (context == EGL_NO_CONTEXT) return nullptr;
   return std::make_unique<Egl>(egl, display, context, width, height);

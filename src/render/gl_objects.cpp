@@ -92,8 +92,10 @@ void VertexArray::set_vertices(std::span<const float> numbers,
   GLuint attribute = 0;
   std::size_t before = 0;
   for (const int count : attributes) {
+    // OpenGL takes an offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    const auto* offset = reinterpret_cast<const void*>(before * size);
     gl_.VertexAttribPointer(attribute, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(all * size),
-                            reinterpret_cast<const void*>(before * size));
+                            offset);
     gl_.EnableVertexAttribArray(attribute++);
     before += static_cast<std::size_t>(count);
   }

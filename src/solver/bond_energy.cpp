@@ -11,7 +11,7 @@ BondEnergy bond_energy(const Lattice& lattice, const State& state,
                        const std::vector<double>& heat) {
   BondEnergy sums;
   visit_bonds(lattice, state, heat, [&](const VisitedBond& bond) {
-    const double cost = bond.weight * bond.xi.norm() * bond.c;
+    const double cost = bond.weight * bond.length * bond.c;
     if (bond.holds)
       sums.held += cost * bond.s * bond.s;
     else

@@ -14,6 +14,7 @@ namespace hackle {
 struct VisitedBond {
   std::size_t one = 0, other = 0;  // its nodes, by Grid::index
   Vec2 xi{0, 0};                   // from one to the other, in units of dx
+  double length = 0.0;             // of xi
   double weight = 0.0;             // of its quadrature
   double c = 0.0;                  // micromodulus, N/m6
   double s0 = 0.0;                 // critical stretch
@@ -21,10 +22,11 @@ struct VisitedBond {
   bool holds = true;
 };
 
-// s from the relative displacement h of a bond xi, in units of dx, without cancellation. `heat` is
-// the thermal part of e = (1 + s)^2 - 1.
-inline double stretch(const Vec2& xi, const Vec2& h, double heat) {
-  const double e = h.dot(h + 2.0 * xi) / xi.squaredNorm() - heat;
+// s from the relative displacement h of a bond xi, in units of dx, without cancellation.
+// `per_length2` is 1/|xi|^2, the same for all bonds of an offset; `heat` is the thermal part of
+// e = (1 + s)^2 - 1.
+inline double stretch(const Vec2& xi, double per_length2, const Vec2& h, double heat) {
+  const double e = h.dot(h + 2.0 * xi) * per_length2 - heat;
   return e / (1.0 + std::sqrt(std::max(1.0 + e, 0.0)));
 }
 
@@ -44,6 +46,8 @@ void visit_bonds(const Lattice& lattice, const State& state, const std::vector<d
   lattice.family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int bit) {
     VisitedBond bond;
     bond.xi = xi;
+    bond.length = xi.norm();
+    const double per_length2 = 1.0 / xi.squaredNorm();
     bond.weight = weight;
     for (int j = 0; j < lattice.grid.ny; ++j)
       for (int i = 0; i < lattice.grid.nx; ++i) {
@@ -54,7 +58,7 @@ void visit_bonds(const Lattice& lattice, const State& state, const std::vector<d
         bond.c = 0.5 * (nodes.c[bond.one] + nodes.c[bond.other]);
         bond.s0 = std::min(nodes.s0[bond.one], nodes.s0[bond.other]);
         bond.holds = state.bonds.holds(at, bit);
-        bond.s = bond.holds ? stretch(xi, nodes.u[bond.other] - nodes.u[bond.one],
+        bond.s = bond.holds ? stretch(xi, per_length2, nodes.u[bond.other] - nodes.u[bond.one],
                                       nodes.heat[bond.one] + nodes.heat[bond.other])
                             : 0.0;
         visit(static_cast<const VisitedBond&>(bond));
