@@ -17,6 +17,7 @@ uniform int arrangement;  // where the second field is seen: 0 nowhere, 1 below 
 uniform vec2 split;       // texels
 uniform bool gaps;
 uniform vec4 background;  // where there is no material; premultiplied
+uniform vec2 corner;      // of what is drawn, px
 
 // Damage of both sides of a straight crack is 0.4 to 0.5.
 const vec2 gap = vec2(0.25, 0.4);
@@ -36,9 +37,8 @@ vec4 entry(sampler2D map, float share_of_range) {
   return mix(one, other, place - below);
 }
 
-bool shows_second() {
-  return (arrangement == 1 && gl_FragCoord.y < split.y) ||
-         (arrangement == 2 && gl_FragCoord.x > split.x);
+bool shows_second(vec2 place) {
+  return (arrangement == 1 && place.y < split.y) || (arrangement == 2 && place.x > split.x);
 }
 
 vec4 of_second(ivec2 at, out float opacity) {
@@ -47,10 +47,11 @@ vec4 of_second(ivec2 at, out float opacity) {
 }
 
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec2 place = gl_FragCoord.xy - corner;
+  ivec2 at = ivec2(place);
   float value = texelFetch(values, at, 0).r;
   float opacity = 0.0;
-  if (shows_second())
+  if (shows_second(place))
     colour = of_second(at, opacity);
   else
     colour = entry(colour_map, share(value, range, logarithmic));

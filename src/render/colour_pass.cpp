@@ -50,11 +50,16 @@ void ColourPass::set_colouring(const Colouring& colouring, const Texture& map, c
 }
 
 void ColourPass::paint(const Points& points) {
+  if (points.width != width_ || points.height != height_)
+    colours_.make_room(width_ = points.width, height_ = points.height);
+  paint(points, framebuffer_.id(), 0, 0);
+}
+
+void ColourPass::paint(const Points& points, GLuint framebuffer, int x, int y) {
   const int width = points.width, height = points.height;
   values_.set_numbers(width, height, points.values.data());
   if (!points.second.empty()) second_.set_numbers(width, height, points.second.data());
   if (!points.gaps.empty()) gaps_.set_bytes(width, height, points.gaps.data());
-  if (width != width_ || height != height_) colours_.make_room(width_ = width, height_ = height);
   values_.bind(values_unit);
   second_.bind(second_unit);
   gaps_.bind(gaps_unit);
@@ -64,8 +69,9 @@ void ColourPass::paint(const Points& points) {
   gl_.Uniform1i(program_.uniform("gaps"), points.gaps.empty() ? 0 : 1);
   gl_.Uniform2f(program_.uniform("split"), static_cast<float>(points.middle.x()),
                 static_cast<float>(points.middle.y()));
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl_.Viewport(0, 0, width, height);
+  gl_.Uniform2f(program_.uniform("corner"), static_cast<float>(x), static_cast<float>(y));
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl_.Viewport(x, y, width, height);
   triangle_.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -39,6 +39,8 @@ class ColourPass {
 
   // Draws the points into colours(). Leaves its framebuffer and its program bound.
   void paint(const Points& points);
+  // Draws them straight into a framebuffer, the lower left one at x, y px.
+  void paint(const Points& points, GLuint framebuffer, int x, int y);
 
   const Texture& colours() const { return colours_; }
   // That colours() is the pixels of.

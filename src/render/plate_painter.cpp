@@ -145,7 +145,10 @@ struct PlatePainter::Parts {
                   const Window& window) {
     const int width = points_for(window.nx, plate.width);
     const int height = points_for(window.ny, plate.height);
-    pass.paint(points_of(pass, shot, window, width, height));
+    const Points points = points_of(pass, shot, window, width, height);
+    if (width == plate.width && height == plate.height)
+      return pass.paint(points, context.target(), plate.x, row_from_below(plate));
+    pass.paint(points);
     copy_to_picture(pass.framebuffer(), width, height, plate);
   }
 
@@ -191,11 +194,14 @@ struct PlatePainter::Parts {
     gl.Clear(GL_COLOR_BUFFER_BIT);
   }
 
+  // OpenGL counts rows from the bottom.
+  int row_from_below(const Rectangle& plate) const { return layout.height - plate.bottom(); }
+
   // All `width` x `height` px of it, to where the plate is.
   void copy_to_picture(const Framebuffer& from, int width, int height, const Rectangle& plate) {
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.target());
-    const int below = layout.height - plate.bottom();  // OpenGL counts rows from the bottom
+    const int below = row_from_below(plate);
     gl.BlitFramebuffer(0, 0, width, height, plate.x, below, plate.right(), below + plate.height,
                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
