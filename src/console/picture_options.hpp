@@ -108,7 +108,7 @@ inline constexpr std::array view_options{
            .type = OptionType::choice,
            .fallback = "dark",
            .choices = background_names,
-           .sentence = "Around the plate; transparent in a PNG."},
+           .sentence = "Around the plate; transparent in a PNG alone."},
 };
 // What every picture takes.
 inline constexpr auto picture_options = joined(view_options, overlay_options);

@@ -162,6 +162,12 @@ void refuse_percentile(const char* output, const PictureOptions& options) {
                 "give a range; or record the run, and let recording(...):movie{} find it");
 }
 
+void check_opaque(const char* output, const PictureOptions& options) {
+  if (options.background == Background::transparent)
+    throw Error(ErrorKind::refused, fmt::format("{}: the background cannot be transparent", output),
+                "only a PNG by itself can; here it is dark or light");
+}
+
 void check(const char* output, const PictureOptions& options, const Grid& grid) {
   Problems problems;
   check_field(output, options.field, problems);

@@ -19,6 +19,10 @@ void check(const char* output, const PictureOptions& options, const Grid& grid);
 // (refused) for a percentile.
 void refuse_percentile(const char* output, const PictureOptions& options);
 
+// Of pictures that go into movies and onto sheets. Throws Error (refused) for a transparent
+// background, which only a PNG by itself can have.
+void check_opaque(const char* output, const PictureOptions& options);
+
 // Whether the colour bar is.
 bool is_logarithmic(const PictureOptions& options);
 // The range that suits the field, whatever is asked for: it depends on the plate alone.

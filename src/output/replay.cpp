@@ -139,6 +139,7 @@ class Composition {
 void check_all(const char* who, const Tiles& tiles, const PictureOptions& options) {
   for (const Tile& tile : tiles) check(who, options, tile.recording->simulation().lattice().grid);
   check_recorded(who, options);
+  check_opaque(who, options);
 }
 
 }  // namespace

@@ -124,6 +124,7 @@ Run::~Run() = default;
 fs::path Run::movie(const fs::path& path, const MovieOptions& options) {
   check("movie", options.picture, parts_->simulation.lattice().grid);
   refuse_percentile("movie", options.picture);
+  check_opaque("movie", options.picture);
   parts_->refuse_while_running();
   auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation, parts_->origin,
                                               parts_->talk);

@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t most_cells = std::int64_t{1} << 24;  // of a picture
 

@@ -18,18 +18,19 @@ namespace {
 
 constexpr double exx = 4e-5, eyy = 1e-5, exy = 2e-5;  // small: s is linear in them to 1e-4
 constexpr double vx = 3.0, vy = -4.0;                 // m/s
-constexpr int nx = 40, ny = 24, i = 22, j = 13;       // a node more than a horizon from every edge
-constexpr double thickness = 0.1;                     // m, so that there are fringes
+constexpr int wide = 40, tall = 24, node_i = 22,
+              node_j = 13;         // a node more than a horizon from every edge
+constexpr double thickness = 0.1;  // m, so that there are fringes
 
 // A plate under a uniform strain that moves as a whole.
 Simulation strained() {
-  Simulation simulation(test::bare_plate(nx, ny), test::numerics(), {1});
+  Simulation simulation(test::bare_plate(wide, tall), test::numerics(), {1});
   const double unit = simulation.dt() / simulation.lattice().grid.dx;
   State state = test::displaced(simulation, [](const Vec2& x) {
     return Vec2(exx * x.x() + exy * x.y(), exy * x.x() + eyy * x.y());
   });
-  for (int row = 0; row < ny; ++row)
-    for (int column = 0; column < nx; ++column) state.set_v(column, row, unit * Vec2(vx, vy));
+  for (int row = 0; row < tall; ++row)
+    for (int column = 0; column < wide; ++column) state.set_v(column, row, unit * Vec2(vx, vy));
   simulation.restore(std::move(state));
   return simulation;
 }
@@ -38,7 +39,7 @@ Simulation strained() {
 std::map<std::string, double> expected(const Simulation& simulation) {
   const Lattice& lattice = simulation.lattice();
   const auto [C11, C12, E, nu, zener] = lattice.calibration.moduli;
-  const Vec2 place = lattice.grid.dx * lattice.grid.from_centre(i, j);
+  const Vec2 place = lattice.grid.dx * lattice.grid.from_centre(node_i, node_j);
   const Vec2 u(exx * place.x() + exy * place.y(), exy * place.x() + eyy * place.y());
   const double sxx = C11 * exx + C12 * eyy, syy = C12 * exx + C11 * eyy, sxy = 2.0 * C12 * exy;
   const double shear = std::hypot(0.5 * (sxx - syy), sxy), mean = 0.5 * (sxx + syy);
@@ -99,8 +100,8 @@ TEST_P(FieldPicture, ShowsItsValueInTheColourOfTheMap) {
   const PictureStyle style = style_of(options, simulation);
   const Image image = paint(simulation, options);
   const Rectangle plate = layout_of(style).plate;
-  const int x = plate.x + static_cast<int>((i + 0.5) / nx * plate.width);
-  const int y = plate.bottom() - 1 - static_cast<int>((j + 0.5) / ny * plate.height);
+  const int x = plate.x + static_cast<int>((node_i + 0.5) / wide * plate.width);
+  const int y = plate.bottom() - 1 - static_cast<int>((node_j + 0.5) / tall * plate.height);
   const auto* pixel = &image.pixels[static_cast<std::size_t>(y * image.stride() + 4 * x)];
   const ColourMap map = style.field.colour_map == fringes_name
                             ? fringe_map(style.field.least, style.field.most)

@@ -92,6 +92,14 @@ TEST(Painting, TheWidestPictureFits) {
   EXPECT_GT(make_layout(grid, width + 2).height, 400);
 }
 
+TEST(Painting, OnlyAPictureByItselfIsTransparent) {
+  PictureOptions options;
+  EXPECT_NO_THROW(check_opaque("movie", options));
+  options.background = Background::transparent;
+  EXPECT_NO_THROW(check("frame", options, grid));
+  EXPECT_THROW(check_opaque("movie", options), Error);
+}
+
 TEST(Painting, AShotHoldsNoMoreThanItsPictureShows) {
   const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
   const std::size_t nodes = simulation.lattice().grid.nodes();

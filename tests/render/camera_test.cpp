@@ -9,8 +9,8 @@
 namespace hackle {
 namespace {
 
-const Grid grid{200, 80, 0.5e-3, {0.05, 0.02}};
-const Rectangle plate{10, 20, 1000, 400};
+const Grid lattice_seen{200, 80, 0.5e-3, {0.05, 0.02}};
+const Rectangle frame{10, 20, 1000, 400};
 
 void expect_at(const Vec2& seen, double x, double y) {
   EXPECT_NEAR(seen.x(), x, 1e-9);
@@ -18,7 +18,7 @@ void expect_at(const Vec2& seen, double x, double y) {
 }
 
 TEST(Camera, PutsTheCornersOfThePlateIntoThoseOfItsRectangle) {
-  const Camera camera(grid, {0, 0, 200, 80}, 0.0, plate);
+  const Camera camera(lattice_seen, {0, 0, 200, 80}, 0.0, frame);
   expect_at(camera.pixel({0.0, 0.0}), 10, 420);
   expect_at(camera.pixel({0.1, 0.04}), 1010, 20);
   expect_at(camera.share({0, 0}), -1, -1);
@@ -26,10 +26,10 @@ TEST(Camera, PutsTheCornersOfThePlateIntoThoseOfItsRectangle) {
 }
 
 TEST(Camera, TurnsCounterclockwiseAboutTheMiddleOfTheWindow) {
-  const Window window = whole_window(grid, std::numbers::pi / 2, 0);
+  const Window window = whole_window(lattice_seen, std::numbers::pi / 2, 0);
   EXPECT_EQ(window.nx, 80);
   EXPECT_EQ(window.ny, 200);
-  const Camera camera(grid, window, std::numbers::pi / 2, {0, 0, 80, 200});
+  const Camera camera(lattice_seen, window, std::numbers::pi / 2, {0, 0, 80, 200});
   expect_at(camera.pixel({0.05, 0.02}), 40, 100);
   expect_at(camera.pixel({0.1, 0.02}), 40, 0);    // what was right is above
   expect_at(camera.pixel({0.05, 0.04}), 0, 100);  // what was above is left
@@ -38,8 +38,8 @@ TEST(Camera, TurnsCounterclockwiseAboutTheMiddleOfTheWindow) {
 TEST(Camera, AWholeWindowHoldsEveryCornerHoweverThePlateIsTurned) {
   for (int degree = -360; degree <= 360; degree += 7) {
     const double rotation = degree * std::numbers::pi / 180;
-    const Window window = whole_window(grid, rotation, 0);
-    const Camera camera(grid, window, rotation, plate);
+    const Window window = whole_window(lattice_seen, rotation, 0);
+    const Camera camera(lattice_seen, window, rotation, frame);
     double most = 0.0;
     for (const Vec2& corner : {Vec2(0, 0), Vec2(200, 0), Vec2(0, 80), Vec2(200, 80)})
       most = std::max(most, camera.share(corner).cwiseAbs().maxCoeff());
@@ -50,7 +50,7 @@ TEST(Camera, AWholeWindowHoldsEveryCornerHoweverThePlateIsTurned) {
 }
 
 TEST(Camera, AWholeWindowIsTheLatticeAndItsMargin) {
-  const Window window = whole_window(grid, 0.0, 3);
+  const Window window = whole_window(lattice_seen, 0.0, 3);
   EXPECT_EQ(window.left, -3);
   EXPECT_EQ(window.bottom, -3);
   EXPECT_EQ(window.nx, 206);

@@ -11,9 +11,9 @@
 namespace hackle {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float no_value = std::numeric_limits<float>::quiet_NaN();
 
-Grid grid(int nx, int ny) {
+Grid cells_of(int nx, int ny) {
   return {nx, ny, 1e-3, {0.5e-3 * nx, 0.5e-3 * ny}};
 }
 
@@ -33,7 +33,7 @@ TEST(Under, PointsCoverEveryCellAndAreMirrorImages) {
 }
 
 TEST(Samples, OfOnePointACellAreTheCells) {
-  const Grid g = grid(5, 3);
+  const Grid g = cells_of(5, 3);
   std::vector<float> values(g.nodes());
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = static_cast<float>(k);
   for (const Sampling sampling : {Sampling::largest, Sampling::mean})
@@ -43,10 +43,10 @@ TEST(Samples, OfOnePointACellAreTheCells) {
 // Against loops over all cells, for windows inside, across and beyond the lattice.
 TEST(Samples, AreTheLargestOrTheMeanOfTheNumbersUnderThem) {
   std::mt19937 random(7);
-  const Grid g = grid(31, 17);
+  const Grid g = cells_of(31, 17);
   std::vector<float> values(g.nodes());
   for (float& value : values)
-    value = random() % 5 == 0 ? nan : static_cast<float>(random() % 1000) - 500.0F;
+    value = random() % 5 == 0 ? no_value : static_cast<float>(random() % 1000) - 500.0F;
   for (const Window window :
        {Window{0, 0, 31, 17}, {-9, 4, 40, 9}, {20, 10, 30, 30}, {3, 3, 2, 2}}) {
     const int width = 11, height = 6;
@@ -76,7 +76,7 @@ TEST(Samples, AreTheLargestOrTheMeanOfTheNumbersUnderThem) {
 }
 
 TEST(Samples, OfDamageAreTheMostDamage) {
-  const Grid g = grid(4, 4);
+  const Grid g = cells_of(4, 4);
   std::vector<std::uint8_t> damage(g.nodes());
   damage[g.index(2, 1)] = 200;
   const auto seen = samples(damage, g, {0, 0, 4, 4}, 2, 2);
