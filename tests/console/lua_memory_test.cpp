@@ -31,11 +31,11 @@ TEST(LuaMemory, ALimitOfNothingIsAnError) {
 // from its first to its last.
 TEST(LuaMemory, EveryFunctionCanBeStoppedAnywhere) {
   const test::Folder folder;
+  EXPECT_EQ(message_with(default_lua_memory, test::scene + test::recorded, folder), "");
   for (const FunctionDoc* doc : all_docs()) {
     const bool looks_back = doc->owner == "r" || doc->name == "side_by_side";
-    const std::string script = test::scene + (looks_back ? test::recorded : "") +
-                               "s = simulate(p, { spacing = 0.5*mm })\n" +
-                               std::string(doc->example);
+    const std::string script =
+        test::scene + (looks_back ? test::reopened : "") + std::string(doc->example);
     std::size_t least = 0, enough = std::size_t{1} << 20U;
     while (enough - least > 64) {
       const std::size_t limit = least + (enough - least) / 2;

@@ -46,6 +46,9 @@ r = recording "r.h5"
 s = simulate(p, { spacing = 2*mm })
 )";
 
+// The same once more in a folder that holds it.
+inline const std::string reopened = "r = recording \"r.h5\"\n";
+
 // Plate p of 100 x 40 mm, bare.
 inline const std::string plate_p =
     "p = plate { width = 100*mm, height = 40*mm, material = 'duran50' }\n";
