@@ -135,12 +135,12 @@ void tell_of(Console& console, const std::string& run) {
 
 void tell_what_is_there(Console& console, const RenderJob& job) {
   for (const std::string& run : job.runs) tell_of(console, run);
-  const std::string& run = job.runs.front();
-  const std::string stem = std::filesystem::path(run).stem().string();
+  const std::string run = shell_word(job.runs.front());
+  const std::filesystem::path stem = std::filesystem::path(job.runs.front()).stem();
   fmt::print(
-      "next: hackle render {} {}.png field=stress_1\n"
-      "      hackle render {} {}.mp4 field=von_mises percentile=99\n",
-      run, stem, run, stem);
+      "next: hackle render {} {} field=stress_1\n"
+      "      hackle render {} {} field=von_mises percentile=99\n",
+      run, shell_word(stem.string() + ".png"), run, shell_word(stem.string() + ".mp4"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/machine.hpp"
+#include "base/text.hpp"
 #include "base/units.hpp"
 
 namespace hackle {
@@ -63,7 +64,7 @@ void tell_files(const std::vector<Summary>& simulations) {
     for (const std::filesystem::path& file : summary.files)
       if (told.insert(file).second) tell_file(file);
   const auto run = std::ranges::find(told, ".h5", &std::filesystem::path::extension);
-  if (run != told.end()) fmt::print(stderr, "next: hackle render {}\n", run->string());
+  if (run != told.end()) fmt::print(stderr, "next: hackle render {}\n", shell_word(run->string()));
 }
 
 Talk talk(bool quiet) {

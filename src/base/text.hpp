@@ -23,6 +23,9 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
 // begins with `indent` blanks, and the first has as many before it that count.
 std::string hanging(std::string_view line, std::size_t indent, std::size_t width);
 
+// As a shell takes it for one word: in quotes where it must be.
+std::string shell_word(std::string_view word);
+
 // "a, b, c"
 std::string comma_list(std::span<const std::string_view> words);
 

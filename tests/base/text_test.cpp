@@ -45,5 +45,13 @@ TEST(Hanging, BreaksAtBlanksAndIndents) {
   EXPECT_EQ(hanging("", 2, 8), "");
 }
 
+TEST(ShellWord, IsQuotedWhereAShellWouldTakeItApart) {
+  EXPECT_EQ(shell_word("out/edge_crack.h5"), "out/edge_crack.h5");
+  EXPECT_EQ(shell_word("my run.h5"), "'my run.h5'");
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word("$HOME"), "'$HOME'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
 }  // namespace
 }  // namespace hackle
