@@ -2,6 +2,7 @@
 #include "render/plate_painter.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
 
@@ -419,6 +420,27 @@ TEST(PlatePainter, ManyCanFollowAndLiveBesideOneAnother) {
     EXPECT_EQ(other.paint(shot(large, 0.3F, 0.0)).width, 1280);
   }
   EXPECT_EQ(one.paint(shot(small, 0.3F, 0.0)).pixels, before.pixels);
+}
+
+// Of cells and of a turned plate; both libraries round by themselves.
+TEST(PlatePainter, BothLibrariesPaintTheSamePicture) {
+  for (const double rotation : {0.0, 0.3}) {
+    PictureStyle s = style(60, 24);
+    s.rotation = rotation;
+    s.window = whole_window(s.grid, rotation, 1);
+    Shot f = shot(s, 0.0F);
+    for (std::size_t k = 0; k < f.values.size(); ++k)
+      f.values[k] = static_cast<float>(k % 50) / 100;
+    const Image one = PlatePainter(s).paint(f);
+    setenv("HACKLE_GL", "egl", 1);
+    const Image other = PlatePainter(s).paint(f);
+    unsetenv("HACKLE_GL");
+    ASSERT_EQ(one.pixels.size(), other.pixels.size());
+    std::size_t different = 0;
+    for (std::size_t at = 0; at < one.pixels.size(); ++at)
+      different += std::abs(one.pixels[at] - other.pixels[at]) > 2 ? 1 : 0;
+    EXPECT_EQ(different, 0U);
+  }
 }
 
 }  // namespace
