@@ -134,6 +134,7 @@ int show(lua_State* L) {
   const Simulation& simulation = simulation_at(L, 1, arguments);
   check("show", options, simulation.lattice().grid);
   check_alone("show", options);
+  if (object_at<ScriptedRecording>(L, 1) != nullptr) check_recorded("show", options);
   Session& session = session_of(L);
   const ScriptedRun* scripted = object_at<ScriptedRun>(L, 1);
   if (session.settings.show_in_terminal)

@@ -23,7 +23,6 @@ class GifFilm : public Film {
     int x = 0, y = 0, width = 0, height = 0;  // px
   };
   void write_head(const MovieFormat& format);
-  void write_palette();
   Part changed_part(const std::vector<std::uint8_t>& places) const;
   std::vector<std::uint8_t> pixels_of(const Part& part,
                                       const std::vector<std::uint8_t>& places) const;

@@ -46,11 +46,16 @@ Vec2 Camera::pixels_a_metre() const {
           0.5 * plate_.height / (half_.y() * grid_.dx)};
 }
 
-Window whole_window(const Grid& grid, double rotation, int margin) {
+Vec2 turned_size(const Vec2& size, double rotation) {
   const double c = std::abs(std::cos(rotation)), s = std::abs(std::sin(rotation));
+  return {c * size.x() + s * size.y(), s * size.x() + c * size.y()};
+}
+
+Window whole_window(const Grid& grid, double rotation, int margin) {
+  const Vec2 size = turned_size({grid.nx, grid.ny}, rotation);
   Window window;
-  window.nx = cells_around(c * grid.nx + s * grid.ny, grid.nx) + 2 * margin;
-  window.ny = cells_around(s * grid.nx + c * grid.ny, grid.ny) + 2 * margin;
+  window.nx = cells_around(size.x(), grid.nx) + 2 * margin;
+  window.ny = cells_around(size.y(), grid.ny) + 2 * margin;
   window.left = (grid.nx - window.nx) / 2;
   window.bottom = (grid.ny - window.ny) / 2;
   return window;

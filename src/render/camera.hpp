@@ -30,6 +30,9 @@ class Camera {
   double cos_, sin_;  // of the rotation
 };
 
+// Of the rectangle around one of this size that is turned by `rotation`, rad.
+Vec2 turned_size(const Vec2& size, double rotation);
+
 // The window, in whole cells, that shows all of a lattice turned by `rotation`, rad, with so many
 // cells free on each side.
 Window whole_window(const Grid& grid, double rotation, int margin);

@@ -91,10 +91,9 @@ Blocks blocks_of(const Window& window, const Window& seen, int width, int height
 
 Window seen_cells(const Window& window, double rotation, const Grid& grid,
                   const Displaced& displaced) {
-  const double c = std::abs(std::cos(rotation)), s = std::abs(std::sin(rotation));
   const double reach = farthest(displaced) / grid.dx + 1.0;
-  const double half_x = 0.5 * (c * window.nx + s * window.ny) + reach;
-  const double half_y = 0.5 * (s * window.nx + c * window.ny) + reach;
+  const Vec2 size = turned_size({window.nx, window.ny}, rotation);
+  const double half_x = 0.5 * size.x() + reach, half_y = 0.5 * size.y() + reach;
   const double x = window.left + 0.5 * window.nx, y = window.bottom + 0.5 * window.ny;
   const auto inside = [](double cells, int count) {
     return static_cast<int>(std::clamp(cells, 0.0, static_cast<double>(count)));

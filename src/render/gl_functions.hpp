@@ -30,10 +30,8 @@ namespace hackle {
   X(PFNGLDELETESHADERPROC, DeleteShader)                                     \
   X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                 \
   X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                         \
-  X(PFNGLDISABLEPROC, Disable)                                               \
   X(PFNGLDRAWARRAYSPROC, DrawArrays)                                         \
   X(PFNGLDRAWELEMENTSPROC, DrawElements)                                     \
-  X(PFNGLENABLEPROC, Enable)                                                 \
   X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)               \
   X(PFNGLFINISHPROC, Finish)                                                 \
   X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)               \
@@ -43,7 +41,6 @@ namespace hackle {
   X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                             \
   X(PFNGLGENTEXTURESPROC, GenTextures)                                       \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                               \
-  X(PFNGLGETINTEGERVPROC, GetIntegerv)                                       \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                           \
   X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                     \
   X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                             \
@@ -54,7 +51,6 @@ namespace hackle {
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                                       \
   X(PFNGLREADPIXELSPROC, ReadPixels)                                         \
   X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
-  X(PFNGLSCISSORPROC, Scissor)                                               \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                                     \
   X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                         \
   X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                   \

@@ -131,7 +131,7 @@ TEST(View, TheUsualMagnificationIsNeatAndHasRoom) {
   EXPECT_EQ(magnification_of(options, simulation), 20.0);
   const Window window = window_of(options, simulation);
   EXPECT_EQ(window.left, window.bottom);
-  EXPECT_NEAR(-window.left, 8.0 * 20.0 * 15.25e-6 / 0.5e-3, 1.0);
+  EXPECT_NEAR(-window.left, 12.0 * 20.0 * 15.25e-6 / 0.5e-3, 1.0);
   EXPECT_EQ(window.nx, 200 - 2 * window.left);
   options.magnification = 1e6;  // half the plate at most
   EXPECT_EQ(window_of(options, simulation).bottom, -40);

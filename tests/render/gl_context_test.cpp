@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "render/gl_objects.hpp"
 
 namespace hackle {
 namespace {
@@ -33,10 +34,15 @@ TEST_P(GlContextOf, TheTopRowComesFirst) {
   const GlFunctions& gl = context.functions();
   gl.ClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   gl.Clear(GL_COLOR_BUFFER_BIT);
-  gl.Enable(GL_SCISSOR_TEST);
-  gl.Scissor(0, 3, 4, 1);  // the topmost row: OpenGL counts from the bottom
+  const Texture white(gl);
+  white.make_room(1, 1);
+  const Framebuffer from(gl, white);
   gl.ClearColor(1.0F, 1.0F, 1.0F, 1.0F);
   gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.target());
+  // The topmost row: OpenGL counts from the bottom.
+  gl.BlitFramebuffer(0, 0, 1, 1, 0, 3, 4, 4, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   const Image& image = context.finish();
   EXPECT_EQ(image.pixels[0], 255);
   EXPECT_EQ(image.pixels[4 * 4], 0);
