@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/scenes.hpp"
+#include "support/composite.hpp"
 
 namespace hackle {
 namespace {
@@ -56,6 +56,96 @@ TEST(Lattice, AnIsolatedNodeHasNoBonds) {
 
 TEST(Lattice, WithoutNoFailZonesNothingIsStoredForThem) {
   EXPECT_TRUE(Lattice(test::bare_plate(20, 20), test::numerics()).unbreakable.empty());
+}
+
+// As a plate of it alone would have it, whatever stands in front of it in the list.
+TEST(Lattice, CalibratesEveryMaterialAsAPlateOfIt) {
+  for (const Plane plane : {Plane::stress, Plane::strain})
+    for (const Constants constants : {Constants::lattice, Constants::continuum}) {
+      Plate plate = test::bare_plate(30, 20);
+      plate.plane = plane;
+      Numerics numerics = test::numerics();
+      numerics.constants = constants;
+      numerics.quadrature = Quadrature::area;
+      const Material others[] = {test::resin(), test::steel()};
+      plate.inclusions.push_back({rectangle({0, 0}, {5e-3, 5e-3}), others[0]});
+      plate.inclusions.push_back({rectangle({0, 5e-3}, {5e-3, 10e-3}), others[1]});
+      const Lattice mixed(plate, numerics);
+      ASSERT_EQ(mixed.materials.size(), 3U);
+      for (std::size_t k = 0; k < 2; ++k) {
+        Plate pure = test::bare_plate(30, 20);
+        pure.plane = plane;
+        pure.material = others[k];
+        const Calibration wanted = Lattice(pure, numerics).calibration;
+        EXPECT_EQ(mixed.materials[k + 1].material, others[k]);
+        EXPECT_EQ(mixed.materials[k + 1].calibration.c, wanted.c);
+        EXPECT_EQ(mixed.materials[k + 1].calibration.s0, wanted.s0);
+        EXPECT_EQ(mixed.materials[k + 1].calibration.moduli.E, wanted.moduli.E);
+        EXPECT_EQ(mixed.micromodulus_at(2, k == 0 ? 2 : 15), wanted.c);
+        EXPECT_EQ(mixed.critical_stretch_at(2, k == 0 ? 2 : 15), wanted.s0);
+      }
+    }
+}
+
+TEST(Lattice, TheLastInclusionCoversAndACutOutTakesAll) {
+  Plate plate = test::bare_plate(30, 20);
+  plate.inclusions.push_back({rectangle({0, 0}, {5e-3, 10e-3}), test::resin()});
+  plate.inclusions.push_back({rectangle({0, 0}, {5e-3, 5e-3}), test::steel()});
+  plate.cutouts.push_back({rectangle({0, 0}, {1e-3, 1e-3}), ""});
+  const Lattice lattice(plate, test::numerics());
+  EXPECT_EQ(lattice.material_at(5, 15).material.name, "resin");
+  EXPECT_EQ(lattice.material_at(5, 5).material.name, "steel");
+  EXPECT_EQ(lattice.material_at(15, 5).material.name, plate.material.name);
+  EXPECT_TRUE(lattice.is_void(1, 1));
+  EXPECT_EQ(lattice.micromodulus_at(1, 1), lattice.calibration.c);
+}
+
+TEST(Lattice, IsMixedByEveryPropertyOfBonds) {
+  const auto with = [](auto change) {
+    Plate plate = test::bare_plate(20, 20);
+    Material other = plate.material;
+    change(other);
+    plate.inclusions.push_back({rectangle({0, 0}, {5e-3, 5e-3}), other});
+    return Lattice(plate, test::numerics());
+  };
+  EXPECT_FALSE(with([](Material& m) { m.name = "twin"; }).is_mixed());
+  EXPECT_TRUE(with([](Material& m) { m.E *= 2.0; }).is_mixed());
+  EXPECT_TRUE(with([](Material& m) { m.rho *= 2.0; }).is_mixed());
+  EXPECT_TRUE(with([](Material& m) { m.G0 *= 2.0; }).is_mixed());
+  EXPECT_TRUE(with([](Material& m) { m.alpha = 0.2; }).is_mixed());
+  EXPECT_TRUE(with([](Material& m) { m.alpha = 0.2; }).has_history());
+  EXPECT_FALSE(with([](Material& m) { m.E *= 2.0; }).has_history());
+  const Lattice weak = with([](Material& m) { m.G0 *= 0.25; });
+  EXPECT_DOUBLE_EQ(weak.least_stretch(), 0.5 * weak.calibration.s0);
+  const Lattice strong = with([](Material& m) { m.G0 *= 4.0; });
+  EXPECT_DOUBLE_EQ(strong.least_stretch(), strong.calibration.s0);
+}
+
+TEST(Lattice, StrengthScalesTheCriticalStretchOfItsNode) {
+  Plate plate = test::bare_plate(20, 20);
+  plate.inclusions.push_back({rectangle({0, 0}, {5e-3, 10e-3}), test::steel()});
+  plate.scatter = Scatter{Scatter::Kind::normal, 0.2, 0.0, 3};
+  const Lattice lattice(plate, test::numerics());
+  for (const auto& [i, j] : {std::pair{3, 4}, {4, 3}, {15, 7}, {7, 15}}) {
+    const double s0 = lattice.materials[i < 10 ? 1 : 0].calibration.s0;
+    const double factor = lattice.strength[static_cast<std::size_t>(j * 20 + i)];
+    EXPECT_DOUBLE_EQ(lattice.critical_stretch_at(i, j), s0 * factor);
+  }
+}
+
+// What a crack cuts is damage, or was never there.
+TEST(Lattice, ACrackIsBornAsItSays) {
+  const auto with = [](Born born) {
+    Plate plate = test::bare_plate(20, 20);
+    plate.cracks.push_back({{5e-3, 0.0}, {5e-3, 10e-3}, born});
+    return Lattice(plate, test::numerics());
+  };
+  const Lattice whole(test::bare_plate(20, 20), test::numerics());
+  const Lattice broken = with(Born::broken), absent = with(Born::absent);
+  EXPECT_EQ(broken.bonds.count(), absent.bonds.count());
+  EXPECT_LT(broken.bonds.count(), whole.bonds.count());
+  EXPECT_EQ(broken.bonds_born(), whole.bonds.count());
+  EXPECT_EQ(absent.bonds_born(), absent.bonds.count());
 }
 
 }  // namespace

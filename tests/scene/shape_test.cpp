@@ -7,10 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/notch.hpp"
-#include "scene/random_cracks.hpp"
-#include "support/scenes.hpp"
-
 namespace hackle {
 namespace {
 
@@ -101,47 +97,59 @@ TEST(Shape, WithoutAreaIsRefused) {
   }
 }
 
-TEST(Notch, HasItsDepthAndItsMouth) {
-  const Plate plate = test::bare_plate(100, 80);  // 50 x 40 mm
-  for (const Notch::Kind kind : {Notch::Kind::slot, Notch::Kind::v, Notch::Kind::u}) {
-    const Shape shape = shape_of({{0.0, 0.02}, 10e-3, 4e-3, kind, 0.0}, plate);
-    EXPECT_TRUE(is_inside(shape, {9.9e-3, 0.02}, tie * 1e-3));
-    EXPECT_FALSE(is_inside(shape, {10.1e-3, 0.02}, tie * 1e-3));
-    for (const double y : {0.0181, 0.0219}) EXPECT_TRUE(is_inside(shape, {0.0, y}, tie * 1e-3));
-    for (const double y : {0.0179, 0.0221}) EXPECT_FALSE(is_inside(shape, {0.0, y}, tie * 1e-3));
+// A quarter turn and back: what lies along the long axis is inside, its mirror image is not.
+TEST(Shape, AnEllipseIsTurnedAnticlockwise) {
+  for (double angle = -7.0; angle < 7.0; angle += 0.37) {
+    const Vec2 centre(0.3, -0.2), along(std::cos(angle), std::sin(angle));
+    const Shape shape = Ellipse{centre, {3.0, 0.1}, angle};
+    EXPECT_TRUE(is_inside(shape, centre + 2.9 * along, tie)) << angle;
+    EXPECT_FALSE(is_inside(shape, centre + 3.1 * along, tie)) << angle;
+    if (std::abs(along.y()) > 0.1 && std::abs(along.x()) > 0.1) {
+      EXPECT_FALSE(is_inside(shape, centre + 2.9 * Vec2(along.x(), -along.y()), tie)) << angle;
+    }
   }
 }
 
-TEST(Notch, FromACornerGoesAlongTheDiagonal) {
-  const Plate plate = test::bare_plate(100, 80);
-  const Shape shape = shape_of({{0.05, 0.04}, 10e-3, 2e-3, Notch::Kind::slot, 0.0}, plate);
-  EXPECT_TRUE(is_inside(shape, {0.05 - 7e-3, 0.04 - 7e-3}, 1e-12));
-  EXPECT_TRUE(is_inside(shape, {0.05, 0.04}, 1e-12));
-}
-
-TEST(RandomCracks, AreTheSameForTheSameSeedAndLieInTheirArea) {
-  RandomCracks cracks{.length = {1e-3, 5e-3},
-                      .angle = {0.2, 0.4},
-                      .area = {{0.01, 0.01}, {0.02, 0.03}},
-                      .count = 200};
-  const std::vector<Crack> one = make(cracks), again = make(cracks);
-  cracks.seed = 2;
-  EXPECT_NE(make(cracks).front().points, one.front().points);
-  for (std::size_t k = 0; k < one.size(); ++k) {
-    EXPECT_EQ(one[k].points, again[k].points);
-    const Vec2 along = one[k].points[1] - one[k].points[0];
-    EXPECT_TRUE(along.norm() > 0.999e-3 && along.norm() < 5.001e-3);
-    const double angle = std::atan2(along.y(), along.x());
-    EXPECT_TRUE(angle > 0.2 - 1e-12 && angle < 0.4 + 1e-12) << angle;
-    for (const Vec2& p : one[k].points)
-      EXPECT_TRUE(p.x() >= 0.01 - 1e-12 && p.x() <= 0.02 + 1e-12 && p.y() >= 0.01 - 1e-12 &&
-                  p.y() <= 0.03 + 1e-12);
+// The farthest samples of the area touch every side of the box, to a sample.
+TEST(Shape, HasTheLeastBoxThatHoldsIt) {
+  for (const Shape& shape : std::vector<Shape>{
+           Ellipse{{1, 2}, {3, 1}, 0.4}, Ellipse{{-1, 2}, {1, 3}, -1.1},
+           Capsule{{{0, 0}, {-3, 4}}, 0.5}, Capsule{{{5, -1}, {3, -4}}, 1.5},
+           Polygon{{{4, 3}, {-1, 0}, {4, -2}}}, Bitmap{{1, 2}, {4, 3}, 2, 2, {1, 0, 0, 1}}}) {
+    const Box box = bounds(shape);
+    constexpr int n = 600;
+    const Vec2 from(-8, -8), sample = Vec2(16, 16) / n;
+    Box seen{{99, 99}, {-99, -99}};
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const Vec2 at = from + sample.cwiseProduct(Vec2(i + 0.5, j + 0.5));
+        if (is_inside(shape, at, tie)) seen = {seen.least.cwiseMin(at), seen.most.cwiseMax(at)};
+      }
+    // A round or sharp end may lie between samples; it is 10 samples wide at most at its tip.
+    EXPECT_NEAR((seen.least - box.least).cwiseAbs().maxCoeff(), 0.0, 10 * sample.x())
+        << kind_of(shape);
+    EXPECT_NEAR((seen.most - box.most).cwiseAbs().maxCoeff(), 0.0, 10 * sample.x())
+        << kind_of(shape);
+    EXPECT_GE((seen.least - box.least).minCoeff(), 0.0) << kind_of(shape);
+    EXPECT_GE((box.most - seen.most).minCoeff(), 0.0) << kind_of(shape);
   }
 }
 
-TEST(RandomCracks, ThatDoNotFitAreRefused) {
-  const RandomCracks cracks{.length = {1.0, 2.0}, .area = {{0, 0}, {0.1, 0.1}}, .count = 1};
-  EXPECT_THROW(make(cracks), Error);
+TEST(Shape, MovedAndScaledCoversTheSamePlaces) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-3.0, 3.0);
+  const Vec2 origin(0.7, -1.3);
+  for (const Shape& shape :
+       std::vector<Shape>{Ellipse{{0.3, 0.1}, {2, 0.5}, 0.7}, Capsule{{{-1, 0}, {1, 1}}, 0.4},
+                          Polygon{{{-2, -2}, {2, -1}, {0, 0}, {1, 2}}},
+                          Bitmap{{-2, -1}, {2, 2}, 2, 3, {1, 0, 0, 1, 1, 1}}}) {
+    const Shape moved = transformed(shape, origin, 2.5);
+    for (int trial = 0; trial < 400; ++trial) {
+      const Vec2 at(place(random), place(random));
+      EXPECT_EQ(is_inside(shape, at, tie), is_inside(moved, 2.5 * (at - origin), tie))
+          << kind_of(shape);
+    }
+  }
 }
 
 }  // namespace
