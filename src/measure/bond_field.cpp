@@ -36,6 +36,20 @@ std::vector<std::size_t> first_nodes(const Simulation& simulation) {
   return parent;
 }
 
+// Of a plate that is held from straining across its thickness.
+void add_stress_across(const Simulation& simulation, std::vector<Stress>& stresses) {
+  const Lattice& lattice = simulation.lattice();
+  const std::vector<double>& heat = simulation.thermal_strain();
+  for (int j = 0; j < lattice.grid.ny; ++j)
+    for (int i = 0; i < lattice.grid.nx; ++i) {
+      if (lattice.is_void(i, j)) continue;
+      const std::size_t node = lattice.grid.index(i, j);
+      const Moduli& moduli = lattice.material_at(i, j).calibration.moduli;
+      Stress& own = stresses[node];
+      own.zz = moduli.nu * (own.xx + own.yy) - moduli.E * (heat.empty() ? 0.0 : heat[node]);
+    }
+}
+
 }  // namespace
 
 double Stress::first() const {
@@ -48,7 +62,8 @@ double Stress::shear() const {
   return std::hypot(0.5 * (xx - yy), xy);
 }
 double Stress::von_mises() const {
-  return std::sqrt(std::max(0.0, xx * xx - xx * yy + yy * yy + 3.0 * xy * xy));
+  return std::sqrt(
+      std::max(0.0, xx * xx - xx * yy + yy * yy + zz * (zz - xx - yy) + 3.0 * xy * xy));
 }
 
 std::vector<Stress> stresses(const Simulation& simulation) {
@@ -65,6 +80,7 @@ std::vector<Stress> stresses(const Simulation& simulation) {
       stresses[node].xy += along.x() * bond.xi.y();
     }
   });
+  if (simulation.plate().plane == Plane::strain) add_stress_across(simulation, stresses);
   return stresses;
 }
 

@@ -10,14 +10,17 @@
 
 namespace hackle {
 
-// In the plate, Pa.
+// Pa. Across the plate there is none in plane stress; in plane strain it is what Hooke's law makes
+// of those in the plate and of heat, nu (xx + yy) - E th, with the moduli of the node's material on
+// the lattice and th its thermal strain.
 struct Stress {
   double xx = 0.0, yy = 0.0, xy = 0.0;
+  double zz = 0.0;
 
-  double first() const;      // the larger principal stress
-  double second() const;     // the smaller
-  double shear() const;      // the most in any direction of the plate: half their difference
-  double von_mises() const;  // of plane stress
+  double first() const;   // the larger principal stress in the plate
+  double second() const;  // the smaller
+  double shear() const;   // the most in any direction of the plate: half their difference
+  double von_mises() const;
 };
 
 // sigma = 1/2 sum over its bonds of c w s |xi| (e x e) V, the derivative of the energy density by a

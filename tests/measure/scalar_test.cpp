@@ -2,6 +2,7 @@
 #include "measure/scalar.hpp"
 
 #include <cmath>
+#include <map>
 
 #include <gmock/gmock.h>
 
@@ -26,6 +27,48 @@ TEST(Scalars, HaveAFiniteValueForEveryNodeAndEndsThatDiffer) {
     const std::vector<float> values = scalar.values(simulation);
     ASSERT_EQ(values.size(), simulation.lattice().grid.nodes()) << scalar.name;
     for (const float value : values) ASSERT_TRUE(std::isfinite(value)) << scalar.name;
+  }
+}
+
+// From what breaks the plate's own material; an inclusion moves those of temperature alone.
+TEST(Scalars, HaveTheEndsOfTheirDefinition) {
+  Plate plate = test::bare_plate(40, 24);  // 20 x 12 mm
+  plate.material.alphaT = 4e-6;
+  Material other = plate.material;
+  other.E *= 3.0;
+  other.alphaT = 1e-6;
+  plate.inclusions.push_back({rectangle({0, 0}, {5e-3, 5e-3}), other});
+  const Simulation simulation(plate, test::numerics(), {1});
+  const std::vector<MaterialOnLattice>& materials = simulation.lattice().materials;
+  const double s0 = materials[0].calibration.s0, stress = 65e9 * s0;
+  const double speed = s0 * std::sqrt(materials[0].calibration.moduli.C11 / 2235.0);
+  const double warm = 0.5 * materials[1].calibration.s0 / 1e-6;
+  const std::map<std::string_view, Ends> wanted{
+      {"damage", {0.0, 0.5}},
+      {"displacement", {0.0, 0.25 * s0 * 12e-3}},
+      {"displacement_x", {-0.25 * s0 * 12e-3, 0.25 * s0 * 12e-3}},
+      {"displacement_y", {-0.25 * s0 * 12e-3, 0.25 * s0 * 12e-3}},
+      {"speed", {0.0, 0.5 * speed}},
+      {"velocity_x", {-0.5 * speed, 0.5 * speed}},
+      {"velocity_y", {-0.5 * speed, 0.5 * speed}},
+      {"stretch", {0.0, 1.0}},
+      {"energy_density", {0.5e-4 * stress * s0, 0.5 * stress * s0}},
+      {"stress_xx", {-0.5 * stress, 0.5 * stress}},
+      {"stress_yy", {-0.5 * stress, 0.5 * stress}},
+      {"stress_xy", {-0.5 * stress, 0.5 * stress}},
+      {"stress_1", {-0.5 * stress, 0.5 * stress}},
+      {"stress_2", {-0.5 * stress, 0.5 * stress}},
+      {"von_mises", {0.0, 0.5 * stress}},
+      {"shear", {0.0, 0.25 * stress}},
+      {"fringes", {0.0, stress / 136.5e3}},
+      {"pieces", {0.0, 12.0}},
+      {"strength", {0.5, 1.5}},
+      {"temperature", {-warm, warm}}};
+  ASSERT_GT(0.5 * s0 / 4e-6, 1.0);
+  for (const Scalar& scalar : scalars()) {
+    const Ends ends = scalar.ends(simulation), right = wanted.at(scalar.name);
+    EXPECT_NEAR(ends.least, right.least, 1e-12 * std::abs(right.least)) << scalar.name;
+    EXPECT_NEAR(ends.most, right.most, 1e-12 * right.most) << scalar.name;
   }
 }
 
