@@ -2,7 +2,8 @@
 # Checks the formatting (clang-format 14) and, with --tidy, the whole program with clang-tidy 14.
 # Installs both when they are missing and it may.
 set -euo pipefail
-cd "$(dirname -- "${BASH_SOURCE[0]}")/.."
+here=$(dirname -- "${BASH_SOURCE[0]}")
+cd "$("$here/plain_name.sh")"
 
 missing=()
 for tool in clang-format clang-tidy; do

@@ -5,7 +5,8 @@
 #
 # Does nothing that is already done. Works as root, through sudo, or, when every package is there, as anybody.
 set -euo pipefail
-cd "$(dirname -- "${BASH_SOURCE[0]}")/.."
+here=$(dirname -- "${BASH_SOURCE[0]}")
+cd "$("$here/plain_name.sh")"
 preset=${1:-release}
 target=${2:-}
 

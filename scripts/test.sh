@@ -5,10 +5,10 @@
 #   scripts/test.sh asan                             the same under address and UB sanitizers
 #   scripts/test.sh release -L unit                  only what is over in seconds
 set -euo pipefail
-here=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+scripts=$(dirname -- "${BASH_SOURCE[0]}")
 preset=${1:-release}
 [ $# -eq 0 ] || shift
 
-"$here/scripts/setup.sh" "$preset"
-cd "$here"
+"$scripts/setup.sh" "$preset"
+cd "$("$scripts/plain_name.sh")"
 ctest --preset "$preset" --parallel "$(nproc)" --no-label-summary "$@"

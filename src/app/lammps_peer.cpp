@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "base/text.hpp"
 
 namespace hackle {
 namespace {
@@ -115,8 +116,8 @@ LammpsRun run_lammps(const BenchDeck& deck, double alpha, int steps) {
   const ScratchFolder folder;
   write_text(folder.path() / "plate.in", lammps_deck(deck, alpha, steps));
   const std::string command =
-      fmt::format("cd '{}' && OMP_NUM_THREADS=1 lmp -in plate.in -log log -screen none > said 2>&1",
-                  folder.path().string());
+      fmt::format("cd {} && OMP_NUM_THREADS=1 lmp -in plate.in -log log -screen none > said 2>&1",
+                  shell_word(folder.path().string()));
   const int status = std::system(command.c_str());
   // The shell keeps Ctrl-C from us while it waits.
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT)

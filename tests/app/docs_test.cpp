@@ -9,6 +9,7 @@
 #include "app/shell_completion.hpp"
 #include "app/voice.hpp"
 #include "base/files.hpp"
+#include "base/text.hpp"
 #include "console/reference.hpp"
 #include "support/skipping.hpp"
 
@@ -59,7 +60,7 @@ TEST_F(DocsTest, TheManualPageHasEverySectionAndFunction) {
 
 TEST_F(DocsTest, TheManualPageIsWellFormed) {
   write_text(folder_.path / "hackle.1", docs({"--man"}));
-  const std::string page = (folder_.path / "hackle.1").string();
+  const std::string page = shell_word((folder_.path / "hackle.1").string());
   HACKLE_NEEDS(std::system("command -v groff >/dev/null") == 0, "groff is not installed");
   EXPECT_EQ(std::system(("groff -man -ww -Tascii " + page + " 2>&1 >/dev/null | grep .").c_str()) &
                 0xff00,
@@ -78,12 +79,13 @@ TEST_F(DocsTest, BashCompletes) {
   write_text(folder_.path / "completion", docs({"--completion", "bash"}));
   write_text(folder_.path / "scene.lua", "");
   const std::string before =
-      "bash -c 'cd " + folder_.path.string() +
+      "cd " + shell_word(folder_.path.string()) +
       "; . ./completion; offer() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($#-1)); "
       "_hackle; echo \"${COMPREPLY[*]}\"; }; offer hackle ";
   const auto offered = [&](const std::string& words) {
     const auto answer = folder_.path / "answer";
-    EXPECT_EQ(std::system((before + words + "' > " + answer.string()).c_str()), 0);
+    const std::string command = "bash -c " + shell_word(before + words) + " > ";
+    EXPECT_EQ(std::system((command + shell_word(answer.string())).c_str()), 0);
     return test::Program::text_of(answer);
   };
   EXPECT_EQ(offered("ru"), "run\n");

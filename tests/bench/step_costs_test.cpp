@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/text.hpp"
 #include "support/skipping.hpp"
 
 namespace hackle {
@@ -21,9 +22,9 @@ bool valgrind_is_installed() {
 
 // Instructions of the whole program.
 double count(int steps, int nodes, const std::string& words) {
-  const std::string command =
-      "valgrind --tool=callgrind --callgrind-out-file=/dev/null " HACKLE_COUNT_STEPS " " +
-      std::to_string(steps) + " " + std::to_string(nodes) + " " + words + " 2>&1";
+  const std::string command = "valgrind --tool=callgrind --callgrind-out-file=/dev/null " +
+                              shell_word(HACKLE_COUNT_STEPS) + " " + std::to_string(steps) + " " +
+                              std::to_string(nodes) + " " + words + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   std::string said;
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "base/text.hpp"
+
 namespace hackle::test {
 namespace {
 
@@ -106,9 +108,9 @@ std::vector<PeerSample> run_lammps(const PeerPlate& plate, int steps, int every,
                                    const std::filesystem::path& folder) {
   write_atoms(plate, folder / "atoms.data");
   write_deck(plate, steps, every, folder / "plate.in");
-  const std::string command = fmt::format(
-      "cd '{}' && OMP_NUM_THREADS=1 lmp -in plate.in -log none -screen none > said 2>&1",
-      folder.string());
+  const std::string command =
+      fmt::format("cd {} && OMP_NUM_THREADS=1 lmp -in plate.in -log none -screen none > said 2>&1",
+                  shell_word(folder.string()));
   if (std::system(command.c_str()) != 0)
     throw std::runtime_error("LAMMPS failed: " + text_of(folder / "said"));
   std::ifstream file(folder / "nodes.dump");

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/text.hpp"
 #include "support/folder.hpp"
 #include "support/skipping.hpp"
 
@@ -37,18 +38,20 @@ inline bool has_tmux() {
 class Terminal {
  public:
   Terminal(int columns, int lines) : socket_((folder_.path / "tmux").string()) {
+    const std::string folder = shell_word(folder_.path.string());
     const std::string program = fmt::format(
         "trap : INT; cd {0} && env HOME={0} XDG_STATE_HOME={0}/state {1} {2}; echo left with $?; "
         "sleep 600",
-        folder_.path.string(), "TERM=screen-256color", HACKLE_PROGRAM);
-    tmux(fmt::format("-f /dev/null new-session -d -x {} -y {} '{}'", columns, lines, program));
+        folder, "TERM=screen-256color", shell_word(HACKLE_PROGRAM));
+    tmux(fmt::format("-f /dev/null new-session -d -x {} -y {} {}", columns, lines,
+                     shell_word(program)));
   }
   ~Terminal() { tmux("kill-server"); }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
   // As from the keyboard; a semicolon at the end is lost.
-  void type(const std::string& text) { tmux("send-keys -l -- " + quoted(text)); }
+  void type(const std::string& text) { tmux("send-keys -l -- " + shell_word(text)); }
   // By the name that tmux gives it: Enter, Tab, Up, C-c.
   void press(const std::string& key) { tmux("send-keys " + key); }
   void enter(const std::string& line) {
@@ -85,24 +88,20 @@ class Terminal {
 
  private:
   template <class Condition>
-  static bool waits(Condition holds) {
-    // Half a minute; what follows a failure need not wait.
+  bool waits(Condition holds) const {
+    // Half a minute; what follows a failure need not wait, nor what no program will show.
     const int tries = testing::Test::HasFailure() ? 1 : 600;
     for (int i = 0; i < tries; ++i) {
+      const bool ended = last_line().starts_with("left with");
       if (holds()) return true;
+      if (ended) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
     return false;
   }
 
-  static std::string quoted(const std::string& text) {
-    std::string out = "'";
-    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
-  }
-
   std::string tmux(const std::string& words) const {
-    return output_of(fmt::format("tmux -S {} 2>/dev/null {}", socket_, words));
+    return output_of(fmt::format("tmux -S {} 2>/dev/null {}", shell_word(socket_), words));
   }
 
   std::string last_line() const {
