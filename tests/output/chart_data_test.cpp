@@ -112,5 +112,49 @@ TEST(EnergyChart, IsRefusedForAPictureAlone) {
   }
 }
 
+TEST(LoadCurve, NamesEveryKindOfLoadAndItsPlace) {
+  Plate plate = test::bare_plate(40, 20);
+  plate.material.alphaT = 1e-6;
+  plate.cutouts.push_back({rectangle({5e-3, 2.5e-3}, {7.5e-3, 5e-3}), "bore"});
+  plate.loads.tractions.push_back({Edge::left, {3.0, 4.0}, 0.0, ramp(1e-6)});
+  plate.loads.pressures.push_back({"bore", 6.0, ramp(2e-6)});
+  const Chart stresses = load_curve(Simulation(plate, test::numerics(), {1}));
+  EXPECT_EQ(stresses.heading, "load");
+  EXPECT_EQ(stresses.unit, "Pa");
+  EXPECT_DOUBLE_EQ(stresses.until, 2.5e-6);  // a quarter more than the last moment
+  ASSERT_EQ(stresses.curves.size(), 2U);
+  EXPECT_EQ(stresses.curves[0].place, "left");
+  EXPECT_EQ(stresses.curves[0].points.back(), Vec2(stresses.until, 5.0));
+  EXPECT_EQ(stresses.curves[1].place, "bore");
+  EXPECT_EQ(stresses.curves[1].points.back(), Vec2(stresses.until, 6.0));
+  plate.loads.body_forces.push_back({{}, {1.0, 0.0}, ramp(3e-6)});
+  plate.loads.supports.push_back({.value = Vec2(1e-9, 0.0), .course = ramp(4e-6)});
+  plate.loads.heatings.push_back({{}, 1.0, ramp(5e-6)});
+  const Chart all = load_curve(Simulation(plate, test::numerics(), {1}));
+  ASSERT_EQ(all.curves.size(), 5U);
+  const char* const kinds[] = {"traction", "pressure", "body force", "support", "heating"};
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(all.curves[k].kind, kinds[k]);
+    EXPECT_DOUBLE_EQ(all.curves[k].points[1].x(), static_cast<double>(k + 1) * 1e-6) << kinds[k];
+    EXPECT_EQ(all.curves[k].points.back().y(), 1.0) << kinds[k];
+  }
+}
+
+// Three entries that are all above 0 and all different.
+TEST(EnergyChart, TellsItsEntriesApart) {
+  Simulation s(test::edge_crack(30e6), test::numerics(1e-3, 3e-3), {1});
+  s.run(15e-6);
+  const Energy ledger = energy(s);
+  ASSERT_GT(ledger.broken, 0.0);
+  const Chart chart = energy_chart(s);
+  const double values[] = {ledger.kinetic, ledger.strain, ledger.broken};
+  const char* const kinds[] = {"kinetic", "strain", "broken"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(chart.curves[k].kind, kinds[k]);
+    EXPECT_EQ(chart.curves[k].points, (Points{{s.time(), values[k]}}));
+  }
+  EXPECT_EQ(chart.unit, "J/m");
+}
+
 }  // namespace
 }  // namespace hackle

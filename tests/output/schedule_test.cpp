@@ -59,5 +59,38 @@ TEST(Schedule, RefusesLessThanAStepAndNonsense) {
   }
 }
 
+// Its moments count from where the simulation was when the output was asked for.
+TEST(Schedule, CountsFromItsOwnStart) {
+  Simulation simulation = small();
+  simulation.step();
+  simulation.step();
+  Schedule schedule("movie", 5.0 * simulation.dt(), simulation);
+  std::vector<std::int64_t> list;
+  for (; simulation.state().step <= 12; simulation.step())
+    if (schedule.reached(simulation)) {
+      list.push_back(simulation.state().step);
+      schedule.advance();
+    }
+  EXPECT_THAT(list, testing::ElementsAre(2, 7, 12));
+}
+
+// How many moments there are until a time, those that have passed included.
+TEST(Schedule, SaysHowManyMomentsThereAre) {
+  Simulation simulation = small();
+  simulation.step();
+  simulation.step();
+  const double dt = simulation.dt();
+  Schedule schedule("movie", 5.0 * dt, simulation);
+  EXPECT_EQ(schedule.moments(2.0 * dt, 100), 1);
+  EXPECT_EQ(schedule.moments(6.9 * dt, 100), 1);
+  EXPECT_EQ(schedule.moments(7.0 * dt, 100), 2);
+  EXPECT_EQ(schedule.moments(22.0 * dt, 100), 5);
+  EXPECT_EQ(schedule.moments(22.0 * dt, 3), 3);
+  schedule.advance();
+  EXPECT_EQ(schedule.moments(22.0 * dt, 100), 5);
+  EXPECT_EQ(schedule.moments(22.0 * dt, 3), 4);  // one has passed, three more
+  EXPECT_EQ(schedule.moments(0.0, 100), 1);
+}
+
 }  // namespace
 }  // namespace hackle

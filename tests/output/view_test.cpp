@@ -137,5 +137,24 @@ TEST(View, TheUsualMagnificationIsNeatAndHasRoom) {
   EXPECT_EQ(window_of(options, simulation).bottom, -40);
 }
 
+// A cross whose arms end 20 mm right and left of its middle and 10 mm above and below it.
+TEST(View, FollowsInEveryDirection) {
+  Plate cross = test::bare_plate(200, 80);
+  cross.cracks.push_back({{30e-3, 20e-3}, {70e-3, 20e-3}});
+  cross.cracks.push_back({{50e-3, 8e-3}, {50e-3, 32e-3}});
+  const Simulation simulation(cross, test::numerics(), {1});
+  const std::pair<Toward, Vec2> ends[] = {{Toward::right, {140, 40}},
+                                          {Toward::left, {60, 40}},
+                                          {Toward::up, {100, 64}},
+                                          {Toward::down, {100, 16}}};
+  for (const auto& [toward, cell] : ends) {
+    PictureOptions options = zoomed(0.05, 0.02, 0.01);
+    options.follow = toward;
+    const Window here = followed(window_of(options, simulation), options, simulation);
+    const Vec2 middle(here.left + 0.5 * here.nx, here.bottom + 0.5 * here.ny);
+    EXPECT_LT((middle - cell).cwiseAbs().maxCoeff(), 4.5) << static_cast<int>(toward);
+  }
+}
+
 }  // namespace
 }  // namespace hackle
