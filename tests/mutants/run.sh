@@ -47,13 +47,13 @@ build_tests() {
   nice -n 19 cmake --build "$clone/build/release" "${targets[@]}" >"$clone/build/mutants.log" 2>&1
 }
 
-# True when every test named passes.
+# True when every test named passes, and there are such.
 pass_tests() {
-  local entry
+  local entry said
   for entry in $tests; do
-    (cd "$clone" && nice -n 19 timeout 600 "build/release/bin/test_${entry%%:*}" \
-      "--gtest_filter=${entry#*:}" --gtest_brief=1 --gtest_fail_fast) \
-      >>"$clone/build/mutants.log" 2>&1 || return 1
+    said=$(cd "$clone" && nice -n 19 timeout 600 "build/release/bin/test_${entry%%:*}" \
+      "--gtest_filter=${entry#*:}" --gtest_brief=1 --gtest_fail_fast 2>&1) || return 1
+    [[ $said != *" 0 tests from "* ]] || return 1
   done
 }
 
