@@ -113,5 +113,103 @@ TEST(Painting, AShotHoldsNoMoreThanItsPictureShows) {
   EXPECT_EQ(shot_of(options, simulation).links.size(), nodes);
 }
 
+// No two values are alike.
+TEST(Painting, AStyleHasEveryOptionInItsPlace) {
+  const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  PictureOptions options;
+  options.field = "stress_xx";
+  options.range = Ends{1.0, 2.0};
+  options.logarithmic = true;
+  options.colours = "roma";
+  options.second = "speed";
+  options.second_range = Ends{3.0, 4.0};
+  options.arrangement = Arrangement::over;
+  options.rotation = 0.5;
+  options.width = 640;
+  options.background = Background::light;
+  options.deformed = true;
+  options.magnification = 7.0;
+  options.overlay.title = "T";
+  options.overlay.clock = false;
+  options.overlay.markers = {{{0.01, 0.02}, "m"}};
+  const PictureStyle style = style_of(options, simulation);
+  EXPECT_EQ(style.field.label, "stress xx");
+  EXPECT_EQ(style.field.unit, "Pa");
+  EXPECT_EQ(style.field.colour_map, "roma");
+  EXPECT_EQ(style.field.least, 1.0);
+  EXPECT_EQ(style.field.most, 2.0);
+  EXPECT_TRUE(style.field.logarithmic);
+  EXPECT_EQ(style.field.sampling, Sampling::mean);
+  ASSERT_TRUE(style.second);
+  EXPECT_EQ(style.second->label, "speed");
+  EXPECT_EQ(style.second->unit, "m/s");
+  EXPECT_EQ(style.second->colour_map, "inferno");
+  EXPECT_EQ(style.second->least, 3.0);
+  EXPECT_EQ(style.second->most, 4.0);
+  EXPECT_FALSE(style.second->logarithmic);
+  EXPECT_EQ(style.arrangement, Arrangement::over);
+  EXPECT_EQ(style.rotation, 0.5);
+  EXPECT_EQ(style.width, 640);
+  EXPECT_EQ(style.background, Background::light);
+  EXPECT_EQ(style.magnification, 7.0);
+  EXPECT_EQ(style.note, "displacements × 7");
+  EXPECT_EQ(style.title, "T");
+  EXPECT_FALSE(style.overlay.clock);
+  EXPECT_EQ(style.overlay.markers.size(), 1U);
+  options.pixels_a_metre = 5e3;  // 5 px a cell of 1 mm
+  EXPECT_EQ(style_of(options, simulation).cell, 5.0);
+}
+
+TEST(Painting, EndsOfALogarithmAreFourDecadesAndFringesGrowWithTheThickness) {
+  const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  PictureOptions options;
+  options.field = "speed";
+  const Ends plain = usual_ends(options, simulation);
+  options.logarithmic = true;
+  EXPECT_EQ(usual_ends(options, simulation).most, plain.most);
+  EXPECT_EQ(usual_ends(options, simulation).least, 1e-4 * plain.most);
+  options = {};
+  options.field = "fringes";
+  options.thickness = 2e-3;
+  const double thin = usual_ends(options, simulation).most;
+  options.thickness = 6e-3;
+  EXPECT_DOUBLE_EQ(usual_ends(options, simulation).most, 3.0 * thin);
+  EXPECT_EQ(style_of(options, simulation).title, "Duran 50 glass, 6 mm thick");
+}
+
+// Values as the fields have them, nothing where nothing is, and gaps in 255ths.
+TEST(Painting, AShotHasTheValuesOfItsFields) {
+  Plate plate = test::edge_crack(12e6);
+  plate.cutouts.push_back({rectangle({70e-3, 10e-3}, {80e-3, 20e-3}), ""});
+  Simulation simulation(plate, test::numerics(1e-3, 4e-3), {1});
+  simulation.run(4e-6);
+  PictureOptions options;
+  options.field = "displacement_y";
+  options.second = "fringes";
+  options.thickness = 8e-3;
+  options.deformed = true;
+  const Shot shot = shot_of(options, simulation);
+  const Lattice& lattice = simulation.lattice();
+  const std::vector<float> first = scalar_of("displacement_y").values(simulation);
+  const std::vector<float> second = scalar_of("fringes").values(simulation);
+  const std::vector<float> phi = damage(simulation).values;
+  ASSERT_EQ(shot.second.size(), lattice.grid.nodes());
+  for (int j = 0; j < 40; ++j)
+    for (int i = 0; i < 100; ++i) {
+      const std::size_t node = lattice.grid.index(i, j);
+      const bool nothing = i >= 70 && i < 80 && j >= 10 && j < 20;
+      ASSERT_EQ(std::isnan(shot.values[node]), nothing) << i << ' ' << j;
+      ASSERT_EQ(std::isnan(shot.second[node]), nothing) << i << ' ' << j;
+      EXPECT_EQ(shot.gaps[node], std::lround(255.0F * phi[node]));
+      if (nothing) continue;
+      EXPECT_EQ(shot.values[node], first[node]);
+      EXPECT_EQ(shot.second[node], 8e-3F * second[node]);
+    }
+  EXPECT_EQ(shot.time, simulation.time());
+  EXPECT_EQ(shot.displacement, displacement(simulation).values);
+  options.cracks = false;
+  EXPECT_TRUE(shot_of(options, simulation).gaps.empty());
+}
+
 }  // namespace
 }  // namespace hackle

@@ -134,6 +134,31 @@ TEST(Heat, CanBeTurnedOnAndOffWhileThePlateIsSolved) {
   EXPECT_NO_THROW(simulation.run(3e-6));
 }
 
+// Node by node: alphaT of the material there times the sum of what acts, each by its own course.
+TEST(Heat, OfSeveralChangesAddsUpInEveryMaterial) {
+  Plate plate = test::bare_plate(40, 20);  // 20 x 10 mm
+  plate.material.alphaT = 4e-6;
+  plate.inclusions.push_back({rectangle({0, 0}, {5e-3, 10e-3}), test::resin()});
+  plate.loads.heatings.push_back({{}, -30.0, ramp(2e-6)});
+  plate.loads.heatings.push_back({rectangle({0, 0}, {20e-3, 5e-3}),
+                                  ScalarField([](const Vec2& x) { return 2000.0 * x.x(); }),
+                                  step_at(1e-6)});
+  Simulation simulation(plate, test::numerics(), {1});
+  for (int step = 0; step < 12; ++step) {
+    const double t = simulation.time();
+    for (int j = 0; j < 20; ++j)
+      for (int i = 0; i < 40; ++i) {
+        const double change = -30.0 * std::min(t / 2e-6, 1.0) +
+                              (j < 10 && t >= 1e-6 ? 2000.0 * (i + 0.5) * 0.5e-3 : 0.0);
+        const double alphaT = i < 10 ? 60e-6 : 4e-6;
+        ASSERT_NEAR(simulation.thermal_strain()[static_cast<std::size_t>(40 * j + i)],
+                    alphaT * change, 1e-15)
+            << t << ' ' << i << ' ' << j;
+      }
+    simulation.step();
+  }
+}
+
 TEST(Heat, IsRefusedWhereNothingExpandsOrTooMuchDoes) {
   using testing::HasSubstr;
   Plate plate = heated(40, 30, 100.0);
@@ -145,6 +170,7 @@ TEST(Heat, IsRefusedWhereNothingExpandsOrTooMuchDoes) {
   plate.loads.heatings.front().region = test::disc({15e-3, 5e-3}, 2e-3);
   EXPECT_THAT(refusal(plate), HasSubstr("there is no node whose material expands"));
   EXPECT_THAT(refusal(heated(40, 30, 1e5)), HasSubstr("strains the material by 0.9"));
+  EXPECT_THAT(refusal(heated(40, 30, -1e5)), HasSubstr("strains the material by -0.9"));
   EXPECT_THAT(refusal(heated(40, 30, 1e4, Course({{0.0, 1.0}, {2e-6, 1e6}}))),
               HasSubstr("strains the material by"));
   plate.material.alphaT = -1e-6;

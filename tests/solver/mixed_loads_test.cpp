@@ -234,6 +234,26 @@ TEST(Supports, FollowTheirCourseAtItsOwnMoment) {
   }
 }
 
+// In single precision what the whole plate has moved is taken out of u now and then; a support
+// counts it in.
+TEST(Supports, KnowHowFarThePlateHasFlown) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.starts.push_back({{}, Vec2(0, 0), Vec2(300.0, -200.0)});
+  const Course flight([](double t) { return t; }, "flight");
+  plate.loads.supports = {
+      moved(rectangle({0, 0}, {1e-3, 5e-3}), Support::Kind::displacement, {300.0, -200.0}, flight)};
+  Numerics numerics = test::numerics();
+  numerics.precision = Precision::f32;
+  Simulation simulation(plate, numerics, {1});
+  simulation.run(60e-6);
+  EXPECT_GT(simulation.state().origin.norm(), 1.0);
+  // Of 36 spacings a float holds 4e-6 spacings.
+  for (const int i : {0, 1, 19}) {
+    const Vec2 wanted = simulation.time() * Vec2(300.0, -200.0);
+    EXPECT_NEAR((simulation.displacement(i, 4) - wanted).norm(), 0.0, 1e-8) << i;
+  }
+}
+
 TEST(Start, GivesEveryMaterialItsMotion) {
   Plate plate = three_materials();
   plate.starts.push_back({{}, Vec2(0, 0), Vec2(3.0, -1.0)});

@@ -37,5 +37,21 @@ TEST(Xdmf, EscapesTheNameOfTheFile) {
   EXPECT_THAT(xdmf(grid, "a&b<c>.h5", {0.0}), testing::HasSubstr("a&amp;b&lt;c&gt;.h5:/records"));
 }
 
+// ParaView counts z, y, x.
+TEST(Xdmf, SaysPlacesAndSizesInTheOrderOfParaView) {
+  const Grid apart{4, 3, 0.25, {2.0, 1.0}};  // m; the first node at 1.625 and 0.75
+  const std::string text = xdmf(apart, "run.h5", {0.0, 1e-6}, true);
+  EXPECT_THAT(text, testing::HasSubstr(">0 0.75 1.625<"));
+  EXPECT_THAT(text, testing::HasSubstr(">0.25 0.25 0.25<"));
+  for (const char* part :
+       {"Name=\"damage\" AttributeType=\"Scalar\"", "Dimensions=\"1 3 4\" NumberType=\"Float\"",
+        "Name=\"displacement\" AttributeType=\"Vector\"",
+        "Dimensions=\"1 3 4 3\" NumberType=\"Float\"", "Name=\"velocity\" AttributeType=\"Vector\"",
+        ">run.h5:/records/0/00000/velocity<", "Name=\"material\" AttributeType=\"Scalar\"",
+        "Dimensions=\"1 3 4\" NumberType=\"UChar\"", ">run.h5:/material<"})
+    EXPECT_THAT(text, testing::HasSubstr(part));
+  EXPECT_THAT(xdmf(apart, "run.h5", {0.0}), testing::Not(testing::HasSubstr("material")));
+}
+
 }  // namespace
 }  // namespace hackle
