@@ -31,5 +31,35 @@ TEST(CommandRun, WithoutSimulationsTheListIsEmpty) {
   EXPECT_EQ(json_of({}, "a.lua").dump(), R"({"schema":1,"script":"a.lua","simulations":[]})");
 }
 
+// What the command line has said reaches the console; no two values are alike.
+TEST(CommandRun, SettingsHaveEveryMemberOfTheRequest) {
+  RunRequest request;
+  request.output_folder = "somewhere";
+  request.overrides = {{"a", "1"}, {"b", "2"}};
+  request.execution.threads = 3;
+  request.execution.instruction_set = InstructionSet::baseline;
+  request.limits.trust = true;
+  request.limits.lua_memory = 5;
+  request.limits.output = 7.0;
+  request.json = true;
+  request.quiet = true;
+  const ConsoleSettings settings = settings_of(request);
+  EXPECT_EQ(settings.purpose, Purpose::results);
+  EXPECT_EQ(settings.output_folder, "somewhere");
+  EXPECT_EQ(settings.overrides, request.overrides);
+  EXPECT_EQ(settings.execution.threads, 3);
+  EXPECT_EQ(settings.execution.instruction_set, InstructionSet::baseline);
+  EXPECT_TRUE(settings.trust);
+  EXPECT_EQ(settings.lua_memory, std::size_t{5} << 20U);
+  EXPECT_EQ(settings.output_limit, 7e9);
+  EXPECT_TRUE(settings.print_to_stderr);
+  EXPECT_FALSE(settings.show_in_terminal);
+  EXPECT_EQ(settings.talk, Talk::quiet);
+  request.json = request.quiet = request.limits.trust = false;
+  EXPECT_FALSE(settings_of(request).print_to_stderr);
+  EXPECT_FALSE(settings_of(request).trust);
+  EXPECT_NE(settings_of(request).talk, Talk::quiet);
+}
+
 }  // namespace
 }  // namespace hackle

@@ -17,6 +17,7 @@
 #include "console/simulation_binding.hpp"
 #include "console/simulation_docs.hpp"
 #include "console/units_binding.hpp"
+#include "render/png.hpp"
 #include "scene/random_cracks.hpp"
 
 namespace hackle {
@@ -146,6 +147,36 @@ TEST_F(Members, OfInclusions) {
   EXPECT_EQ(plate.inclusions[1].material.alphaT, 7.5e-6);
   EXPECT_TRUE(std::holds_alternative<Polygon>(plate.inclusions[2].shape));
   EXPECT_TRUE(std::holds_alternative<Capsule>(plate.inclusions[3].shape));
+}
+
+// Four pixels of four shades: black and dark grey above, light grey and white below.
+TEST_F(Members, OfMasks) {
+  const test::Folder folder;
+  session_.settings.output_folder = folder.path;
+  Image image(2, 2);
+  const std::uint8_t shades[] = {0, 100, 180, 255};
+  for (std::size_t k = 0; k < 16; ++k) image.pixels[k] = k % 4 == 3 ? 255 : shades[k / 4];
+  write_png(image, folder.path / "m.png");
+  const std::string calls =
+      "p:mask { 'm.png', from = {10*mm, 12*mm}, to = {30*mm, 22*mm}, name = 'a' }\n"
+      "p:mask { 'm.png', remove = 'light' }\n"
+      "p:mask { 'm.png', threshold = 0.2 }\n"
+      "p:mask { 'm.png', threshold = 0.8, material = 'alumina' }";
+  expect_all_named(mask_doc, calls);
+  const Plate& plate = plate_after(calls);
+  ASSERT_EQ(plate.cutouts.size(), 4U);
+  ASSERT_EQ(plate.inclusions.size(), 1U);
+  using Cells = std::vector<std::uint8_t>;  // row by row from below
+  const auto bitmap = [](const Shape& shape) { return std::get<Bitmap>(shape); };
+  EXPECT_EQ(bitmap(plate.cutouts[1].shape).inside, (Cells{0, 0, 1, 1}));
+  EXPECT_EQ(bitmap(plate.cutouts[2].shape).inside, (Cells{1, 1, 0, 0}));
+  EXPECT_EQ(bitmap(plate.cutouts[3].shape).inside, (Cells{0, 0, 1, 0}));
+  EXPECT_EQ(bitmap(plate.inclusions[0].shape).inside, (Cells{1, 0, 1, 1}));
+  EXPECT_EQ(plate.inclusions[0].material.alphaT, 7.5e-6);
+  EXPECT_EQ(plate.cutouts[1].name, "a");
+  EXPECT_EQ(plate.cutouts[2].name, "");
+  expect_box(plate.cutouts[1].shape, {10e-3, 12e-3}, {30e-3, 22e-3});
+  expect_box(plate.cutouts[2].shape, {0, 0}, {0.1, 0.04});
 }
 
 TEST_F(Members, OfNotches) {

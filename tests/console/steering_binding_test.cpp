@@ -110,6 +110,27 @@ TEST(On, DamageThatIsThereAlreadyIsSeenAtOnce) {
             "");
 }
 
+// The crack is there from 0 to 50 mm; what is asked for is more, or elsewhere.
+TEST(On, DamageIsThatOfItsAreaAndAboveWhatIsAsked) {
+  EXPECT_EQ(after_scene("s:on { 'damage', above = 0.9, call = function() more = true end }\n"
+                        "s:on { 'damage', edge = 'right', depth = 40*mm,\n"
+                        "       call = function() right = true end }\n"
+                        "s:on { 'damage', edge = 'top', depth = 15*mm,\n"
+                        "       call = function() top = true end }\n"
+                        "s:on { 'damage', centre = {20*mm, 20*mm}, radius = 2*mm,\n"
+                        "       call = function() here = true end }\n"
+                        "s:run(1*us) assert(here and not more and not right and not top)"),
+            "");
+}
+
+TEST(On, SeveralKeepTheirOwnTimes) {
+  EXPECT_EQ(after_scene("one, other = 0, 0\n"
+                        "s:on { 'every', every = 1*us, call = function() one = one + 1 end }\n"
+                        "s:on { 'every', every = 3*us, call = function() other = other + 1 end }\n"
+                        "s:run(9*us) assert(one == 10 and other == 4, one .. ' ' .. other)"),
+            "");
+}
+
 // What a script does between two runs may be done between two steps, to the same bits.
 TEST(On, MayChangeLoads) {
   EXPECT_EQ(

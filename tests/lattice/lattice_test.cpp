@@ -2,6 +2,7 @@
 #include "lattice/lattice.hpp"
 
 #include <numeric>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -146,6 +147,28 @@ TEST(Lattice, ACrackIsBornAsItSays) {
   EXPECT_LT(broken.bonds.count(), whole.bonds.count());
   EXPECT_EQ(broken.bonds_born(), whole.bonds.count());
   EXPECT_EQ(absent.bonds_born(), absent.bonds.count());
+}
+
+// Of the stiffest and the lightest, wherever they stand; contacts stiffen it.
+TEST(Lattice, ItsStepLimitIsThatOfTheWorstThatItHas) {
+  const auto with = [](std::vector<Material> list, std::optional<Contact> contact = {}) {
+    Plate plate = test::bare_plate(30, 20);
+    plate.contact = contact;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const double left = 2e-3 * static_cast<double>(k);
+      plate.inclusions.push_back({rectangle({left, 0}, {left + 2e-3, 10e-3}), list[k]});
+    }
+    return Lattice(plate, test::numerics()).step_limit;
+  };
+  Plate worst = test::bare_plate(30, 20);
+  worst.material = test::steel();
+  worst.material.rho = test::resin().rho;
+  const double wanted = Lattice(worst, test::numerics()).step_limit;
+  EXPECT_DOUBLE_EQ(with({test::steel(), test::resin()}), wanted);
+  EXPECT_DOUBLE_EQ(with({test::resin(), test::steel()}), wanted);
+  EXPECT_GT(with({}), wanted);
+  EXPECT_LT(with({}, Contact{}), with({}));
+  EXPECT_LT(with({}, Contact{30.0, 0.9}), with({}, Contact{15.0, 0.9}));
 }
 
 }  // namespace
