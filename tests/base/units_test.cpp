@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numbers>
 #include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +62,43 @@ TEST(Units, HaveDistinctNamesAndPositiveSizes) {
     EXPECT_GT(unit.factor, 0.0);
   }
   EXPECT_TRUE(names.contains("mm") && names.contains("us") && names.contains("MPa"));
+}
+
+// What a script may write behind a number.
+TEST(Units, AreThoseOfSI) {
+  const std::map<std::string_view, double> sizes{{"m", 1.0},
+                                                 {"cm", 1e-2},
+                                                 {"mm", 1e-3},
+                                                 {"um", 1e-6},
+                                                 {"nm", 1e-9},
+                                                 {"s", 1.0},
+                                                 {"ms", 1e-3},
+                                                 {"us", 1e-6},
+                                                 {"ns", 1e-9},
+                                                 {"Pa", 1.0},
+                                                 {"kPa", 1e3},
+                                                 {"MPa", 1e6},
+                                                 {"GPa", 1e9},
+                                                 {"kg", 1.0},
+                                                 {"g", 1e-3},
+                                                 {"N", 1.0},
+                                                 {"kN", 1e3},
+                                                 {"J", 1.0},
+                                                 {"deg", std::numbers::pi / 180.0}};
+  ASSERT_EQ(units().size(), sizes.size());
+  for (const Unit& unit : units()) EXPECT_DOUBLE_EQ(unit.factor, sizes.at(unit.name)) << unit.name;
+}
+
+// A number and its prefix are the number again.
+TEST(Prefixed, IsTheNumberAgain) {
+  const std::map<char, double> factors{{'T', 1e12}, {'G', 1e9},  {'M', 1e6},  {'k', 1e3},
+                                       {'m', 1e-3}, {'u', 1e-6}, {'n', 1e-9}, {'p', 1e-12}};
+  for (const std::string unit : {"m", "s", "Pa", "J", "J/m3", "B", "m/s"})
+    for (double size = 1e-14; size < 1e14; size *= 10.0) {
+      const PrefixedUnit found = prefixed(size, unit);
+      const double factor = found.name == unit ? 1.0 : factors.at(found.name.front());
+      EXPECT_DOUBLE_EQ(found.factor, factor) << found.name << ' ' << size;
+    }
 }
 
 }  // namespace

@@ -141,5 +141,13 @@ TEST(MovieOutput, EstimatesWhatItsKindTakes) {
   EXPECT_GT(bytes("a.mkv"), 5.0 * bytes("a.mp4"));
 }
 
+// At 25 frames a second, each a microsecond after the one before, a second of the film is 25 us.
+TEST(MovieOutput, SaysHowMuchSlowerItIs) {
+  MovieOptions options;
+  options.every = 1e-6;
+  options.fps = 25.0;
+  EXPECT_DOUBLE_EQ(slow_motion_of(options), 1.0 / 25e-6);
+}
+
 }  // namespace
 }  // namespace hackle

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/strip_chart.hpp"
 
+#include <map>
+#include <string>
+
 #include <gmock/gmock.h>
 
 #include "support/pixels.hpp"
@@ -65,6 +68,18 @@ TEST_F(Strip, SaysWhatItShowsInUnitsThatSuit) {
   EXPECT_THAT(texts, Contains(Field(&PlacedText::text, "30 µs")));
   draw({"energy", "J/m", 1e-3, {{"kinetic", "", {{0.0, 2500.0}}}}}, 0.0);
   EXPECT_THAT(texts, Contains(Field(&PlacedText::text, "energy (kJ/m)")));
+}
+
+// Numbers beside the frame lie as far apart as their values, the lines on them.
+TEST_F(Strip, HasItsNumbersWhereTheirValuesAre) {
+  const Chart chart{"energy", "J/m", 2e-5, {{"kinetic", "", {{0.0, -10.0}, {2e-5, 20.0}}}}};
+  draw(chart, 2e-5);
+  std::map<std::string, double> y;
+  for (const PlacedText& text : texts)
+    if (!y.contains(text.text)) y[text.text] = text.y;  // times come after values
+  ASSERT_TRUE(y.contains("−10") && y.contains("0") && y.contains("10") && y.contains("20"));
+  EXPECT_NEAR(y["−10"] - y["10"], 2.0 * (y["10"] - y["20"]), 2.0);
+  EXPECT_GT(y["−10"], y["20"] + 20.0);
 }
 
 // The line of the present goes to the right as time goes by.
