@@ -20,7 +20,9 @@ class Reference {
 
   // Goes on from the state of `simulation`, in its lattice units, without a history so far.
   explicit Reference(const Simulation& simulation)
-      : step_(simulation.state().step), nx_(simulation.lattice().grid.nx) {
+      : step_(simulation.state().step),
+        nx_(simulation.lattice().grid.nx),
+        late_(simulation.numerics().breaking == Breaking::next_step) {
     const Lattice& lattice = simulation.lattice();
     const Grid& grid = lattice.grid;
     const Real dt = simulation.dt(), dx = grid.dx;
@@ -66,7 +68,7 @@ class Reference {
       const Real length = bond.xi.norm(), ratio = now.norm() / length;
       const Real s = std::sqrt(ratio * ratio - one.heat - other.heat) - 1;
       bond.holds = bond.safe || s <= std::min(s0_[bond.from], s0_[bond.to]);
-      if (!bond.holds) continue;
+      if (!bond.holds && !late_) continue;
       const Vector force = (one.c + other.c) / 2 * bond.unit * s / ((1 + s) * length) * now;
       a[bond.from] += force;
       a[bond.to] -= force;
@@ -112,7 +114,9 @@ class Reference {
     const bool nothing = !lattice.material.empty() && lattice.material[node] == Lattice::void_node;
     const MaterialOnLattice& own =
         lattice.materials[lattice.material.empty() || nothing ? 0 : lattice.material[node]];
-    nodes_.push_back({own.calibration.c, own.material.rho, own.calibration.s0, own.material.alpha});
+    const Real strength = lattice.strength.empty() ? Real(1) : Real(lattice.strength[node]);
+    nodes_.push_back(
+        {own.calibration.c, own.material.rho, strength * own.calibration.s0, own.material.alpha});
   }
 
   void add_bonds(const Simulation& simulation, Real unit, int i, int j) {
@@ -128,6 +132,7 @@ class Reference {
 
   std::int64_t step_;
   int nx_;
+  bool late_;  // a bond found stretched too far pulls once more
   std::vector<Node> nodes_;
   std::vector<Bond> bonds_;
   std::vector<Vector> u_, v_, loads_;
