@@ -209,11 +209,12 @@ int push_hash(lua_State* L) {
 
 int push_energy(lua_State* L) {
   const Energy ledger = energy(simulation_of(L));
-  lua_createtable(L, 0, 7);
+  lua_createtable(L, 0, 8);
   set_number(L, "kinetic", ledger.kinetic);
   set_number(L, "strain", ledger.strain);
   set_number(L, "broken", ledger.broken);
   set_number(L, "damped", ledger.damped);
+  set_number(L, "released", ledger.released);
   set_number(L, "contact", ledger.contact);
   set_number(L, "external", ledger.external);
   set_number(L, "residual", ledger.residual());
@@ -229,7 +230,7 @@ int push_damage(lua_State* L) {
 }
 
 constexpr auto energy_keys = std::to_array<std::string_view>(
-    {"kinetic", "strain", "broken", "damped", "contact", "external", "residual"});
+    {"kinetic", "strain", "broken", "damped", "released", "contact", "external", "residual"});
 constexpr auto damage_keys = std::to_array<std::string_view>({"broken_bonds", "most"});
 
 constexpr std::array fields{
@@ -239,7 +240,8 @@ constexpr std::array fields{
     Property{"dt_limit", "s", "The longest stable time step.", push_dt_limit},
     Property{"nodes", "", "Of the lattice.", push_nodes},
     Property{"bonds", "", "The plate was born with.", push_bonds},
-    Property{"energy", "J/m", "kinetic, strain, broken, damped, contact, external and residual.",
+    Property{"energy", "J/m",
+             "kinetic, strain, broken, damped, released, contact, external and residual.",
              push_energy, energy_keys},
     Property{"damage", "", "broken_bonds since the start, and the most damage of a node.",
              push_damage, damage_keys},

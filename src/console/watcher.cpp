@@ -53,8 +53,8 @@ bool DamageAlarm::due(const Simulation& simulation) {
 
 // What broke in the last step of an earlier run is not news.
 bool BreakAlarm::due(const Simulation& simulation) {
-  if (!start_) start_ = simulation.state().step;
-  return !rung_ && simulation.state().step > *start_ && !simulation.losses().empty();
+  if (!start_) start_ = simulation.time();
+  return !rung_ && simulation.time() > *start_ && !simulation.losses().empty();
 }
 
 }  // namespace hackle

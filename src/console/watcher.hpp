@@ -31,7 +31,7 @@ class Ticker : public Watcher {
 
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override {
-    schedule_.advance();
+    schedule_.advance(simulation);
     Watcher::observe(simulation);
   }
 
@@ -73,7 +73,7 @@ class BreakAlarm : public Watcher {
 
  private:
   bool rung_ = false;
-  std::optional<std::int64_t> start_;  // step
+  std::optional<double> start_;  // s
 };
 
 }  // namespace hackle

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The energy ledger of a simulation: W_external = E_kinetic + E_strain + E_broken + E_damped +
-// E_contact + residual.
+// E_released + E_contact + residual.
 #pragma once
 
 #include "solver/simulation.hpp"
@@ -15,10 +15,14 @@ struct Energy {
   double broken = 0.0;   // the same at s = s0, over the bonds that broke since t = 0: what the
                         // fracture energy G0 charges for them. Cuts made by the scene cost nothing.
   double damped = 0.0;    // kinetic energy taken by damping
+  double released = 0.0;  // given off where a plate jumps from one state at rest to another, or is
+                          // brought to rest: what would have become motion, and was taken away
   double contact = 0.0;   // stored where faces and fragments touch
   double external = 0.0;  // work done by loads, supports and impactors, what the start gave, and by
                           // how much changes of temperature raised the strain energy
-  double residual() const { return external - kinetic - strain - broken - damped - contact; }
+  double residual() const {
+    return external - kinetic - strain - broken - damped - released - contact;
+  }
 };
 
 Energy energy(const Simulation& simulation);

@@ -26,7 +26,7 @@ void MovieOutput::observe(const Simulation& simulation) {
     file_.begin();
     painting_ = std::make_unique<Worker<Work>>(waiting_shots, [this](const Work& w) { paint(w); });
   }
-  schedule_.advance();
+  schedule_.advance(simulation);
   hand_over(shot_of(options_.picture, simulation));
 }
 

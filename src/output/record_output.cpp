@@ -18,7 +18,7 @@ RecordOutput::RecordOutput(std::filesystem::path path, const RecordOptions& opti
 
 void RecordOutput::observe(const Simulation& simulation) {
   const Stopwatch watch(store_seconds_);
-  schedule_.advance();
+  schedule_.advance(simulation);
   failed_ = true;  // unless the end of this function is reached
   if (!file_) {
     make_folder_of(path_);

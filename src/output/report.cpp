@@ -69,9 +69,10 @@ std::string damage_line(const Summary& summary) {
 std::string energy_line(const Energy& energy) {
   const double share = energy.external != 0.0 ? 100.0 * energy.residual() / energy.external : 0.0;
   return fmt::format(
-      "{:.4g} J/m put in = {:.4g} kinetic + {:.4g} strain + {:.4g} broken{}{}; residual {:.2g} %",
+      "{:.4g} J/m put in = {:.4g} kinetic + {:.4g} strain + {:.4g} broken{}{}{}; residual {:.2g} %",
       energy.external, energy.kinetic, energy.strain, energy.broken,
       energy.damped > 0.0 ? fmt::format(" + {:.4g} damped", energy.damped) : "",
+      energy.released != 0.0 ? fmt::format(" + {:.4g} released", energy.released) : "",
       energy.contact > 0.0 ? fmt::format(" + {:.4g} in contacts", energy.contact) : "", share);
 }
 

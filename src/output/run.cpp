@@ -70,8 +70,7 @@ struct Run::Parts {
   // Time passes, and nothing else does.
   void arrive() {
     State state = simulation.state();
-    const auto end =
-        static_cast<std::int64_t>(std::ceil(simulation.end_time() / simulation.dt() - 1e-9));
+    const std::int64_t end = simulation.last_step();
     rehearsed_steps += end - state.step;
     if (rehearsed_steps > most_rehearsed)
       throw Error(ErrorKind::refused,
@@ -173,6 +172,7 @@ void Run::watch(std::shared_ptr<Observer> watcher) {
 
 void Run::stop() {
   if (under_way()) parts_->simulation.stop();
+  parts_->simulation.break_off();  // from slow loading
 }
 
 Run::Run(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {
@@ -280,8 +280,7 @@ void Run::step(std::int64_t count) {
   check_open("step");
   check_arrived("step");
   const Simulation& simulation = parts_->simulation;
-  run(static_cast<double>(simulation.state().step + count) * simulation.dt() -
-      simulation.end_time());
+  run(simulation.time_at(simulation.state().step + count) - simulation.end_time());
 }
 
 RelaxResult Run::relax(double tolerance) {
@@ -303,6 +302,10 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
   check_arrived("quasistatic");
   parts_->outputs.check_room(parts_->simulation, duration, increments + 1LL);
   if (parts_->rehearsing) return {};
+  std::vector<Observer*> observers = parts_->outputs.observers();
+  std::deque<Watched> watched;
+  for (const auto& watcher : parts_->watchers)
+    observers.push_back(&watched.emplace_back(watcher, parts_->activity));
   const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);
   const auto show = [&](double fraction, int increment, int pass, std::int64_t broken) {
@@ -310,8 +313,7 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
       progress.show(fraction, fmt::format("increment {} of {}  pass {}  {} bonds broken", increment,
                                           increments, pass, grouped(broken)));
   };
-  return parts_->simulation.load_slowly({duration, increments, tolerance, show},
-                                        parts_->outputs.observers());
+  return parts_->simulation.load_slowly({duration, increments, tolerance, show}, observers);
 }
 
 void Run::close() {

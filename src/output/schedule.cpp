@@ -24,6 +24,11 @@ bool Schedule::reached(const Simulation& simulation) const {
   return simulation.time() + 0.5 * simulation.dt() > moment;
 }
 
+void Schedule::advance(const Simulation& simulation) {
+  const double passed = (simulation.time() - 0.5 * simulation.dt() - start_) / every_;
+  next_ = std::max(next_ + 1, static_cast<std::int64_t>(std::ceil(passed)));
+}
+
 std::int64_t Schedule::moments(double until, std::int64_t most_more) const {
   constexpr double countless = 1e18;
   const double all = std::floor((until - start_) / every_ + 1e-9) + 1.0;

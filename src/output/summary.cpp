@@ -14,10 +14,10 @@ nlohmann::ordered_json to_json(const StageSeconds& wall) {
 }
 
 nlohmann::ordered_json to_json(const Energy& energy) {
-  return {{"kinetic", energy.kinetic},    {"strain", energy.strain},
-          {"broken", energy.broken},      {"damped", energy.damped},
-          {"contact", energy.contact},    {"external", energy.external},
-          {"residual", energy.residual()}};
+  return {{"kinetic", energy.kinetic},   {"strain", energy.strain},
+          {"broken", energy.broken},     {"damped", energy.damped},
+          {"released", energy.released}, {"contact", energy.contact},
+          {"external", energy.external}, {"residual", energy.residual()}};
 }
 
 nlohmann::ordered_json to_json(const std::vector<Stage>& stages) {

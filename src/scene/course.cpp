@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +12,20 @@
 #include "base/units.hpp"
 
 namespace hackle {
+namespace {
+
+template <class Function>
+double gauss_mean(const Function& function, double from, double to) {
+  constexpr int pieces = 16;
+  const double aside = 0.5 / std::numbers::sqrt3;  // of the middle of a piece
+  double sum = 0.0;
+  for (int k = 0; k < pieces; ++k)
+    for (const double place : {k + 0.5 - aside, k + 0.5 + aside})
+      sum += function(from + (to - from) * place / pieces);
+  return sum / (2 * pieces);
+}
+
+}  // namespace
 
 Course::Course(std::vector<Vec2> points) : points_(std::move(points)) {
 }
@@ -35,6 +50,20 @@ double Course::at(double t) const {
   if (next == points_.end()) return before.y();
   const double share = (t - before.x()) / (next->x() - before.x());
   return before.y() + share * (next->y() - before.y());
+}
+
+double Course::mean(double from, double to) const {
+  if (!(to > from)) return at(from);
+  if (is_function()) return gauss_mean([this](double t) { return at(t); }, from, to);
+  // Between two moments in a row it is straight, seen from their middle: jumps are at the moments.
+  std::vector<double> moments{from};
+  for (const Vec2& point : points_)
+    if (point.x() > from && point.x() < to) moments.push_back(point.x());
+  moments.push_back(to);
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 1 < moments.size(); ++k)
+    sum += (moments[k + 1] - moments[k]) * at(0.5 * (moments[k] + moments[k + 1]));
+  return sum / (to - from);
 }
 
 std::string Course::describe() const {

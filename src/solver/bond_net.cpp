@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
-#include <variant>
 
 namespace hackle {
 namespace {
@@ -12,12 +12,14 @@ namespace {
 // Two nodes that meet must not divide by zero; as in the kernels.
 constexpr double no_length = 1e-12;
 
-// Quantities of a deformed bond: y = xi + h, e = (|y|/L)^2 - 1 without cancellation.
+// Quantities of a deformed bond: y = xi + h, e = (|y|/L)^2 - 1 without cancellation, less the
+// thermal part.
 struct Deformed {
-  Deformed(const Vec2& xi, double inverse_length, const Vec2& h)
+  Deformed(const Vec2& xi, double inverse_length, const Vec2& h, double heat)
       : y(xi + h),
         e((h.x() * (h.x() + 2.0 * xi.x()) + h.y() * (h.y() + 2.0 * xi.y())) *
-          (inverse_length * inverse_length)),
+              (inverse_length * inverse_length) -
+          heat),
         squared(std::max(1.0 + e, no_length)),
         ratio(std::sqrt(squared)) {}
 
@@ -30,10 +32,24 @@ struct Deformed {
 
 }  // namespace
 
-BondNet::BondNet(const Lattice& lattice, const State& state, Threads threads)
+NodeVectors displacements_of(const State& state) {
+  NodeVectors u(state.layout);
+  for (int j = 0; j < state.layout.ny; ++j)
+    for (int i = 0; i < state.layout.nx; ++i) {
+      const auto at = static_cast<std::size_t>(state.layout.at(i, j));
+      const Vec2 value = state.u(i, j);
+      u.x[at] = value.x();
+      u.y[at] = value.y();
+    }
+  return u;
+}
+
+BondNet::BondNet(const Lattice& lattice, const State& state, Threads threads,
+                 std::span<const double> heat)
     : lattice_(&lattice),
       state_(&state),
       threads_(std::move(threads)),
+      heat_(heat),
       unit_(lattice.calibration.c * lattice.grid.dx * lattice.grid.dx) {
   lattice.family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int bit) {
     if (a >= 0) images_.push_back(kept_.size());
@@ -45,6 +61,12 @@ bool BondNet::holds(int i, int j, const Kept& bond) const {
   return state_->bonds.holds(layout().at(i, j), bond.bit);
 }
 
+bool BondNet::has_bonds(int i, int j) const {
+  bool any = false;
+  for_each_neighbour(i, j, [&](int, int) { any = true; });
+  return any;
+}
+
 double BondNet::strength_of(int i, int j, const Kept& bond) const {
   if (lattice_->material.empty()) return bond.weight;
   const double sum = lattice_->material_at(i, j).calibration.c +
@@ -52,17 +74,25 @@ double BondNet::strength_of(int i, int j, const Kept& bond) const {
   return bond.weight * (0.5 * sum / lattice_->calibration.c);
 }
 
+double BondNet::heat_of(int i, int j, const Kept& bond) const {
+  if (heat_.empty()) return 0.0;
+  const Grid& grid = lattice_->grid;
+  return heat_[grid.index(i, j)] + heat_[grid.index(i + bond.a, j + bond.b)];
+}
+
 Vec2 BondNet::force_of(const NodeVectors& u, int i, int j, const Kept& bond) const {
   const auto from = static_cast<std::size_t>(layout().at(i, j));
   const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
-  const Deformed deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]});
+  const Deformed deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]},
+                          heat_of(i, j, bond));
   return (strength_of(i, j, bond) * bond.inverse_length * deformed.g()) * deformed.y;
 }
 
 double BondNet::stretch_of(const NodeVectors& u, int i, int j, const Kept& bond) const {
   const auto from = static_cast<std::size_t>(layout().at(i, j));
   const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
-  return Deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]})
+  return Deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]},
+                  heat_of(i, j, bond))
       .stretch();
 }
 
@@ -70,7 +100,8 @@ Stiffness BondNet::stiffness_of(const NodeVectors& u, int i, int j, const Kept& 
                                 Tangent tangent) const {
   const auto from = static_cast<std::size_t>(layout().at(i, j));
   const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
-  const Deformed deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]});
+  const Deformed deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]},
+                          heat_of(i, j, bond));
   const double pull = strength_of(i, j, bond) * bond.inverse_length;
   const double across =
       pull * (tangent == Tangent::positive ? std::max(deformed.g(), 0.0) : deformed.g());
@@ -231,38 +262,60 @@ void BondNet::apply_row(const NodeVectors& p, NodeVectors& result, int j) const 
   }
 }
 
-// A history has moved the thresholds of the state; otherwise they are those of the scene.
-double BondNet::critical_stretch(int i, int j) const {
-  const auto at = static_cast<std::size_t>(layout().at(i, j));
-  const double moved = std::visit(
-      [at](const auto& m) {
-        return m.threshold.empty() ? -1.0 : static_cast<double>(m.threshold[at]);
-      },
-      state_->motion);
-  if (moved >= 0.0) return std::sqrt(1.0 + moved) - 1.0;
-  const double s0 = lattice_->material_at(i, j).calibration.s0;
-  if (lattice_->strength.empty()) return s0;
-  return s0 * static_cast<double>(lattice_->strength[lattice_->grid.index(i, j)]);
+// As the kernels do, for the step to come; where no bond holds there is no history.
+double BondNet::critical_stretch(const NodeVectors& u, int i, int j) const {
+  const double own = lattice_->critical_stretch_at(i, j);
+  if (lattice_->is_void(i, j)) return own;
+  const double alpha = lattice_->material_at(i, j).material.alpha;
+  if (alpha == 0.0) return own;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Kept& bond : kept_)
+    for (const int side : {0, 1}) {
+      const int from_i = i - side * bond.a, from_j = j - side * bond.b;
+      if (!lattice_->grid.contains(from_i, from_j) || !holds(from_i, from_j, bond)) continue;
+      least = std::min(least, stretch_of(u, from_i, from_j, bond));
+    }
+  return std::isfinite(least) ? std::max(own - alpha * least, -1.0) : own;
 }
 
-void BondNet::add_stretches_of_row(const NodeVectors& u, int j, Stretches& sum) const {
-  for (int i = 0; i < lattice_->grid.nx; ++i)
+std::vector<double> BondNet::critical_stretches(const NodeVectors& u) const {
+  const Grid& grid = lattice_->grid;
+  std::vector<double> critical(grid.nodes());
+  for_rows(threads_, grid.ny, [&](int j) {
+    for (int i = 0; i < grid.nx; ++i) critical[grid.index(i, j)] = critical_stretch(u, i, j);
+  });
+  return critical;
+}
+
+// A history may leave no stretch that a bond bears; the ratio stays a number.
+void BondNet::add_stretches_of_row(const NodeVectors& u, const std::vector<double>& critical, int j,
+                                   Stretches& sum) const {
+  constexpr double least_share = 1e-6;
+  const Grid& grid = lattice_->grid;
+  for (int i = 0; i < grid.nx; ++i)
     for (const Kept& bond : kept_) {
       const std::ptrdiff_t at = layout().at(i, j);
       if (!holds(i, j, bond)) continue;
       if (!lattice_->unbreakable.empty() && lattice_->unbreakable.holds(at, bond.bit)) continue;
-      const double critical =
-          std::min(critical_stretch(i, j), critical_stretch(i + bond.a, j + bond.b));
-      const double ratio = stretch_of(u, i, j, bond) / critical;
+      const double s0 = std::min(lattice_->critical_stretch_at(i, j),
+                                 lattice_->critical_stretch_at(i + bond.a, j + bond.b));
+      const double moved =
+          std::min(critical[grid.index(i, j)], critical[grid.index(i + bond.a, j + bond.b)]);
+      const double s = stretch_of(u, i, j, bond), ratio = s / std::max(moved, least_share * s0);
       sum.most = std::max(sum.most, ratio);
-      if (ratio > 1.0) sum.beyond.push_back({at, bond.bit, ratio});
+      if (ratio > 1.0)
+        sum.beyond.push_back(
+            {at, bond.bit, ratio,
+             0.5 * strength_of(i, j, bond) * (s * s - s0 * s0) / bond.inverse_length});
     }
 }
 
 Stretches BondNet::stretches(const NodeVectors& u) const {
+  const std::vector<double> critical = critical_stretches(u);
   std::vector<Stretches> of_row(static_cast<std::size_t>(lattice_->grid.ny));
-  for_rows(threads_, lattice_->grid.ny,
-           [&](int j) { add_stretches_of_row(u, j, of_row[static_cast<std::size_t>(j)]); });
+  for_rows(threads_, lattice_->grid.ny, [&](int j) {
+    add_stretches_of_row(u, critical, j, of_row[static_cast<std::size_t>(j)]);
+  });
   Stretches all;
   for (const Stretches& row : of_row) {
     all.most = std::max(all.most, row.most);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lattice/lattice.hpp"
@@ -24,8 +25,12 @@ struct Stiffness {
 struct Overstretched {
   std::ptrdiff_t at = 0;  // place of the node that keeps it
   int bit = 0;
-  double ratio = 0.0;  // of its stretch to the critical one, above 1
+  double ratio = 0.0;   // of its stretch to the critical one, above 1
+  double excess = 0.0;  // of its energy over that at the critical stretch of the scene, c dx5
 };
+
+// In dx, without the state's origin.
+NodeVectors displacements_of(const State& state);
 
 // Compression (g < 0) takes from the stiffness across a bond, so that the exact tangent may have
 // motions of negative stiffness. Without that it is positive, and wrong by no more than the
@@ -39,11 +44,25 @@ struct Stretches {
 
 class BondNet {
  public:
-  // Of the bonds that hold in `state`. Both must outlive it.
-  BondNet(const Lattice& lattice, const State& state, Threads threads);
+  // Of the bonds that hold in `state`, where nodes are strained by `heat` (by Grid::index; empty
+  // means 0). All must outlive it.
+  BondNet(const Lattice& lattice, const State& state, Threads threads,
+          std::span<const double> heat = {});
 
   const NodeLayout& layout() const { return state_->layout; }
+  const Lattice& lattice() const { return *lattice_; }
   const Threads& threads() const { return threads_; }
+
+  bool has_bonds(int i, int j) const;
+  // Calls work(k, l) for every node (k, l) to which a bond of node (i, j) holds.
+  template <class Work>
+  void for_each_neighbour(int i, int j, const Work& work) const {
+    for (const Kept& bond : kept_) {
+      if (holds(i, j, bond)) work(i + bond.a, j + bond.b);
+      const int k = i - bond.a, l = j - bond.b;
+      if (lattice_->grid.contains(k, l) && holds(k, l, bond)) work(k, l);
+    }
+  }
 
   // The force of all bonds on every node.
   void forces(const NodeVectors& u, NodeVectors& force) const;
@@ -53,10 +72,28 @@ class BondNet {
   void linearise(const NodeVectors& u, Tangent tangent);
   // The change of the forces when u changes by p, to first order. linearise() was called.
   void apply_row(const NodeVectors& p, NodeVectors& result, int j) const;
+  // Calls work(one, other, stiffness) for every bond that holds; ends by Grid::index.
+  template <class Work>
+  void for_each_stiffness(const Work& work) const {
+    const Grid& grid = lattice_->grid;
+    for (int j = 0; j < grid.ny; ++j)
+      for (std::size_t k = 0; k < kept_.size(); ++k) {
+        const float *xx = slice(j, k, 0), *xy = slice(j, k, 1), *yy = slice(j, k, 2);
+        for (int i = 0; i < grid.nx; ++i) {
+          if (!holds(i, j, kept_[k])) continue;
+          const std::ptrdiff_t at = layout().at(i, 0);
+          work(grid.index(i, j), grid.index(i + kept_[k].a, j + kept_[k].b),
+               Stiffness{xx[at], xy[at], yy[at]});
+        }
+      }
+  }
   // Sum of the stiffnesses of a node's bonds.
   Stiffness own_stiffness(int i, int j) const;
 
-  // How far bonds are stretched, those of no-fail zones apart.
+  // The critical stretch of every node, by Grid::index: where its material has a history, moved by
+  // the least stretch of its bonds at u (paper Eq. 11). A bond breaks by the lesser of its ends.
+  std::vector<double> critical_stretches(const NodeVectors& u) const;
+  // How far bonds are stretched beyond that, those of no-fail zones apart.
   Stretches stretches(const NodeVectors& u) const;
 
   // dx, c dx^2 in N/m3.
@@ -74,9 +111,11 @@ class BondNet {
   bool holds(int i, int j, const Kept& bond) const;
   // Micromodulus times weight, over that of the plate's own material: of the mean of both ends.
   double strength_of(int i, int j, const Kept& bond) const;
-  double critical_stretch(int i, int j) const;
+  double heat_of(int i, int j, const Kept& bond) const;
+  double critical_stretch(const NodeVectors& u, int i, int j) const;
   Vec2 force_of(const NodeVectors& u, int i, int j, const Kept& bond) const;
-  void add_stretches_of_row(const NodeVectors& u, int j, Stretches& sum) const;
+  void add_stretches_of_row(const NodeVectors& u, const std::vector<double>& critical, int j,
+                            Stretches& sum) const;
   double stretch_of(const NodeVectors& u, int i, int j, const Kept& bond) const;
   Stiffness stiffness_of(const NodeVectors& u, int i, int j, const Kept& bond,
                          Tangent tangent) const;
@@ -89,6 +128,7 @@ class BondNet {
   const Lattice* lattice_;
   const State* state_;
   Threads threads_;
+  std::span<const double> heat_;
   double unit_;
   std::vector<Kept> kept_;
   std::vector<std::size_t> images_;  // first of kept_ of each class of mirror images

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "solver/bond_net.hpp"
 #include "solver/kernel_tables.hpp"
 
 namespace hackle {
@@ -189,9 +190,26 @@ void Engine<Real>::let_lead(KernelData<Real>& data) {
 template <class Real>
 void Engine<Real>::prepare(const Lattice& lattice, State& state) {
   auto& motion = std::get<Motion<Real>>(state.motion);
-  if (features_.history && motion.threshold.empty()) motion.threshold = threshold_;
+  if (features_.history && (motion.threshold.empty() || state.is_start()))
+    motion.threshold = thresholds_of(lattice, state);
   find_intact(lattice, state.bonds);
   survey(lattice, motion, state);
+}
+
+template <class Real>
+Values<Real> Engine<Real>::thresholds_of(const Lattice& lattice, const State& state) const {
+  std::vector<double> heat;
+  for (int j = 0; j < layout_.ny && features_.heated; ++j)
+    for (int i = 0; i < layout_.nx; ++i)
+      heat.push_back(static_cast<double>(heat_[static_cast<std::size_t>(layout_.at(i, j))]));
+  const std::vector<double> critical =
+      BondNet(lattice, state, threads_, heat).critical_stretches(displacements_of(state));
+  Values<Real> threshold = threshold_;
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i)
+      threshold[static_cast<std::size_t>(layout_.at(i, j))] =
+          static_cast<Real>(threshold_of(critical[lattice.grid.index(i, j)]));
+  return threshold;
 }
 
 template <class Real>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "solver/kernel.hpp"
@@ -40,7 +41,8 @@ class Engine {
   LeadWork work_of_leads() const;
 
   // `lattice` is the one it was made for. To be called before the first step, and whenever a state
-  // is not the one that step() left. Gives a state without thresholds those of an untouched plate.
+  // is not the one that step() left. A state at its start gets the thresholds that follow from its
+  // displacements, as if it had been there a step earlier.
   void prepare(const Lattice& lattice, State& state);
 
   // u, v, bonds and thresholds go on by one step; the rest of the state is the caller's.
@@ -50,8 +52,9 @@ class Engine {
   void accelerations(const Lattice& lattice, const State& state, Values<Real>& ax,
                      Values<Real>& ay);
 
-  // The bonds that broke in the last step.
+  // The bonds that broke in the last step, or those that broke in another way.
   const std::vector<Loss>& losses() const { return losses_; }
+  void note_losses(std::vector<Loss> losses) { losses_ = std::move(losses); }
   const PathCounts& path_counts() const { return path_counts_; }
   std::size_t bytes() const;  // of all that grows with the plate
 
@@ -62,6 +65,7 @@ class Engine {
   void let_lead(KernelData<Real>& data);
   void advance(const KernelData<Real>& data);
   void set_thresholds(const Lattice& lattice);
+  Values<Real> thresholds_of(const Lattice& lattice, const State& state) const;
   void set_materials(const Lattice& lattice);
   void survey(const Lattice& lattice, Motion<Real>& motion, const State& state);
   void find_intact(const Lattice& lattice, const BondBits& bonds);

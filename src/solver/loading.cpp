@@ -42,7 +42,7 @@ double shift_of(Support::Kind kind) {
 
 }  // namespace
 
-void Amplitude::tabulate(std::int64_t begin, std::int64_t end, double dt) {
+void Amplitude::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt) {
   if (!course_.is_function() || begin >= end) return;
   if (end - begin > most_tabulated)
     throw Error(ErrorKind::refused,
@@ -50,16 +50,18 @@ void Amplitude::tabulate(std::int64_t begin, std::int64_t end, double dt) {
                             "{:.0e} are the most",
                             static_cast<double>(end - begin), static_cast<double>(most_tabulated)),
                 "run in pieces, or give a table of times and factors");
+  clock_ = clock;
   first_ = begin;
   table_.clear();
   table_.reserve(static_cast<std::size_t>(end - begin));
-  for (std::int64_t step = begin; step < end; ++step) table_.push_back(evaluate(step, dt));
+  for (std::int64_t step = begin; step < end; ++step) table_.push_back(evaluate(clock, step, dt));
 }
 
-double Amplitude::at(std::int64_t step, double dt) const {
+double Amplitude::at(const Clock& clock, std::int64_t step, double dt) const {
   const std::int64_t place = step - first_;
-  if (place >= 0 && place < std::ssize(table_)) return table_[static_cast<std::size_t>(place)];
-  return evaluate(step, dt);
+  if (place >= 0 && place < std::ssize(table_) && clock == clock_)
+    return table_[static_cast<std::size_t>(place)];
+  return evaluate(clock, step, dt);
 }
 
 Loading::Loading(const Plate& plate, const Lattice& lattice, double dt)
@@ -114,9 +116,9 @@ void Loading::add(const std::vector<SpreadSupport>& supports, const Lattice& lat
   }
 }
 
-void Loading::tabulate(std::int64_t begin, std::int64_t end) {
-  for (Force& part : parts_) part.amplitude.tabulate(begin, end, dt_);
-  for (Lead& part : leads_) part.amplitude.tabulate(begin, end, dt_);
+void Loading::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end) {
+  for (Force& part : parts_) part.amplitude.tabulate(clock, begin, end, dt_);
+  for (Lead& part : leads_) part.amplitude.tabulate(clock, begin, end, dt_);
 }
 
 void Loading::begin(const Lattice& lattice, State& state) {
@@ -138,8 +140,8 @@ bool Loading::update(const Lattice& lattice, const State& state, LoadSeconds& se
   const Stopwatch all(seconds.all);
   const bool changed = std::exchange(fresh_, false) || varies_;
   if (changed) {
-    sum_forces(state.step);
-    lead(state, state.step, true);
+    sum_forces([&](const Force& part) { return part.amplitude.at(state.clock, state.step, dt_); });
+    lead(state, [&](const Lead& part) { return part.amplitude.at(state.clock, state.step, dt_); });
   }
   const bool touched = touch(lattice, state, seconds);
   if (!changed && !touched) return false;
@@ -175,28 +177,33 @@ void Loading::add_work(const Lattice& lattice, const State& state, double& work)
       work += load.inertia * unit * load.acceleration.dot(state.v(load.i, load.j));
 }
 
-// The displacement at the end of the step before is that of now.
-void Loading::halt(const State& state) {
+void Loading::halt(const State& state, double passed) {
+  const double now = state.clock.time(state.step, 0.0, dt_);
   fresh_ = true;
-  sum_forces(state.step);
+  sum_forces([&](const Force& part) { return part.amplitude.course().at(now); });
   all_ = forces_;
-  lead(state, state.step - 1, false);
+  lead(state, [&](const Lead& part) {
+    const Course& course = part.amplitude.course();
+    if (part.kind == Support::Kind::displacement) return course.at(now);
+    return passed > 0.0 ? passed / dt_ * course.mean(now - passed, now) : 0.0;
+  });
 }
 
-void Loading::sum_forces(std::int64_t step) {
+template <class Factor>
+void Loading::sum_forces(const Factor& factor_of) {
   for (LoadedNode& node : forces_) node.acceleration = {0, 0};
   for (const Force& part : parts_) {
-    const double factor = part.amplitude.at(step, dt_);
+    const double factor = factor_of(part);
     for (std::size_t k = 0; k < part.at.size(); ++k)
       forces_[part.at[k]].acceleration += factor * part.acceleration[k];
   }
 }
 
 // Where several supports hold a node along one axis, the last one does.
-void Loading::lead(const State& state, std::int64_t step, bool moving) {
+template <class Factor>
+void Loading::lead(const State& state, const Factor& factor_of) {
   for (const Lead& part : leads_) {
-    const bool rests = !moving && part.kind == Support::Kind::velocity;
-    const double factor = rests ? 0.0 : part.amplitude.at(step, dt_);
+    const double factor = factor_of(part);
     for (std::size_t k = 0; k < part.at.size(); ++k) {
       LedNode& node = led_[part.at[k]];
       Vec2 move = factor * part.value[k];

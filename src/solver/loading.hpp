@@ -18,22 +18,24 @@ namespace hackle {
 // A factor of time, asked at the steps of a run.
 class Amplitude {
  public:
-  // At step n the factor at the time (n + `shift`) dt holds.
+  // In a step the factor holds of the time when `shift` of it is over.
   Amplitude(Course course, double shift) : course_(std::move(course)), shift_(shift) {}
 
   bool is_constant() const { return course_.is_constant(); }
   // Asks a function for the steps begin <= n < end, so that at() need not. Throws Error (refused)
   // for more than 1e8 of them.
-  void tabulate(std::int64_t begin, std::int64_t end, double dt);
-  double at(std::int64_t step, double dt) const;
+  void tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt);
+  double at(const Clock& clock, std::int64_t step, double dt) const;
+  const Course& course() const { return course_; }
 
  private:
-  double evaluate(std::int64_t step, double dt) const {
-    return course_.at((static_cast<double>(step) + shift_) * dt);
+  double evaluate(const Clock& clock, std::int64_t step, double dt) const {
+    return course_.at(clock.time(step, shift_, dt));
   }
 
   Course course_;
   double shift_;
+  Clock clock_;             // of the table
   std::int64_t first_ = 0;  // step of table_[0]
   std::vector<double> table_;
 };
@@ -63,7 +65,7 @@ class Loading {
   Loading(const Plate& plate, const Lattice& lattice, double dt);
 
   // Functions of time are asked now for all steps begin <= n < end. Throws what they throw.
-  void tabulate(std::int64_t begin, std::int64_t end);
+  void tabulate(const Clock& clock, std::int64_t begin, std::int64_t end);
 
   // Takes up a state that is not the one of the last step: bonds, and the discs that it does not
   // have yet. Throws what Impact::begin throws.
@@ -73,10 +75,11 @@ class Loading {
               LoadSeconds& seconds);
   // Finds what acts in the step that begins with this state. True when it is not what it was.
   bool update(const Lattice& lattice, const State& state, LoadSeconds& seconds);
-  // Finds what acts on a plate that stands still at the time of u: displacements are those of this
-  // moment, and nodes that are led at a velocity stay where they are; without contacts and
-  // impacts. update() must follow before the next step, and says true then.
-  void halt(const State& state);
+  // Finds what acts on a plate that stands still at the time of u: loads and displacements of this
+  // very moment, whatever the step; without contacts and impacts. Nodes that are led at a velocity
+  // go as far as that makes in the time that has `passed` since they were where they are, s.
+  // update() must follow before the next step, and says true then.
+  void halt(const State& state, double passed);
 
   // Each node once, ordered by index.
   const std::vector<LoadedNode>& forces() const { return all_; }
@@ -107,10 +110,11 @@ class Loading {
 
   void add(const std::vector<SpreadForce>& forces, const Grid& grid);
   void add(const std::vector<SpreadSupport>& supports, const Lattice& lattice);
-  void sum_forces(std::int64_t step);
+  template <class Factor>
+  void sum_forces(const Factor& factor);
   bool touch(const Lattice& lattice, const State& state, LoadSeconds& seconds);
-  // To where displacements are in the step, and at the velocities, or at none.
-  void lead(const State& state, std::int64_t step, bool moving);
+  template <class Factor>
+  void lead(const State& state, const Factor& factor);
 
   double dt_;
   std::vector<Force> parts_;

@@ -5,14 +5,15 @@
 
 namespace hackle {
 
-std::int64_t break_worst(const std::vector<Overstretched>& beyond, BondBits& bonds) {
+Breakage break_worst(const std::vector<Overstretched>& beyond, BondBits& bonds) {
   double most = 0.0;
   for (const Overstretched& bond : beyond) most = std::max(most, bond.ratio);
-  std::int64_t broken = 0;
+  Breakage broken;
   for (const Overstretched& bond : beyond) {
     if (bond.ratio < breaking_share * most) continue;
     bonds.clear(bond.at, bond.bit);
-    ++broken;
+    broken.losses.push_back({bond.at, bond.bit / 32, std::uint32_t{1} << (bond.bit % 32)});
+    broken.excess += bond.excess;
   }
   return broken;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/kernel.hpp"
 #include "solver/relaxation.hpp"
 
 namespace hackle {
@@ -34,7 +35,12 @@ struct QuasistaticResult {
 // critical stretch as the worst of them: the others may be relieved by that.
 inline constexpr double breaking_share = 0.9;
 
-// Breaks these bonds. Returns how many.
-std::int64_t break_worst(const std::vector<Overstretched>& beyond, BondBits& bonds);
+struct Breakage {
+  std::vector<Loss> losses;
+  double excess = 0.0;  // Overstretched::excess of all: given off
+};
+
+// Breaks the worst of these bonds.
+Breakage break_worst(const std::vector<Overstretched>& beyond, BondBits& bonds);
 
 }  // namespace hackle

@@ -19,18 +19,6 @@ constexpr int most_newton_steps = 40;
 constexpr int most_halvings = 10;
 constexpr double share_of_step = 1e-4;  // what a step may leave: the next one starts from there
 
-NodeVectors displacements(const State& state) {
-  NodeVectors u(state.layout);
-  for (int j = 0; j < state.layout.ny; ++j)
-    for (int i = 0; i < state.layout.nx; ++i) {
-      const auto at = static_cast<std::size_t>(state.layout.at(i, j));
-      const Vec2 value = state.u(i, j);
-      u.x[at] = value.x();
-      u.y[at] = value.y();
-    }
-  return u;
-}
-
 // 0 where a node is led.
 NodeVectors mobile_of(const NodeLayout& layout, const Loading& loading) {
   NodeVectors mobile(layout);
@@ -47,27 +35,29 @@ NodeVectors mobile_of(const NodeLayout& layout, const Loading& loading) {
   return mobile;
 }
 
-[[noreturn]] void fail(const RelaxResult& result) {
+[[noreturn]] void fail(const RelaxResult& result, const std::string& who) {
   throw Error(ErrorKind::run_failed,
-              fmt::format("relax: no equilibrium is found; after {} Newton steps {:.2g} of the "
+              fmt::format("{}: no equilibrium is found; after {} Newton steps {:.2g} of the "
                           "largest force is not in balance",
-                          result.newton_steps, result.residual),
+                          who, result.newton_steps, result.residual),
               "the plate may not bear these loads: try smaller ones, or hold it by a support");
 }
 
 }  // namespace
 
 Relaxation::Relaxation(const Lattice& lattice, const State& state, const Loading& loading,
-                       const Threads& threads)
+                       std::span<const double> heat, const Threads& threads)
     : lattice_(&lattice),
-      net_(lattice, state, threads),
-      u_(displacements(state)),
+      state_(&state),
+      net_(lattice, state, threads, heat),
+      u_(displacements_of(state)),
       load_(state.layout),
       mobile_(mobile_of(state.layout, loading)),
       move_(state.layout),
       residual_(state.layout),
       pieces_(lattice, state, mobile_, threads) {
-  take_loads(loading);
+  take_loads(loading.forces(), load_);
+  take_leads(loading);
   const auto degree = degrees(lattice.grid, lattice.family, state.bonds);
   for (int j = 0; j < lattice.grid.ny; ++j)
     for (int i = 0; i < lattice.grid.nx; ++i) {
@@ -77,33 +67,45 @@ Relaxation::Relaxation(const Lattice& lattice, const State& state, const Loading
     }
   for (int j = 0; j < lattice.grid.ny; ++j)
     largest_load_ = std::max(largest_load_, largest_of_row(state.layout, load_, j));
+  before_ = {u_, NodeVectors(state.layout), load_};
+  net_.forces(u_, before_.pull);
 }
 
-void Relaxation::take_loads(const Loading& loading) {
-  const NodeLayout& layout = net_.layout();
-  for (const LoadedNode& node : loading.forces()) {
-    const auto at = static_cast<std::size_t>(layout.at(node.i, node.j));
+void Relaxation::comes_from(const std::vector<LoadedNode>& loads, std::span<const double> heat) {
+  before_.load = NodeVectors(net_.layout());
+  take_loads(loads, before_.load);
+  if (!heat.empty())
+    BondNet(*lattice_, *state_, net_.threads(), heat).forces(before_.u, before_.pull);
+}
+
+void Relaxation::take_loads(const std::vector<LoadedNode>& forces, NodeVectors& load) const {
+  for (const LoadedNode& node : forces) {
+    const auto at = static_cast<std::size_t>(net_.layout().at(node.i, node.j));
     const Vec2 force = (node.inertia * lattice_->rho / net_.unit_of_force()) * node.acceleration;
-    load_.x[at] = force.x();
-    load_.y[at] = force.y();
+    load.x[at] = force.x();
+    load.y[at] = force.y();
   }
+}
+
+void Relaxation::take_leads(const Loading& loading) {
   for (const LedNode& led : loading.led()) {
-    const auto at = static_cast<std::size_t>(layout.at(led.i, led.j));
+    const auto at = static_cast<std::size_t>(net_.layout().at(led.i, led.j));
     if (led.along_x) move_.x[at] = led.move.x();
     if (led.along_y) move_.y[at] = led.move.y();
     is_led_ |= move_.x[at] != 0.0 || move_.y[at] != 0.0;
   }
 }
 
-void Relaxation::refuse(const Piece& piece, const Resultant& resultant) const {
+void Relaxation::refuse(const Piece& piece, const Resultant& resultant,
+                        const std::string& who) const {
   const Grid& grid = lattice_->grid;
   const double unit = net_.unit_of_force() * grid.dx * grid.dx;  // N/m
   const Vec2 force = unit * resultant.force, centre = grid.centre + grid.dx * piece.centre;
   throw Error(
       ErrorKind::refused,
-      fmt::format("relax: the loads push the piece of {} nodes around ({}, {}) with ({}, {}) and "
+      fmt::format("{}: the loads push the piece of {} nodes around ({}, {}) with ({}, {}) and "
                   "turn it with {}, and {}",
-                  piece.nodes, quantity(centre.x(), "m"), quantity(centre.y(), "m"),
+                  who, piece.nodes, quantity(centre.x(), "m"), quantity(centre.y(), "m"),
                   quantity(force.x(), "N/m"), quantity(force.y(), "N/m"),
                   quantity(unit * grid.dx * resultant.moment, "N"),
                   piece.is_held ? "its supports give way" : "nothing holds it"),
@@ -111,34 +113,35 @@ void Relaxation::refuse(const Piece& piece, const Resultant& resultant) const {
 }
 
 // A force that every node shared would not be noticed when it is within the tolerance.
-void Relaxation::check_held(double tolerance) const {
+void Relaxation::check_held(const RelaxOptions& options) const {
   for (std::size_t k = 0; k < pieces_.list().size(); ++k) {
     const Piece& piece = pieces_.list()[k];
     if (piece.motions.empty()) continue;
     const Resultant resultant = pieces_.resultant(k, load_, u_);
-    const double most = tolerance * largest_load_ * piece.nodes;
+    const double most = options.tolerance * largest_load_ * piece.nodes;
     for (const RigidMotion& motion : piece.motions) {
       // Of a free piece moments are balanced by turning it, where that can be.
       const double moment = piece.is_held ? resultant.moment : 0.0;
       if (std::abs(motion.shift.dot(resultant.force) + motion.turn * moment) > most)
-        refuse(piece, resultant);
+        refuse(piece, resultant, options.who);
     }
   }
 }
 
 // Loads keep their direction: on a deformed piece they have a moment, to which it gives way until
 // there is none, tan(angle) = moment/virial.
-void Relaxation::turn_free_pieces(double tolerance) {
+void Relaxation::turn_free_pieces(const RelaxOptions& options) {
   constexpr double steepest = 0.2;
   for (std::size_t k = 0; k < pieces_.list().size(); ++k) {
     const Piece& piece = pieces_.list()[k];
     if (piece.is_held) continue;
     const Resultant resultant = pieces_.resultant(k, load_, u_);
     const double radius = std::sqrt(piece.inertia / piece.nodes);
-    if (std::abs(resultant.moment) <= 0.1 * tolerance * largest_load_ * piece.nodes * radius)
+    if (std::abs(resultant.moment) <=
+        0.1 * options.tolerance * largest_load_ * piece.nodes * radius)
       continue;
     if (std::abs(resultant.moment) > steepest * std::abs(resultant.virial))
-      refuse(piece, resultant);
+      refuse(piece, resultant, options.who);
     pieces_.turn(k, std::atan(resultant.moment / resultant.virial), u_);
   }
 }
@@ -208,7 +211,8 @@ NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, Re
   const auto look = [&](double left) {
     ++iterations;
     if (interrupted())
-      throw Error(ErrorKind::interrupted, "relax: interrupted, the plate is as it was");
+      throw Error(ErrorKind::interrupted,
+                  fmt::format("{}: interrupted, the plate is {}", options.who, options.left));
     most_left_ = std::max(most_left_, left);
     if (!options.progress || !(goal > 0.0)) return;
     const double way = std::log(most_left_ / goal);
@@ -219,7 +223,13 @@ NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, Re
   ++result.newton_steps;
   for (;;) {
     net_.linearise(u_, tangent_);
-    StaticSolve conjugate_gradients(net_, pieces_, mobile_);
+    CoarseSpace coarse(net_, mobile_);
+    if (!coarse.is_positive() && tangent_ == Tangent::exact) {
+      tangent_ = Tangent::positive;
+      continue;
+    }
+    StaticSolve conjugate_gradients(net_, pieces_, mobile_,
+                                    coarse.is_positive() ? &coarse : nullptr);
     NodeVectors step = move_;
     const StaticSolve::Outcome outcome =
         conjugate_gradients.solve(residual_, step, share_of_step, 0.3 * goal, most, look);
@@ -229,9 +239,15 @@ NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, Re
   }
 }
 
+StaticWork Relaxation::work_done() const {
+  Posture after{u_, NodeVectors(net_.layout()), load_};
+  net_.forces(u_, after.pull);
+  return work_between(net_.layout(), before_, after, mobile_);
+}
+
 Equilibrium Relaxation::solve(const RelaxOptions& options) {
-  check_held(options.tolerance);
-  turn_free_pieces(options.tolerance);
+  check_held(options);
+  turn_free_pieces(options);
   Balance balance = find_left();
   const double first = largest_load_ > 0.0 || is_led_ ? 0.0 : balance.largest;
   Equilibrium rest;
@@ -241,20 +257,21 @@ Equilibrium Relaxation::solve(const RelaxOptions& options) {
     rest.result.residual = reference > 0.0 ? balance.largest / reference : 0.0;
     if (balance.largest <= goal && !is_led_) break;
     if (rest.result.newton_steps == most_newton_steps || !std::isfinite(balance.largest))
-      fail(rest.result);
+      fail(rest.result, options.who);
     if (!improve(newton_step(goal, options, rest.result), balance)) {
       if (balance.largest <= 100.0 * balance.rounding) break;
-      fail(rest.result);
+      fail(rest.result, options.who);
     }
     is_led_ = false;
     move_ = NodeVectors(net_.layout());
-    turn_free_pieces(options.tolerance);
+    turn_free_pieces(options);
     balance = find_left();
   }
   Stretches stretches = net_.stretches(u_);
   rest.result.most = stretches.most;
   rest.result.beyond = std::ssize(stretches.beyond);
   rest.beyond = std::move(stretches.beyond);
+  rest.work = work_done();
   rest.u = std::move(u_);
   return rest;
 }

@@ -4,11 +4,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "solver/bond_net.hpp"
 #include "solver/loading.hpp"
 #include "solver/pieces.hpp"
+#include "solver/static_work.hpp"
 
 namespace hackle {
 
@@ -18,6 +21,9 @@ struct RelaxOptions {
   double tolerance = 1e-8;
   // Told from time to time how far it has come, 0..1; may throw, which leaves all as it was.
   std::function<void(double fraction, int iterations)> progress;
+  // The call of the user, for errors, and how an interrupt leaves the plate.
+  std::string who = "relax";
+  std::string left = "as it was";
 };
 
 struct RelaxResult {
@@ -29,7 +35,8 @@ struct RelaxResult {
 };
 
 struct Equilibrium {
-  NodeVectors u;  // dx, without the state's origin
+  NodeVectors u;    // dx, without the state's origin
+  StaticWork work;  // on the way there, besides heat and motion
   std::vector<Overstretched> beyond;
   RelaxResult result;
 };
@@ -41,9 +48,13 @@ struct Equilibrium {
 // on the deformed piece demand. Neither damping nor contact nor impactors take part.
 class Relaxation {
  public:
-  // `loading` says what acts at rest (Loading::halt). All must outlive it.
+  // `loading` says what acts at rest (Loading::halt), `heat` how nodes are strained (BondNet). All
+  // must outlive it.
   Relaxation(const Lattice& lattice, const State& state, const Loading& loading,
-             const Threads& threads);
+             std::span<const double> heat, const Threads& threads);
+
+  // Where it comes from, when that is not under what acts now: under these loads and this heat.
+  void comes_from(const std::vector<LoadedNode>& loads, std::span<const double> heat);
 
   // Throws Error (refused) when loads push or turn a piece that nothing holds, Error (run_failed)
   // when there is no equilibrium to be found, and Error (interrupted).
@@ -58,18 +69,22 @@ class Relaxation {
     double rounding = 0.0;
   };
 
-  void take_loads(const Loading& loading);
-  void check_held(double tolerance) const;
-  void refuse(const Piece& piece, const Resultant& resultant) const;
-  void turn_free_pieces(double tolerance);
+  void take_loads(const std::vector<LoadedNode>& forces, NodeVectors& load) const;
+  void take_leads(const Loading& loading);
+  void check_held(const RelaxOptions& options) const;
+  void refuse(const Piece& piece, const Resultant& resultant, const std::string& who) const;
+  void turn_free_pieces(const RelaxOptions& options);
   Balance find_left();  // residual_
   double stiffest() const;
   NodeVectors newton_step(double goal, const RelaxOptions& options, RelaxResult& result);
   bool improve(const NodeVectors& step, const Balance& before);
+  StaticWork work_done() const;
 
   const Lattice* lattice_;
+  const State* state_;
   BondNet net_;
   NodeVectors u_, load_, mobile_, move_, residual_;
+  Posture before_;
   Pieces pieces_;
   Tangent tangent_ = Tangent::exact;
   bool is_led_ = false;  // move_ is not 0

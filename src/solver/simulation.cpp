@@ -112,6 +112,7 @@ void Simulation::restore(State state) {
   if (state.precision() != state_.precision())
     engine_ = engine_for(state.precision(), lattice_, options(), threads_);
   state_ = std::move(state);
+  borne_.clear();
   stop();
   prepare();
 }
@@ -125,7 +126,7 @@ void Simulation::show(Snapshot snapshot) {
 
 // The energy that the start gives is accounted for as work.
 void Simulation::start() {
-  heat_.update(lattice_, 0);
+  heat_.update(lattice_, state_);
   set_in_motion(plate_.starts, lattice_, dt_, state_);
   double doubled = 0.0;
   for (int j = 0; j < lattice_.grid.ny; ++j)
@@ -140,7 +141,7 @@ void Simulation::start() {
 void Simulation::prepare() {
   loading_.begin(lattice_, state_);
   loading_.update(lattice_, state_, step_seconds_.loads);
-  heat_.update(lattice_, state_.step);
+  heat_.update(lattice_, state_);
   std::visit(
       [this](auto& engine) {
         engine.set_loads(loading_);
@@ -157,15 +158,15 @@ void Simulation::set_loads(Loads loads) {
   check(plate, problems);
   problems.throw_if_any();
   Loading loading(plate, lattice_, dt_);
-  loading.tabulate(state_.step, std::max(state_.step, last_step_) + 1);
+  loading.tabulate(state_.clock, state_.step, std::max(state_.step, last_step_) + 1);
   ThermalStrain heat(plate, lattice_, dt_);
-  heat.tabulate(state_.step, std::max(state_.step, last_step_) + 1);
-  heat.update(lattice_, state_.step);
+  heat.tabulate(state_.clock, state_.step, std::max(state_.step, last_step_) + 1);
+  heat.update(lattice_, state_);
   loading.begin(lattice_, state_);
   const bool rebuild = heat.empty() != heat_.empty();
   if (!heat.empty() || !heat_.empty())
-    state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_.step),
-                                      heat.before(lattice_, state_.step), threads_) /
+    state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_),
+                                      heat.before(lattice_, state_), threads_) /
                             energy_unit();
   // What is let go has done its work.
   if (loading.led().empty()) state_.external_work += std::exchange(state_.work_ahead, 0.0);
@@ -206,16 +207,16 @@ void Simulation::take_loads() {
 
 // From half a step before now to half a step after.
 void Simulation::count_heat_work() {
-  if (!heat_.changes_around(state_.step)) return;
+  if (!heat_.changes_around(state_)) return;
   const Stopwatch watch(step_seconds_.heat);
-  state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_.step),
-                                    heat_.before(lattice_, state_.step + 1), threads_) /
+  state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_),
+                                    heat_.after(lattice_, state_), threads_) /
                           energy_unit();
 }
 
 void Simulation::take_heat() {
   const Stopwatch watch(step_seconds_.heat);
-  if (heat_.update(lattice_, state_.step))
+  if (heat_.update(lattice_, state_))
     std::visit([this](auto& engine) { engine.set_heat(lattice_, heat_.values()); }, engine_);
 }
 
@@ -251,14 +252,14 @@ void Simulation::aim(double duration) {
                 fmt::format("run: the duration is {} s, it must be at least 0 s", duration));
   const double end = end_time_ + duration;
   // A whole number of steps must not become one more by rounding.
-  const double steps = std::ceil(end / dt_ - 1e-9);
+  const double steps = std::ceil((end - state_.clock.moment) / dt_ - 1e-9);
   if (!(steps <= most_steps))
     throw Error(ErrorKind::refused,
                 fmt::format("run: the duration is {}, which is more than {:.0e} steps of {}",
                             quantity(duration, "s"), most_steps, quantity(dt_, "s")));
-  const auto last_step = static_cast<std::int64_t>(steps);
-  loading_.tabulate(state_.step, last_step + 1);
-  heat_.tabulate(state_.step, last_step + 1);
+  const auto last_step = state_.clock.since + static_cast<std::int64_t>(steps);
+  loading_.tabulate(state_.clock, state_.step, last_step + 1);
+  heat_.tabulate(state_.clock, state_.step, last_step + 1);
   end_time_ = end;
   last_step_ = last_step;
 }
@@ -336,9 +337,8 @@ double Simulation::energy_unit() const {
 
 double Simulation::external_work() const {
   double work = (state_.external_work + state_.work_ahead) * energy_unit();
-  if (!heat_.empty() && heat_.changes_until(state_.step))
-    work +=
-        heat_work(lattice_, state_, heat_.before(lattice_, state_.step), heat_.values(), threads_);
+  if (!heat_.empty() && heat_.changes_until(state_))
+    work += heat_work(lattice_, state_, heat_.before(lattice_, state_), heat_.values(), threads_);
   return work;
 }
 
@@ -348,6 +348,21 @@ double Simulation::contact_energy() const {
 
 double Simulation::damped_energy() const {
   return state_.damped * energy_unit();
+}
+
+double Simulation::released_energy() const {
+  return state_.released * energy_unit();
+}
+
+double Simulation::kinetic_energy() const {
+  const std::vector<Vec2> now = velocities();
+  double sum = 0.0;
+  for (int j = 0; j < lattice_.grid.ny; ++j)
+    for (int i = 0; i < lattice_.grid.nx; ++i)
+      if (!lattice_.is_void(i, j))
+        sum +=
+            lattice_.material_at(i, j).material.rho * now[lattice_.grid.index(i, j)].squaredNorm();
+  return 0.5 * lattice_.grid.dx * lattice_.grid.dx * sum;
 }
 
 Vec2 Simulation::displacement(int i, int j) const {

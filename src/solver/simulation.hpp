@@ -68,25 +68,28 @@ class Simulation {
   void aim(double duration);
   void go_on(std::span<Observer* const> observers = {});
   bool has_arrived() const { return state_.step >= last_step_; }
-  // To be called by an observer: go_on() comes back after this step.
+  std::int64_t last_step() const { return last_step_; }  // to which it is to go
+  // To be called by an observer: go_on() comes back after this step, load_slowly() after this
+  // increment.
   void break_off() { break_off_ = true; }
   // As if no more had been asked for than there is; for an observer: after this step.
   void stop();
 
   // Brings the plate to rest where everything that acts at the present time is in balance, without
-  // breaking a bond: what runs on from there starts from a plate under load. The work of loads and
-  // supports becomes that of loading it slowly, so that the ledger of energy is closed. Throws
-  // Error (refused) for pieces that loads push and nothing holds, and for heat, which is not known
-  // here; Error (run_failed) when no equilibrium is found, Error (interrupted) on Ctrl-C: then
-  // nothing has changed.
+  // breaking a bond: what runs on from there starts from a plate under load. Loads that have come
+  // since the plate last stood still do the work of growing slowly (StaticWork); what it had too
+  // much, in motion and out of balance, is released. Throws Error (refused) for pieces that loads
+  // push and nothing holds, and for impactors; Error (run_failed) when no equilibrium is found,
+  // Error (interrupted) on Ctrl-C: then nothing has changed.
   RelaxResult relax(const RelaxOptions& options = {});
 
-  // Goes through `duration` seconds of the courses of all loads slowly. At the end of each of equal
-  // increments of time the plate is brought to rest (see relax); while bonds are then stretched too
-  // far, the worst of them break and it is brought to rest again. Observers see the beginning and
-  // the state after each increment, when they are due. Ends early when the plate comes apart, which
-  // is a result. Throws what relax throws, with the state after the last increment that was
-  // completed.
+  // Goes through `duration` seconds of the courses of all loads slowly, without a step: increments
+  // may be shorter than one. At the end of each of equal increments of time, exactly then, the
+  // plate is brought to rest (see relax); while bonds are then stretched too far, the worst of them
+  // break and it is brought to rest again. Observers see the beginning and the state after each
+  // increment, when they are due, and may change loads there. Ends early when the plate comes
+  // apart, which is a result, or when an observer breaks off. Throws what relax throws, with the
+  // state after the last increment that was completed.
   QuasistaticResult load_slowly(const QuasistaticOptions& options,
                                 std::span<Observer* const> observers = {});
 
@@ -112,17 +115,20 @@ class Simulation {
   int threads() const { return threads_.count(); }
   InstructionSet instruction_set() const { return instruction_set_; }
 
-  double dt() const { return dt_; }                                       // s
-  double time() const { return static_cast<double>(state_.step) * dt_; }  // s
-  double end_time() const { return end_time_; }                           // s, asked for
-  double external_work() const;           // done by loads, supports and heat so far, J/m
-  double damped_energy() const;           // taken by damping so far, J/m
+  double dt() const { return dt_; }                                                      // s
+  double time() const { return time_at(state_.step); }                                   // s
+  double time_at(std::int64_t step) const { return state_.clock.time(step, 0.0, dt_); }  // s
+  double end_time() const { return end_time_; }  // s, asked for
+  double external_work() const;                  // done by loads, supports and heat so far, J/m
+  double damped_energy() const;                  // taken by damping so far, J/m
+  double released_energy() const;         // given off by jumps and on the way to rest so far, J/m
+  double kinetic_energy() const;          // now, J/m
   double contact_energy() const;          // stored in contacts now, J/m
   Vec2 displacement(int i, int j) const;  // m
   std::vector<Vec2> velocities() const;   // m/s, now, by Grid::index
   // Whether the bond of node (i, j) to (i + column, j + row) holds.
   bool holds(int i, int j, int column, int row) const;
-  // The bonds that broke in the last step.
+  // The bonds that broke in the last step, or increment of slow loading.
   const std::vector<Loss>& losses() const;
   // Tile-steps so far by the path they took.
   const PathCounts& path_counts() const;
@@ -152,13 +158,21 @@ class Simulation {
   void count_external_work();
   double energy_unit() const;  // J/m
   void keep_f32_exact();
-  void check_statics() const;
-  Equilibrium find_rest(const RelaxOptions& options);
+  void check_statics(const RelaxOptions& options) const;
   void look_after_step(std::span<Observer* const> observers);
-  void load_to(std::int64_t step, const QuasistaticOptions& options, QuasistaticResult& result);
+  // What acts and moves when the plate sets out for rest.
+  struct Departure {
+    std::vector<LoadedNode> loads;  // which did their work up to here
+    std::vector<double> heat;       // thermal strain
+  };
+  Departure depart();
+  Equilibrium go_to_rest(const Departure& from, const RelaxOptions& options);
+  void load_to(double end, const QuasistaticOptions& options, QuasistaticResult& result);
+  void break_and_settle(double end, const QuasistaticOptions& options, QuasistaticResult& result,
+                        std::vector<Loss>& losses);
   void let_look(std::span<Observer* const> observers) const;
   void put(const NodeVectors& u);
-  void come_to_rest();
+  void come_to_rest(std::vector<Loss> losses);
 
   Plate plate_;
   Numerics numerics_;
@@ -167,6 +181,7 @@ class Simulation {
   double dt_;
   Loading loading_;
   ThermalStrain heat_;
+  std::vector<LoadedNode> borne_;  // loads under which the plate last came to rest
   double end_time_ = 0.0;
   std::int64_t last_step_ = 0;  // of the run that is under way, or was
   bool break_off_ = false;

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "solver/bond_energy.hpp"
+#include "solver/heat_work.hpp"
 #include "solver/quasistatic.hpp"
 #include "solver/simulation.hpp"
 
@@ -24,19 +24,12 @@ void check_tolerance(double tolerance, const char* who) {
 
 }  // namespace
 
-void Simulation::check_statics() const {
-  if (!plate_.loads.heatings.empty())
-    throw Error(ErrorKind::refused, "relax: a plate that is heated cannot be brought to rest",
-                "leave out the heat, or let damping calm the plate");
+void Simulation::check_statics(const RelaxOptions& options) const {
+  check_tolerance(options.tolerance, options.who.c_str());
   if (!plate_.loads.impactors.empty())
-    throw Error(ErrorKind::refused, "relax: a plate that is being hit cannot be brought to rest",
+    throw Error(ErrorKind::refused,
+                fmt::format("{}: a plate that is being hit cannot be brought to rest", options.who),
                 "bring it to rest before s:impactor{}, or let damping calm it");
-}
-
-Equilibrium Simulation::find_rest(const RelaxOptions& options) {
-  check_statics();
-  loading_.halt(state_);
-  return Relaxation(lattice_, state_, loading_, threads_).solve(options);
 }
 
 void Simulation::put(const NodeVectors& u) {
@@ -47,29 +40,67 @@ void Simulation::put(const NodeVectors& u) {
     }
 }
 
-// Loaded slowly, all work is in the bonds, has broken some, or went before.
-void Simulation::come_to_rest() {
+// Of a plate that stands, loads that have come since do their work from nothing; those that have
+// acted in steps have done theirs, and stay what they are.
+Simulation::Departure Simulation::depart() {
+  Departure from{borne_, heat_.values()};
+  if (!state_.is_start()) {
+    loading_.halt(state_, 0.0);
+    from.loads = loading_.forces();
+  }
+  state_.external_work = external_work() / energy_unit();
+  state_.work_ahead = 0.0;
+  state_.released += kinetic_energy() / energy_unit();
+  return from;
+}
+
+// Half of the change of temperature where the plate was, half where it comes to rest: exact while
+// forces are linear in both.
+Equilibrium Simulation::go_to_rest(const Departure& from, const RelaxOptions& options) {
+  const bool heats = from.heat != heat_.values();
+  Relaxation relaxation(lattice_, state_, loading_, heat_.values(), threads_);
+  relaxation.comes_from(from.loads, heats ? from.heat : std::span<const double>());
+  Equilibrium rest = relaxation.solve(options);
+  const auto heating = [&] {
+    return heats ? 0.5 * heat_work(lattice_, state_, from.heat, heat_.values(), threads_) : 0.0;
+  };
+  double work = heating();
+  put(rest.u);
+  work += heating();
+  const double unit = lattice_.calibration.c * std::pow(lattice_.grid.dx, 5);
+  state_.external_work += (rest.work.external * unit + work) / energy_unit();
+  state_.released += rest.work.released * unit / energy_unit();
+  return rest;
+}
+
+// Under the loads that act since Loading::halt().
+void Simulation::come_to_rest(std::vector<Loss> losses) {
+  borne_ = loading_.forces();
   for (int j = 0; j < lattice_.grid.ny; ++j)
     for (int i = 0; i < lattice_.grid.nx; ++i) state_.set_v(i, j, {0, 0});
   state_.start = state_.step;
-  const BondEnergy bonds = bond_energy(lattice_, state_);
-  state_.external_work = (bonds.held + bonds.broken) / energy_unit() + state_.damped;
-  state_.work_ahead = 0.0;
   if (state_.precision() == Precision::f32) keep_f32_exact();
   prepare();
+  std::visit([&](auto& engine) { engine.note_losses(std::move(losses)); }, engine_);
 }
 
 RelaxResult Simulation::relax(const RelaxOptions& options) {
-  check_tolerance(options.tolerance, "relax");
-  const Equilibrium rest = find_rest(options);
-  put(rest.u);
-  come_to_rest();
-  return rest.result;
+  check_statics(options);
+  const State before = state_;
+  try {
+    const Departure from = depart();
+    loading_.halt(state_, 0.0);
+    const RelaxResult result = go_to_rest(from, options).result;
+    come_to_rest({});
+    return result;
+  } catch (...) {
+    state_ = before;
+    throw;
+  }
 }
 
 QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
                                           std::span<Observer* const> observers) {
-  check_tolerance(options.tolerance, "quasistatic");
   if (!(options.duration > 0.0) || !std::isfinite(options.duration) || options.increments < 1)
     throw Error(
         ErrorKind::refused,
@@ -82,11 +113,17 @@ QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
         ErrorKind::refused,
         fmt::format("quasistatic: the duration is {}, which is more than {:.0e} steps of {}",
                     quantity(options.duration, "s"), most_steps, quantity(dt_, "s")));
+  if (!(begin + options.duration / options.increments > begin))
+    throw Error(
+        ErrorKind::refused,
+        fmt::format("quasistatic: an increment of {} cannot be told apart at {}",
+                    quantity(options.duration / options.increments, "s"), quantity(begin, "s")),
+        "take a longer duration or fewer increments");
   QuasistaticResult result;
+  break_off_ = false;
   let_look(observers);
-  for (int k = 1; k <= options.increments && result.bears; ++k) {
-    const double end = begin + options.duration * k / options.increments;
-    load_to(std::llround(end / dt_), options, result);
+  for (int k = 1; k <= options.increments && result.bears && !break_off_; ++k) {
+    load_to(begin + options.duration * k / options.increments, options, result);
     let_look(observers);
   }
   return result;
@@ -94,36 +131,65 @@ QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
 
 // A failure after bonds have broken in this increment means that the plate has come apart: what is
 // left of it cannot be in balance.
-void Simulation::load_to(std::int64_t step, const QuasistaticOptions& options,
-                         QuasistaticResult& result) {
+void Simulation::load_to(double end, const QuasistaticOptions& options, QuasistaticResult& result) {
   const State before = state_;
-  const int increment = static_cast<int>(result.passes.size());
+  const std::vector<LoadedNode> borne = borne_;
+  const auto undo = [&] {
+    restore(before);
+    borne_ = borne;
+  };
+  std::vector<Loss> losses;
   result.passes.push_back(0);
-  state_.step = state_.start = step;
   try {
-    for (std::int64_t broken = 1; broken > 0; result.broken += broken) {
-      const int pass = ++result.passes.back();
-      const Equilibrium rest =
-          find_rest({options.tolerance, [&](double fraction, int) {
-                       if (!options.progress) return;
-                       const double done =
-                           (increment + (pass == 1 ? fraction : 1.0)) / options.increments;
-                       options.progress(done, increment + 1, pass, result.broken);
-                     }});
-      result.iterations += rest.result.iterations;
-      put(rest.u);
-      broken = break_worst(rest.beyond, state_.bonds);
-    }
+    break_and_settle(end, options, result, losses);
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::interrupted || result.passes.back() == 1) {
-      restore(before);
+    if (error.kind() == ErrorKind::interrupted || result.passes.back() <= 1) {
+      undo();
       throw;
     }
     result.bears = false;
     result.why = error.what();
+  } catch (...) {
+    undo();
+    throw;
   }
-  come_to_rest();
+  come_to_rest(std::move(losses));
   stop();
+}
+
+// The first pass loads, without breaking; all that follow are jumps, in which nothing is led and
+// loads stay what they are.
+void Simulation::break_and_settle(double end, const QuasistaticOptions& options,
+                                  QuasistaticResult& result, std::vector<Loss>& losses) {
+  const int increment = static_cast<int>(result.passes.size()) - 1;
+  const RelaxOptions each{options.tolerance,
+                          [&](double fraction, int) {
+                            if (!options.progress) return;
+                            const bool loads = result.passes.back() == 1;
+                            options.progress(
+                                (increment + (loads ? fraction : 1.0)) / options.increments,
+                                increment + 1, result.passes.back(), result.broken);
+                          },
+                          "quasistatic", "as it was before this increment"};
+  check_statics(each);
+  Departure from = depart();
+  double passed = end - time();
+  state_.clock = {end, state_.step};
+  state_.start = state_.step;
+  heat_.update(lattice_, state_);
+  for (bool breaks = true; breaks; passed = 0.0) {
+    ++result.passes.back();
+    loading_.halt(state_, passed);
+    const Equilibrium rest = go_to_rest(from, each);
+    result.iterations += rest.result.iterations;
+    from = {loading_.forces(), heat_.values()};
+    Breakage broken = break_worst(rest.beyond, state_.bonds);
+    state_.released +=
+        broken.excess * lattice_.calibration.c * std::pow(lattice_.grid.dx, 5) / energy_unit();
+    result.broken += std::ssize(broken.losses);
+    breaks = !broken.losses.empty();
+    losses.insert(losses.end(), broken.losses.begin(), broken.losses.end());
+  }
 }
 
 }  // namespace hackle

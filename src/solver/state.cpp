@@ -65,7 +65,11 @@ std::string State::hash() const {
   hash.add(std::span(&step, 1));
   hash.add(std::span(&external_work, 1));
   if (start != 0 && is_start()) hash.add(std::span(&start, 1));  // it changes what comes
-  for (const double* energy : {&work_ahead, &damped})
+  if (clock != Clock{}) {
+    hash.add(std::span(&clock.moment, 1));
+    hash.add(std::span(&clock.since, 1));
+  }
+  for (const double* energy : {&work_ahead, &damped, &released})
     if (*energy != 0.0) hash.add(std::span(energy, 1));
   hash.add(std::span(origin.data(), 2));
   for (const Disc& disc : discs)

@@ -28,9 +28,20 @@ struct Disc {
   Vec2 velocity{0, 0};
 };
 
-// Leapfrog: u belongs to the time step * dt, v to half a step earlier; at step `start` both to the
-// same time.
-// The bonds are those that hold when the next step begins.
+// The time of steps: counted from the last moment that was reached otherwise than by steps.
+struct Clock {
+  double moment = 0.0;     // s
+  std::int64_t since = 0;  // the step at which it was that time
+
+  // In the middle of a step where `share` of one is 0.5, s.
+  double time(std::int64_t step, double share, double dt) const {
+    return moment + (static_cast<double>(step - since) + share) * dt;
+  }
+  bool operator==(const Clock&) const = default;
+};
+
+// Leapfrog: u belongs to the time of the step, v to half a step earlier; at step `start` both to
+// the same time. The bonds are those that hold when the next step begins.
 struct State {
   State() = default;
   State(const Lattice& lattice, Precision precision);
@@ -38,12 +49,14 @@ struct State {
   NodeLayout layout;
   std::variant<Motion<double>, Motion<float>> motion;
   BondBits bonds;
-  std::int64_t step = 0;
+  std::int64_t step = 0;  // done so far; slow loading goes on in time without any
+  Clock clock;
   std::int64_t start = 0;      // step at which the plate was last set in motion, or brought to rest
   double external_work = 0.0;  // done by loads and supports so far, and by changes of temperature
                                // up to half a step ago, in units of rho dx^4/dt^2 (J/m)
   double work_ahead = 0.0;     // what supports did in the last half step, which is not in it yet
   double damped = 0.0;         // kinetic energy taken by damping so far, in the same units
+  double released = 0.0;       // given off by jumps and on the way to rest so far, likewise
   Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u
   std::vector<Disc> discs;     // in the order of the impactors of the plate
 

@@ -23,10 +23,12 @@ Stiffness inverse_of(const Stiffness& own, double mobile_x, double mobile_y) {
 
 }  // namespace
 
-StaticSolve::StaticSolve(const BondNet& net, const Pieces& pieces, const NodeVectors& mobile)
+StaticSolve::StaticSolve(const BondNet& net, const Pieces& pieces, const NodeVectors& mobile,
+                         CoarseSpace* coarse)
     : net_(&net),
       pieces_(&pieces),
       mobile_(&mobile),
+      coarse_(coarse),
       layout_(net.layout()),
       has_free_pieces_(
           std::ranges::any_of(pieces.list(), [](const Piece& p) { return !p.is_held; })),
@@ -99,13 +101,16 @@ StaticSolve::Sums StaticSolve::precondition() {
       z_.y[at] = inverse[i].xy * r_.x[at] + inverse[i].yy * r_.y[at];
     }
     most_of_row_[static_cast<std::size_t>(j)] = largest_of_row(layout_, r_, j);
-    of_row_[static_cast<std::size_t>(j)] = dot_of_row(layout_, r_, z_, j);
   });
-  if (!has_free_pieces_) return {sum_of_rows(of_row_), most_of_rows(most_of_row_)};
-  pieces_->take_out_rigid(z_);
+  if (coarse_ != nullptr) coarse_->add_answer(r_, z_);
+  if (has_free_pieces_) pieces_->take_out_rigid(z_);
+  return {dot(r_, z_), most_of_rows(most_of_row_)};
+}
+
+double StaticSolve::dot(const NodeVectors& a, const NodeVectors& b) {
   for_rows(net_->threads(), layout_.ny,
-           [&](int j) { of_row_[static_cast<std::size_t>(j)] = dot_of_row(layout_, r_, z_, j); });
-  return {sum_of_rows(of_row_), most_of_rows(most_of_row_)};
+           [&](int j) { of_row_[static_cast<std::size_t>(j)] = dot_of_row(layout_, a, b, j); });
+  return sum_of_rows(of_row_);
 }
 
 void StaticSolve::turn_to(double share) {
@@ -130,11 +135,12 @@ StaticSolve::Outcome StaticSolve::solve(const NodeVectors& force, NodeVectors& d
     const double bend = curvature();
     outcome.is_positive = bend > 0.0;
     if (!outcome.is_positive) break;
-    go(sums.product / bend, d);
+    const double distance = sums.product / bend, before = sums.product;
+    go(distance, d);
     ++outcome.iterations;
-    const double before = sums.product;
     sums = precondition();
-    turn_to(sums.product / before);
+    // Polak and Ribiere: what makes answers symmetric may not be the same in every iteration.
+    turn_to(std::max(0.0, distance * dot(z_, q_) / before));
     look(sums.largest);
   }
   return outcome;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/bond_net.hpp"
+#include "solver/coarse_space.hpp"
 #include "solver/pieces.hpp"
 
 namespace hackle {
@@ -17,8 +18,10 @@ class StaticSolve {
     bool is_positive = true;
   };
 
-  // Along x and y `mobile` is 1 for what is sought and 0 for what is given. All must outlive it.
-  StaticSolve(const BondNet& net, const Pieces& pieces, const NodeVectors& mobile);
+  // Along x and y `mobile` is 1 for what is sought and 0 for what is given. `coarse` finds long
+  // waves, or is nothing. All must outlive it.
+  StaticSolve(const BondNet& net, const Pieces& pieces, const NodeVectors& mobile,
+              CoarseSpace* coarse = nullptr);
 
   // Changes what is mobile in d until the tangent of the net, applied to all of d, balances
   // `force`: to within `share` of what is missing at first, or `goal` in the units of the net, at
@@ -26,8 +29,9 @@ class StaticSolve {
   // whole. `look` is called after every iteration with what is left. Returns the number of
   // iterations. Throws what `look` throws.
   //
-  // Preconditioned by the 2 x 2 stiffness of each node against its neighbours. The bits are the
-  // same for any number of threads, and those of a mirror image are the mirror image's.
+  // Preconditioned by the 2 x 2 stiffness of each node against its neighbours, and by the coarse
+  // space. The bits are the same for any number of threads; forces that are their own mirror image
+  // on a net that is give a d that is, to the last bit.
   Outcome solve(const NodeVectors& force, NodeVectors& d, double share, double goal, int most,
                 const std::function<void(double left)>& look);
 
@@ -41,11 +45,13 @@ class StaticSolve {
   double curvature();                        // p . K p, and q = -K p
   void go(double distance, NodeVectors& d);  // along p
   Sums precondition();                       // z from r; r . z and the largest of r
-  void turn_to(double share);                // p = z + share p
+  double dot(const NodeVectors& a, const NodeVectors& b);
+  void turn_to(double share);  // p = z + share p
 
   const BondNet* net_;
   const Pieces* pieces_;
   const NodeVectors* mobile_;
+  CoarseSpace* coarse_;
   NodeLayout layout_;
   bool has_free_pieces_;
   std::vector<Stiffness> inverse_;  // per node

@@ -15,44 +15,53 @@ ThermalStrain::ThermalStrain(const Plate& plate, const Lattice& lattice, double 
     parts_.push_back({std::move(heat.nodes), Amplitude(heat.course, 0.0)});
 }
 
-void ThermalStrain::tabulate(std::int64_t begin, std::int64_t end) {
-  for (Part& part : parts_) part.amplitude.tabulate(begin, end, dt_);
+void ThermalStrain::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end) {
+  for (Part& part : parts_) part.amplitude.tabulate(clock, begin, end, dt_);
 }
 
-ThermalStrain::Factors ThermalStrain::factors_at(std::int64_t step) const {
+ThermalStrain::Factors ThermalStrain::factors_at(const State& state, std::int64_t steps) const {
   Factors factors;
   factors.reserve(parts_.size());
-  for (const Part& part : parts_) factors.push_back(part.amplitude.at(step, dt_));
+  for (const Part& part : parts_)
+    factors.push_back(part.amplitude.at(state.clock, state.step + steps, dt_));
   return factors;
 }
 
-ThermalStrain::Factors ThermalStrain::factors_before(std::int64_t step) const {
-  Factors factors = factors_at(step);
-  if (step == 0) return factors;
-  const Factors earlier = factors_at(step - 1);
-  for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = 0.5 * (earlier[k] + factors[k]);
+ThermalStrain::Factors ThermalStrain::factors_towards(const State& state,
+                                                      std::int64_t steps) const {
+  Factors factors = factors_at(state, 0);
+  const Factors beside = factors_at(state, steps);
+  for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = 0.5 * (beside[k] + factors[k]);
   return factors;
 }
 
-bool ThermalStrain::update(const Lattice& lattice, std::int64_t step) {
+ThermalStrain::Factors ThermalStrain::factors_before(const State& state) const {
+  return state.is_start() ? factors_at(state, 0) : factors_towards(state, -1);
+}
+
+bool ThermalStrain::update(const Lattice& lattice, const State& state) {
   if (parts_.empty()) return false;
-  Factors factors = factors_at(step);
+  Factors factors = factors_at(state, 0);
   if (factors == factors_) return false;
   values_ = sum(lattice, factors);
   factors_ = std::move(factors);
   return true;
 }
 
-std::vector<double> ThermalStrain::before(const Lattice& lattice, std::int64_t step) const {
-  return parts_.empty() ? std::vector<double>() : sum(lattice, factors_before(step));
+std::vector<double> ThermalStrain::before(const Lattice& lattice, const State& state) const {
+  return parts_.empty() ? std::vector<double>() : sum(lattice, factors_before(state));
 }
 
-bool ThermalStrain::changes_around(std::int64_t step) const {
-  return factors_before(step) != factors_before(step + 1);
+std::vector<double> ThermalStrain::after(const Lattice& lattice, const State& state) const {
+  return parts_.empty() ? std::vector<double>() : sum(lattice, factors_towards(state, 1));
 }
 
-bool ThermalStrain::changes_until(std::int64_t step) const {
-  return factors_before(step) != factors_at(step);
+bool ThermalStrain::changes_around(const State& state) const {
+  return factors_before(state) != factors_towards(state, 1);
+}
+
+bool ThermalStrain::changes_until(const State& state) const {
+  return factors_before(state) != factors_at(state, 0);
 }
 
 std::size_t ThermalStrain::bytes() const {

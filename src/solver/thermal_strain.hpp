@@ -24,24 +24,26 @@ class ThermalStrain {
   bool empty() const { return parts_.empty(); }
 
   // Functions of time are asked now for all steps begin <= n < end. Throws what they throw.
-  void tabulate(std::int64_t begin, std::int64_t end);
+  void tabulate(const Clock& clock, std::int64_t begin, std::int64_t end);
 
-  // Finds the strain at this step. True when it is not what it was. Throws Error (refused), and
-  // leaves it as it was, where it would exceed most_thermal_strain.
-  bool update(const Lattice& lattice, std::int64_t step);
+  // Finds the strain at the time of the state. True when it is not what it was. Throws Error
+  // (refused), and leaves it as it was, where it would exceed most_thermal_strain.
+  bool update(const Lattice& lattice, const State& state);
 
   // By Grid::index; empty when nothing is heated.
   const std::vector<double>& values() const { return values_; }
   // These from now on, whatever the temperature does. Only where it is empty().
   void hold(std::vector<double> values) { values_ = std::move(values); }
 
-  // Half a step earlier: the mean of a step and the one before, or the start's. Work is counted
-  // from middle to middle, as then it is right to the second order of the step.
-  std::vector<double> before(const Lattice& lattice, std::int64_t step) const;
+  // Half a step before the state, and after it: the mean of two steps; before the start it is the
+  // start's. Work is counted from middle to middle, as then it is right to the second order of the
+  // step.
+  std::vector<double> before(const Lattice& lattice, const State& state) const;
+  std::vector<double> after(const Lattice& lattice, const State& state) const;
   // Whether it changes from half a step before to half a step after.
-  bool changes_around(std::int64_t step) const;
-  // Or until the step itself.
-  bool changes_until(std::int64_t step) const;
+  bool changes_around(const State& state) const;
+  // Or until the state itself.
+  bool changes_until(const State& state) const;
   std::size_t bytes() const;
 
  private:
@@ -49,9 +51,11 @@ class ThermalStrain {
     std::vector<HeatedNode> nodes;
     Amplitude amplitude;
   };
-  using Factors = std::vector<double>;  // by part
-  Factors factors_at(std::int64_t step) const;
-  Factors factors_before(std::int64_t step) const;
+  using Factors = std::vector<double>;                               // by part
+  Factors factors_at(const State& state, std::int64_t steps) const;  // from there
+  // Half a step from the state, towards a step beside it.
+  Factors factors_towards(const State& state, std::int64_t steps) const;
+  Factors factors_before(const State& state) const;
   std::vector<double> sum(const Lattice& lattice, const Factors& factors) const;
 
   double dt_;

@@ -101,12 +101,13 @@ struct Recording::Parts {
   }
 
   // What is in the group of a record.
-  Snapshot snapshot(const std::string& group, std::int64_t step) const {
+  Snapshot snapshot(const std::string& group, std::int64_t step, double time) const {
     const Lattice& lattice = simulation.lattice();
     const Grid& grid = lattice.grid;
     Snapshot snapshot;
     State& state = snapshot.state = State(lattice, Precision::f64);
     state.step = state.start = step;
+    state.clock = {time, step};
     const std::vector<hsize_t> vectors{grid.nodes(), 3};
     put(file.doubles(group + "/displacement", vectors, 2), grid, grid.dx, "displacement", file,
         [&](int i, int j, const Vec2& u) { state.set_u(i, j, u); });
@@ -172,7 +173,8 @@ std::size_t Recording::nearest(double time) const {
 }
 
 void Recording::go_to(std::size_t record) {
-  parts_->simulation.show(parts_->snapshot(record_group(record), parts_->steps.at(record)));
+  parts_->simulation.show(
+      parts_->snapshot(record_group(record), parts_->steps.at(record), parts_->times.at(record)));
   parts_->shown = record;
 }
 

@@ -561,6 +561,7 @@ TEST_F(Members, OfWhatASimulationTells) {
   EXPECT_EQ(number("e.strain"), ledger.strain);
   EXPECT_EQ(number("e.broken"), ledger.broken);
   EXPECT_EQ(number("e.damped"), ledger.damped);
+  EXPECT_EQ(number("e.released"), ledger.released);
   EXPECT_EQ(number("e.contact"), ledger.contact);
   EXPECT_EQ(number("e.external"), ledger.external);
   EXPECT_EQ(number("e.residual"), ledger.residual());

@@ -109,6 +109,7 @@ TEST(Report, HasEveryNumberInItsPlace) {
   summary.energy.strain = 12.0;
   summary.energy.broken = 13.0;
   summary.energy.damped = 14.0;
+  summary.energy.released = 16.0;
   summary.energy.contact = 15.0;
   summary.damage = {1004, 0.625};
   summary.paths[static_cast<std::size_t>(Path::still)] = 1;
@@ -125,8 +126,8 @@ TEST(Report, HasEveryNumberInItsPlace) {
        {std::string("1 001 nodes (775 of material), 1 002 bonds; spacing 0.5 mm, horizon 2 mm"),
         model, std::string("1.5 us in 1 003 steps of 2.5 ns (limit 3.5 ns)"),
         std::string("1 004 bonds broken since the start, largest damage of a node 0.62"),
-        std::string("100 J/m put in = 11 kinetic + 12 strain + 13 broken + 14 damped + 15 in "
-                    "contacts; residual 35 %"),
+        std::string("100 J/m put in = 11 kinetic + 12 strain + 13 broken + 14 damped + 16 released "
+                    "+ 15 in contacts; residual 19 %"),
         std::string("still 25.0 %, damaged 75.0 %"), std::string("solve 1.25 s on 4 threads"),
         std::string("M node-steps/s (f32 "),
         std::string("; render 2.25 s; encode 3.25 s; store 4.25 s"), std::string("f00d")})

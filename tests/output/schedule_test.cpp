@@ -22,7 +22,7 @@ std::vector<std::int64_t> served(double every, std::int64_t steps) {
   for (;;) {
     if (schedule.reached(simulation)) {
       list.push_back(simulation.state().step);
-      schedule.advance();
+      schedule.advance(simulation);
     }
     if (simulation.state().step == steps) return list;
     simulation.step();
@@ -69,9 +69,23 @@ TEST(Schedule, CountsFromItsOwnStart) {
   for (; simulation.state().step <= 12; simulation.step())
     if (schedule.reached(simulation)) {
       list.push_back(simulation.state().step);
-      schedule.advance();
+      schedule.advance(simulation);
     }
   EXPECT_THAT(list, testing::ElementsAre(2, 7, 12));
+}
+
+// Slow loading goes by many moments at once: they are not made up for in the steps that follow.
+TEST(Schedule, MomentsThatHavePassedAreNotMadeUpFor) {
+  Simulation simulation = small();
+  const double dt = simulation.dt();
+  Schedule schedule("on", 2.0 * dt, simulation);
+  schedule.advance(simulation);
+  simulation.load_slowly({21.0 * dt, 1});
+  EXPECT_TRUE(schedule.reached(simulation));
+  schedule.advance(simulation);
+  EXPECT_FALSE(schedule.reached(simulation));
+  simulation.run(dt);
+  EXPECT_TRUE(schedule.reached(simulation));
 }
 
 // How many moments there are until a time, those that have passed included.
@@ -86,7 +100,7 @@ TEST(Schedule, SaysHowManyMomentsThereAre) {
   EXPECT_EQ(schedule.moments(7.0 * dt, 100), 2);
   EXPECT_EQ(schedule.moments(22.0 * dt, 100), 5);
   EXPECT_EQ(schedule.moments(22.0 * dt, 3), 3);
-  schedule.advance();
+  schedule.advance(simulation);
   EXPECT_EQ(schedule.moments(22.0 * dt, 100), 5);
   EXPECT_EQ(schedule.moments(22.0 * dt, 3), 4);  // one has passed, three more
   EXPECT_EQ(schedule.moments(0.0, 100), 1);

@@ -64,7 +64,8 @@ TEST(Summary, HasEveryValueUnderItsKey) {
   summary.energy.strain = 12.5;
   summary.energy.broken = 13.5;
   summary.energy.damped = 14.5;
-  summary.energy.contact = 15.5;
+  summary.energy.released = 15.5;
+  summary.energy.contact = 16.5;
   summary.energy.external = 100.0;
   summary.damage = {108, 0.5};
   summary.peak_rss = 109;
@@ -92,12 +93,12 @@ TEST(Summary, HasEveryValueUnderItsKey) {
   }
   EXPECT_EQ(json["node_steps_per_s"], 101.0 * 103.0 / 2.5);
   double entry = 11.5;
-  for (const char* name : {"kinetic", "strain", "broken", "damped", "contact"}) {
+  for (const char* name : {"kinetic", "strain", "broken", "damped", "released", "contact"}) {
     EXPECT_EQ(json["energy_J_per_m"][name], entry) << name;
     entry += 1.0;
   }
   EXPECT_EQ(json["energy_J_per_m"]["external"], 100.0);
-  EXPECT_EQ(json["energy_J_per_m"]["residual"], 100.0 - 67.5);
+  EXPECT_EQ(json["energy_J_per_m"]["residual"], 100.0 - 84.0);
   EXPECT_EQ(json["damage"]["broken_bonds"], 108);
   EXPECT_EQ(json["damage"]["max"], 0.5);
   EXPECT_EQ(json["peak_rss_bytes"], 109);

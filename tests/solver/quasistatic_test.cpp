@@ -53,8 +53,8 @@ TEST(Quasistatic, TimeGoesOnByIncrements) {
   EXPECT_TRUE(result.bears);
   ASSERT_EQ(clock.times.size(), 5U);
   for (int k = 0; k <= 4; ++k)
-    EXPECT_NEAR(clock.times[static_cast<std::size_t>(k)], k * duration / 4,
-                0.5001 * simulation.dt());
+    EXPECT_DOUBLE_EQ(clock.times[static_cast<std::size_t>(k)], k * duration / 4);
+  EXPECT_EQ(simulation.time(), duration);
   const Energy before = energy(simulation);
   simulation.run(200 * simulation.dt());  // the course has ended: nothing moves
   EXPECT_LT(energy(simulation).kinetic, 1e-6 * before.strain);
@@ -71,7 +71,8 @@ TEST(Quasistatic, ACrackGrowsAlongTheMidlineUntilThePlateIsInTwo) {
   EXPECT_EQ(result.broken, count_damage(simulation).broken_bonds);
   const Energy ledger = energy(simulation);
   EXPECT_LT(ledger.strain, 0.01 * ledger.broken);  // of crumbs that hang between the halves
-  EXPECT_NEAR(ledger.residual(), 0.0, 1e-12 * ledger.external);
+  EXPECT_GT(ledger.released, 0.0);
+  EXPECT_NEAR(ledger.residual(), 0.0, 5e-3 * ledger.external);  // forces are linear to the strain
 }
 
 TEST(Quasistatic, BitsDependNotOnThreads) {
@@ -93,7 +94,7 @@ TEST(Quasistatic, SaysThatThePlateComesApart) {
   Simulation simulation(plate, test::numerics(), {1});
   const QuasistaticResult result = simulation.load_slowly({duration, 2});
   EXPECT_FALSE(result.bears);
-  EXPECT_THAT(result.why, testing::HasSubstr("relax"));
+  EXPECT_THAT(result.why, testing::HasSubstr("quasistatic"));
   EXPECT_LE(result.passes.size(), 2U);
   EXPECT_GT(result.broken, 100);
   simulation.run(1e-6);  // it flies apart
@@ -128,10 +129,14 @@ TEST(Quasistatic, TheWorstBreakFirst) {
   const Lattice lattice(test::bare_plate(20, 10), test::numerics());
   BondBits bonds = lattice.bonds;
   const std::ptrdiff_t at = lattice.grid.layout().at(5, 5);
-  EXPECT_EQ(break_worst({{at, 0, 1.05}, {at, 1, 1.5}, {at, 2, 1.4}}, bonds), 2);
+  const Breakage broken =
+      break_worst({{at, 0, 1.05, 1.0}, {at, 1, 1.5, 2.0}, {at, 2, 1.4, 4.0}}, bonds);
+  ASSERT_EQ(broken.losses.size(), 2U);
+  EXPECT_EQ(broken.losses[1].bit, 4U);
+  EXPECT_EQ(broken.excess, 6.0);
   EXPECT_TRUE(bonds.holds(at, 0));
   EXPECT_FALSE(bonds.holds(at, 1) || bonds.holds(at, 2));
-  EXPECT_EQ(break_worst({}, bonds), 0);
+  EXPECT_TRUE(break_worst({}, bonds).losses.empty());
 }
 
 }  // namespace

@@ -71,17 +71,21 @@ TEST(Relaxation, TheDynamicSolverStaysThere) {
     Simulation simulation(plate, test::numerics(), {1});
     simulation.run(first);
     const std::int64_t step = simulation.state().step;
+    const Energy before = energy(simulation);
     const RelaxResult result = simulation.relax();
     EXPECT_LE(result.residual, 1e-8);
     EXPECT_EQ(result.beyond, 0);
     EXPECT_GT(result.most, 0.0);
     EXPECT_LT(result.most, 1.0);
     EXPECT_EQ(simulation.state().step, step);
-    EXPECT_DOUBLE_EQ(energy(simulation).external, energy(simulation).strain);
+    // Loaded slowly where it stood; what has acted in steps gives off as much as it stores.
+    const Energy rest = energy(simulation);
+    EXPECT_NEAR(rest.residual(), before.residual(), 1e-5 * rest.external);
+    EXPECT_NEAR(rest.external, (first > 0.0 ? 2.0 : 1.0) * rest.strain, 1e-3 * rest.strain);
     for (int k = 0; k < 200; ++k) simulation.step();
     const Energy later = energy(simulation);
     EXPECT_LT(later.kinetic, 1e-12 * later.strain);
-    EXPECT_NEAR(later.residual(), 0.0, 1e-12 * later.strain);
+    EXPECT_NEAR(later.residual(), rest.residual(), 1e-12 * later.strain);
   }
 }
 
@@ -207,7 +211,8 @@ TEST(Relaxation, LedNodesAreWhereTheCourseHasThem) {
   EXPECT_NEAR(simulation.displacement(29, 3).x(), now, 1e-12 * 1e-5);
   EXPECT_NEAR(simulation.displacement(0, 3).x(), 0.0, 1e-20);
   EXPECT_NEAR(simulation.displacement(15, 10).x(), 0.5 * now, 0.05 * now);
-  EXPECT_LT(std::abs(energy(simulation).residual()), 1e-12 * energy(simulation).strain);
+  const Energy ledger = energy(simulation);
+  EXPECT_LT(std::abs(ledger.residual()), 0.01 * ledger.external);  // of the run before
 }
 
 TEST(Relaxation, StiffnessesOfTwoMaterialsAreInSeries) {

@@ -24,6 +24,8 @@ State busy(Precision precision) {
   state.external_work = 1.0;
   state.work_ahead = 2.0;
   state.damped = 3.0;
+  state.released = 3.25;
+  state.clock = {1e-6, 2};
   state.origin = {4.0, 5.0};
   state.discs = {{{6.0, 7.0}, {8.0, 9.0}}, {{1.0, 2.0}, {3.0, 4.0}}};
   return state;
@@ -52,6 +54,9 @@ TEST(StateHash, KnowsEveryMember) {
       {"external_work", [](State& s) { s.external_work = 1.5; }},
       {"work_ahead", [](State& s) { s.work_ahead = 2.5; }},
       {"damped", [](State& s) { s.damped = 3.5; }},
+      {"released", [](State& s) { s.released = 3.75; }},
+      {"moment of the clock", [](State& s) { s.clock.moment = 2e-6; }},
+      {"step of the clock", [](State& s) { s.clock.since = 3; }},
       {"origin x", [](State& s) { s.origin.x() = 4.5; }},
       {"origin y", [](State& s) { s.origin.y() = 5.5; }},
       {"centre of a disc", [](State& s) { s.discs[0].centre.x() = 6.5; }},
