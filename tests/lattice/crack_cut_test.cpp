@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/crack_cut.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -79,6 +80,48 @@ TEST(CrackCut, AnInnerCornerBelongsToAPolylineAndItsEndsDoNot) {
   EXPECT_FALSE(holds(lattice, 9, 10, 1, -1));
   EXPECT_TRUE(holds(lattice, 9, 13, 1, 1));  // through the end at 7 mm
   EXPECT_FALSE(holds(lattice, 9, 12, 1, 0));
+}
+
+// It begins and ends where the diagonals of nodes 9 and 10 meet.
+TEST(CrackCut, WhereAClosedPolylineBeginsIsACornerLikeOthers) {
+  std::vector<Vec2> corners{{5e-3, 5e-3}, {8e-3, 5e-3}, {8e-3, 8e-3}, {5e-3, 8e-3}};
+  for (std::size_t first = 0; first < corners.size(); ++first) {
+    std::vector<Vec2> points = corners;
+    std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(first));
+    points.push_back(points.front());
+    const Lattice lattice = cut_plate(20, 20, {points, Born::broken});
+    EXPECT_FALSE(holds(lattice, 9, 9, 1, 1)) << first;
+    EXPECT_FALSE(holds(lattice, 15, 15, 1, 1)) << first;
+    EXPECT_FALSE(holds(lattice, 15, 10, 1, -1)) << first;
+    EXPECT_FALSE(holds(lattice, 9, 16, 1, -1)) << first;
+    EXPECT_TRUE(holds(lattice, 12, 12, 1, 1)) << first;
+  }
+}
+
+// Two cracks of each kind, in different directions: each cuts what it would cut alone.
+TEST(CrackCut, SeveralCutWhatEachOfThemCuts) {
+  const std::vector<Crack> cracks{crack(1, 2, 6, 4),
+                                  crack(7, 1, 5, 9),
+                                  {{{2e-3, 6e-3}, {4e-3, 9e-3}, {9e-3, 8e-3}}, Born::absent},
+                                  {{{8e-3, 3e-3}, {9e-3, 6e-3}}, Born::absent}};
+  Plate plate = test::bare_plate(20, 20);
+  plate.cracks = cracks;
+  const Lattice together(plate, test::numerics(0.5e-3, 1.5e-3));
+  std::vector<Lattice> alone;
+  for (const Crack& one : cracks) alone.push_back(cut_plate(20, 20, one));
+  together.family.for_each_bond([&](int a, int b, const Vec2&, double, int) {
+    for (int j = 0; j < 20; ++j)
+      for (int i = 0; i < 20; ++i) {
+        if (!together.grid.contains(i + a, j + b)) continue;
+        const bool held = std::ranges::all_of(
+            alone, [&](const Lattice& lattice) { return holds(lattice, i, j, a, b); });
+        EXPECT_EQ(holds(together, i, j, a, b), held);
+      }
+  });
+  std::int64_t born = 0;
+  for (const std::uint16_t bonds : together.born) born += bonds;
+  plate.cracks = {cracks[2], cracks[3]};
+  EXPECT_EQ(born / 2, Lattice(plate, test::numerics(0.5e-3, 1.5e-3)).bonds.count());
 }
 
 TEST(CrackCut, AClosedCircleSeparatesInsideFromOutside) {

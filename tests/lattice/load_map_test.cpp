@@ -165,6 +165,19 @@ TEST(Pressures, ActAtTheRimsOfTheirNameAlone) {
   }
 }
 
+TEST(Pressures, ActAtEveryRimOfTheirName) {
+  Plate plate = test::bare_plate(80, 40);
+  const Vec2 centres[] = {{10e-3, 10e-3}, {30e-3, 10e-3}};
+  for (const Vec2& centre : centres)
+    plate.cutouts.push_back({Ellipse{centre, {2e-3, 2e-3}, 0.0}, "pair"});
+  plate.loads.pressures.push_back({"pair", 3e6, {}});
+  const Lattice lattice(plate, test::numerics());
+  int left = 0, right = 0;
+  for (const LoadedNode& node : forces_of(plate, lattice)) (node.i < 40 ? left : right) += 1;
+  EXPECT_GT(left, 20);
+  EXPECT_EQ(left, right);
+}
+
 // What a notch lacks is the force on its mouth.
 TEST(Pressures, InANotchPushThePlateAwayFromItsMouth) {
   const double pressure = 3e6, depth = 4e-3, width = 2e-3;

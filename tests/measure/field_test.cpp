@@ -48,5 +48,39 @@ TEST(Velocity, IsInMetresPerSecond) {
                   static_cast<float>(1e-3 * 0.5e-3 / simulation.dt()));
 }
 
+// One node at a time as all at once: inside, at edges, beside a crack, a hole and a broken bond.
+TEST(Damage, OfOneNodeIsThatOfTheField) {
+  Plate plate = test::bare_plate(24, 18);
+  plate.cracks.push_back({{2e-3, 3e-3}, {7e-3, 6e-3}, Born::broken});
+  plate.cutouts.push_back({Ellipse{{9e-3, 5e-3}, {1.2e-3, 1.2e-3}, 0.0}, ""});
+  Simulation simulation(plate, test::numerics(), {1});
+  State state = simulation.state();
+  isolate(simulation.lattice().grid, simulation.lattice().family, 20, 2, state.bonds);
+  simulation.restore(state);
+  const Field field = damage(simulation);
+  for (int j = 0; j < 18; ++j)
+    for (int i = 0; i < 24; ++i)
+      EXPECT_NEAR(damage_of(simulation, i, j), field.values[simulation.lattice().grid.index(i, j)],
+                  1e-7)
+          << i << ' ' << j;
+  EXPECT_EQ(damage_of(simulation, 20, 2), 1.0);
+}
+
+// Each at its own place and of its own size, wherever the plate lies; in metres.
+TEST(Impactors, FlyWhereTheyWereThrown) {
+  Plate plate = test::bare_plate(40, 20);
+  plate.loads.impactors.push_back({{-9e-3, 4e-3}, 2e-3, {30.0, -20.0}, 10.0});
+  plate.loads.impactors.push_back({{35e-3, 7e-3}, 3e-3, {-10.0, 5.0}, 20.0});
+  Simulation simulation(plate, test::numerics(), {1});
+  for (int step = 0; step < 10; ++step) simulation.step();
+  const std::vector<Circle> discs = impactors(simulation);
+  ASSERT_EQ(discs.size(), 2U);
+  const double t = simulation.time();
+  EXPECT_NEAR((discs[0].centre - Vec2(-9e-3 + 30.0 * t, 4e-3 - 20.0 * t)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((discs[1].centre - Vec2(35e-3 - 10.0 * t, 7e-3 + 5.0 * t)).norm(), 0.0, 1e-15);
+  EXPECT_EQ(discs[0].radius, 2e-3);
+  EXPECT_EQ(discs[1].radius, 3e-3);
+}
+
 }  // namespace
 }  // namespace hackle

@@ -61,5 +61,23 @@ TEST(BondLines, ABlockMayReachBeyondTheLattice) {
             simulation.lattice().bonds_born());
 }
 
+// By place, direction and whether it holds, against the question asked bond by bond.
+TEST(BondLines, AreTheBondsOfTheState) {
+  Simulation simulation = cracked();
+  State state = simulation.state();
+  isolate(simulation.lattice().grid, simulation.lattice().family, 15, 15, state.bonds);
+  simulation.restore(state);
+  const Lattice& lattice = simulation.lattice();
+  int broken = 0;
+  for (const BondLine& line : bond_lines(simulation, {12, 17, 11, 18})) {
+    EXPECT_TRUE(line.i >= 12 && line.i <= 17 && line.j >= 11 && line.j <= 18);
+    EXPECT_TRUE(
+        holds(lattice.grid, lattice.family, lattice.bonds, line.i, line.j, line.column, line.row));
+    EXPECT_EQ(simulation.holds(line.i, line.j, line.column, line.row), line.holds);
+    broken += line.holds ? 0 : 1;
+  }
+  EXPECT_GT(broken, lattice.family.kept());  // those that other nodes keep, too
+}
+
 }  // namespace
 }  // namespace hackle

@@ -40,5 +40,21 @@ TEST(Geometry, AWholeTurnEndsWhereItBegan) {
   EXPECT_EQ(points.front(), points.back());
 }
 
+// Anticlockwise when the angle grows, clockwise when it falls.
+TEST(Geometry, AnArcGoesTheWayItsAnglesSay) {
+  for (const double from : {-4.0, -0.5, 1.0, 3.0})
+    for (const double turn : {-3.0, -1.0, 0.5, 2.0, 5.0}) {
+      const std::vector<Vec2> points = arc({1.0, 2.0}, 3.0, from, from + turn);
+      const auto at = [](double angle) {
+        return Vec2(1.0 + 3.0 * std::cos(angle), 2.0 + 3.0 * std::sin(angle));
+      };
+      EXPECT_NEAR((points.front() - at(from)).norm(), 0.0, 1e-12);
+      EXPECT_NEAR((points.back() - at(from + turn)).norm(), 0.0, 1e-12);
+      const std::size_t quarter = (points.size() - 1) / 4;
+      const double share = static_cast<double>(quarter) / static_cast<double>(points.size() - 1);
+      EXPECT_NEAR((points[quarter] - at(from + share * turn)).norm(), 0.0, 1e-12) << from << turn;
+    }
+}
+
 }  // namespace
 }  // namespace hackle
