@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -81,6 +83,21 @@ TEST(ColourMaps, AnUnknownNameGetsTheNearest) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::refused);
     EXPECT_THAT(error.what(), testing::HasSubstr("did you mean 'damage'?"));
+  }
+}
+
+// Dark at whole orders and light between them, wherever the range begins.
+TEST(FringeMap, HasTheLightOfItsOrders) {
+  for (const auto& [least, most] : {std::pair{0.0, 3.0}, {1.5, 4.0}, {-2.0, 0.5}, {7.25, 9.75}}) {
+    const ColourMap map = fringe_map(least, most);
+    const auto last = static_cast<double>(map.colours.size() - 1);
+    for (std::size_t k = 0; k < map.colours.size(); ++k) {
+      const double order = least + (most - least) * static_cast<double>(k) / last;
+      const double light = std::pow(std::sin(std::numbers::pi * order), 2);
+      EXPECT_NEAR(map.colours[k].red, 255.0 * std::pow(light, 1.0 / 2.2), 0.51) << order;
+      EXPECT_EQ(map.colours[k].green, map.colours[k].red);
+      EXPECT_EQ(map.colours[k].blue, map.colours[k].red);
+    }
   }
 }
 
