@@ -103,6 +103,13 @@ if ! $check && $own_clone; then
   git -C "$clone" checkout --quiet --force --detach FETCH_HEAD
   [ -f "$clone/build/release/build.ninja" ] || (cd "$clone" && cmake --preset release >/dev/null)
 fi
+if ! $check; then
+  git -C "$clone" diff --quiet -- src assets || {
+    echo "the clone has changes of its own in src or assets, which would be lost" >&2
+    exit 2
+  }
+  trap 'git -C "$clone" checkout --quiet -- src assets' EXIT
+fi
 
 file= was= now= tests=
 while IFS= read -r line || [ -n "$line" ]; do
@@ -125,5 +132,6 @@ if $check; then
 else
   echo "$seen seen, $unseen not seen, $untried could not be tried"
 fi
+if [ $((seen + unseen + untried)) -eq 0 ]; then echo "no fault has '$pattern' in it" >&2; exit 2; fi
 if [ "$untried" -gt 0 ]; then exit 2; fi
 if [ "$unseen" -gt 0 ]; then exit 1; fi
