@@ -137,6 +137,7 @@ void Session::end_line(const Transcript::Chunk& chunk, Transcript::Outcome outco
     if (interrupt && outcome == Transcript::Outcome::interrupted)
       transcript_.interrupted(number_of(*entry.run), *interrupt);
     entry.noted_step = entry.run->simulation().state().step;
+    if (!entry.run->under_way()) entry.run->judge();
   }
   transcript_.typed(chunk, outcome);
 }

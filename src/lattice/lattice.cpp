@@ -9,6 +9,7 @@
 #include "lattice/crack_cut.hpp"
 #include "lattice/scatter.hpp"
 #include "lattice/symbol.hpp"
+#include "lattice/touching.hpp"
 
 namespace hackle {
 namespace {
@@ -57,17 +58,6 @@ std::vector<MaterialOnLattice> materials_of(const Plate& plate, const Family& fa
   return materials;
 }
 
-// What bounds every bond and every node of the plate.
-double safe_step(const Family& family, const std::vector<MaterialOnLattice>& materials, double dx,
-                 double contact) {
-  double c = 0.0, rho = std::numeric_limits<double>::max();
-  for (const MaterialOnLattice& entry : materials) {
-    c = std::max(c, entry.calibration.c);
-    rho = std::min(rho, entry.material.rho);
-  }
-  return step_limit(family, c, rho, dx, contact);
-}
-
 }  // namespace
 
 Lattice::Lattice(const Plate& plate, const Numerics& numerics)
@@ -77,7 +67,7 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
       material(materials_of_nodes(plate, grid)),
       calibration(materials.front().calibration),
       rho(plate.material.rho),
-      step_limit(safe_step(family, materials, grid.dx, contact_stiffness(plate))),
+      step_limit(hackle::step_limit(*this, plate)),
       bonds(uncut_bonds(grid, family)),
       unbreakable(bonds_in_zones(plate.no_fail, grid, family)),
       strength(plate.scatter ? strengths(*plate.scatter, grid) : std::vector<float>()) {
@@ -117,6 +107,16 @@ double Lattice::least_stretch() const {
 
 std::int64_t Lattice::bonds_born() const {
   return std::accumulate(born.begin(), born.end(), std::int64_t{0}) / 2;
+}
+
+double step_limit(const Lattice& lattice, const Plate& plate) {
+  double c = 0.0, rho = std::numeric_limits<double>::max();
+  for (const MaterialOnLattice& entry : lattice.materials) {
+    c = std::max(c, entry.calibration.c);
+    rho = std::min(rho, entry.material.rho);
+  }
+  const double dx = lattice.grid.dx;
+  return step_limit(lattice.family, c, rho, dx, touching_stiffness(plate, dx));
 }
 
 std::vector<std::uint16_t> degrees(const Grid& grid, const Family& family, const BondBits& bonds) {

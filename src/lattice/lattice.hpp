@@ -27,12 +27,11 @@ struct Lattice {
   // of their micromoduli, and breaks by the weaker.
   std::vector<MaterialOnLattice> materials;
   std::vector<std::uint8_t>
-      material;             // per node: of `materials`, or void_node; empty when all are 0
-  Calibration calibration;  // of the plate's own material
-  double rho;               // kg/m3, of the plate's own material
-  double step_limit;        // s, 2/omega_max; of the stiffest and the lightest material, contacts
-                            // included
-  BondBits bonds;           // at t = 0, after the cracks were cut
+      material;                     // per node: of `materials`, or void_node; empty when all are 0
+  Calibration calibration;          // of the plate's own material
+  double rho;                       // kg/m3, of the plate's own material
+  double step_limit;                // s, see step_limit() below, of the plate as it was described
+  BondBits bonds;                   // at t = 0, after the cracks were cut
   std::vector<std::uint16_t> born;  // per node: bonds it was born with, the base of its damage
   BondBits unbreakable;             // bonds of no-fail zones; empty when there are none
   std::vector<float> strength;      // per node: its critical stretch over s0; empty when all are 1
@@ -56,6 +55,10 @@ struct Lattice {
   double least_stretch() const;  // the least critical stretch of all materials
   std::int64_t bonds_born() const;
 };
+
+// The limit of the step, s: 2/omega_max of the stiffest and the lightest material, contacts and
+// impacts of `plate` included. Damping does not change it (see solver/damping.hpp).
+double step_limit(const Lattice& lattice, const Plate& plate);
 
 // Bonds that each node has among `bonds`, in the order of Grid::index.
 std::vector<std::uint16_t> degrees(const Grid& grid, const Family& family, const BondBits& bonds);

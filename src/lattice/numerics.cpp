@@ -12,6 +12,7 @@
 #include "lattice/calibration.hpp"
 #include "lattice/node_layout.hpp"
 #include "lattice/symbol.hpp"
+#include "lattice/touching.hpp"
 
 namespace hackle {
 namespace {
@@ -132,6 +133,17 @@ std::optional<double> micromodulus_of(const Material& material, const Plate& pla
   return std::nullopt;
 }
 
+// A disc that crosses much of a spacing in a step is not resolved, stable or not.
+void check_impact(const Plate& plate, const Numerics& numerics, Problems& problems) {
+  const double longest = longest_step_of_impact(plate, numerics.spacing);
+  if (*numerics.step <= longest * (1.0 + 1e-9)) return;
+  problems.add(
+      fmt::format("impactor: in a step of {} it crosses {:.2g} spacings, {:g} are the most",
+                  quantity(*numerics.step, "s"), most_crossed * *numerics.step / longest,
+                  most_crossed),
+      fmt::format("take a step of {} or less, or leave it out", quantity(longest, "s")));
+}
+
 // The limit is that of the stiffest and the lightest material.
 void check_against_limit(const Plate& plate, const Numerics& numerics, Problems& problems) {
   const Family family = family_of(numerics);
@@ -145,7 +157,8 @@ void check_against_limit(const Plate& plate, const Numerics& numerics, Problems&
     rho = std::min(rho, inclusion.material.rho);
   }
   if (!known || !numerics.step || numerics.force_step) return;
-  const double limit = step_limit(family, c, rho, numerics.spacing, contact_stiffness(plate));
+  const double limit =
+      step_limit(family, c, rho, numerics.spacing, touching_stiffness(plate, numerics.spacing));
   if (*numerics.step <= limit) return;
   problems.add(fmt::format("simulate: step is {}, above the stability limit of {}",
                            quantity(*numerics.step, "s"), quantity(limit, "s")),
@@ -157,6 +170,8 @@ void check_step(const Plate& plate, const Numerics& numerics, bool has_family, P
     problems.add(fmt::format("simulate: step is {} s, it must be above 0 s", *numerics.step));
   else if (has_family)
     check_against_limit(plate, numerics, problems);
+  if (numerics.step && *numerics.step > 0.0 && numerics.spacing > 0.0 && !numerics.force_step)
+    check_impact(plate, numerics, problems);
 }
 
 // Values that the engine keeps for every place: see memory_needed().

@@ -22,9 +22,8 @@ Branches symbol(const Family& family, double c, double dx, const Vec2& k);
 // eigenvalues, and heavier nodes those of the motion.
 double largest_frequency(const Family& family, double c, double rho, double dx);
 
-// Velocity Verlet is stable for steps up to 2/omega_max, in s. With contacts of `contact` times the
-// micromodulus (see Contact), of which every node may have one straight ahead and two aslant, as
-// much as two of stiffness k = contact c dx/m: they add no more than 4 k/rho to omega^2.
-double step_limit(const Family& family, double c, double rho, double dx, double contact = 0.0);
+// Velocity Verlet is stable for steps up to 2/omega_max, in s. What touches the nodes
+// (touching.hpp) adds `touching` times c dx/m to rho omega^2.
+double step_limit(const Family& family, double c, double rho, double dx, double touching = 0.0);
 
 }  // namespace hackle

@@ -16,6 +16,8 @@
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
 #include "output/chart_data.hpp"
+#include "output/ledger_remark.hpp"
+#include "output/load_remarks.hpp"
 #include "output/movie_output.hpp"
 #include "output/onlookers.hpp"
 #include "output/outputs.hpp"
@@ -64,8 +66,19 @@ struct Run::Parts {
   Activity activity = Activity::none;
   bool paused = false;
   std::optional<std::int64_t> interrupted_at;
+  std::vector<std::string> notes;
+  std::int64_t judged_step = 0;
   bool rehearsing = false;
   std::int64_t rehearsed_steps = 0;
+
+  // What is new of these.
+  void say(const std::vector<std::string>& remarks) {
+    for (const std::string& remark : remarks) {
+      if (std::ranges::find(notes, remark) != notes.end()) continue;
+      notes.push_back(remark);
+      if (talk != Talk::quiet) fmt::print(stderr, "note: {}\n", remark);
+    }
+  }
 
   // Time passes, and nothing else does.
   void arrive() {
@@ -113,9 +126,8 @@ struct Run::Parts {
 Run::Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin origin)
     : parts_(
           std::make_unique<Parts>(std::move(plate), numerics, execution, talk, std::move(origin))) {
-  if (talk == Talk::quiet) return;
-  for (const std::string& remark : remarks(parts_->simulation))
-    fmt::print(stderr, "note: {}\n", remark);
+  parts_->say(remarks(parts_->simulation));
+  parts_->say(shock_remarks(parts_->simulation, {}));
 }
 
 Run::~Run() = default;
@@ -162,7 +174,9 @@ void Run::limit_output(double bytes) {
 void Run::set_loads(Loads loads) {
   if (parts_->activity != Activity::watched) parts_->refuse_while_running();
   const Mark busy(parts_->activity, Activity::stepping);  // functions of place are asked now
+  const std::vector<double> strain = parts_->simulation.thermal_strain();
   parts_->simulation.set_loads(std::move(loads));
+  parts_->say(shock_remarks(parts_->simulation, strain));
 }
 
 void Run::watch(std::shared_ptr<Observer> watcher) {
@@ -227,7 +241,13 @@ void Run::start(double duration) {
                              std::numeric_limits<std::int64_t>::max());
   resume();
   const Mark busy(parts_->activity, Activity::stepping);  // functions of time are asked now
-  parts_->simulation.aim(duration);
+  Simulation& simulation = parts_->simulation;
+  simulation.aim(duration);
+  try {
+    parts_->say(load_remarks(simulation, simulation.end_time()));
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::interrupted) throw;  // else it is good at the steps: enough
+  }
 }
 
 void Run::go_on(double seconds) {
@@ -319,8 +339,16 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
 void Run::close() {
   parts_->refuse_while_running();
   stop();
+  judge();
   parts_->watchers.clear();  // whose functions may hold on to this run
   parts_->outputs.close();
+}
+
+void Run::judge() {
+  const Simulation& simulation = parts_->simulation;
+  const std::int64_t step = simulation.state().step;
+  if (parts_->rehearsing || std::exchange(parts_->judged_step, step) == step) return;
+  if (const auto remark = ledger_remark(simulation, energy(simulation))) parts_->say({*remark});
 }
 
 void Run::rehearse() {
@@ -355,6 +383,7 @@ Summary Run::summary() const {
   summary.peak_rss = peak_resident_memory();
   summary.hash = simulation.state().hash();
   summary.files = parts_->pictures;
+  summary.notes = parts_->notes;
   summary.wall.setup = parts_->setup_seconds;
   summary.wall.solve = simulation.solve_seconds();
   summary.wall.render = parts_->frame_render_seconds;

@@ -110,6 +110,10 @@ class Run {
   void rehearse();
   Rehearsal rehearsal() const;
 
+  // Says on stderr when the ledger does not close (see ledger_remark), once for every state; done
+  // by close(), too.
+  void judge();
+
   const Simulation& simulation() const;
   Summary summary() const;
   // What a person wants to know, several lines of text.

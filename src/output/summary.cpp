@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "output/ledger_remark.hpp"
+
 namespace hackle {
 namespace {
 
@@ -56,11 +58,13 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   json["wall_s"] = to_json(summary.wall);
   json["node_steps_per_s"] = summary.node_steps_per_second();
   json["energy_J_per_m"] = to_json(summary.energy);
+  json["residual_share"] = residual_share(summary.energy);
   json["damage"] = {{"broken_bonds", summary.damage.broken_bonds}, {"max", summary.damage.most}};
   json["peak_rss_bytes"] = summary.peak_rss;
   json["hash"] = summary.hash;
   json["files"] = nlohmann::ordered_json::array();
   for (const auto& file : summary.files) json["files"].push_back(file.string());
+  json["notes"] = summary.notes;
   return json;
 }
 

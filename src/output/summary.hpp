@@ -45,6 +45,7 @@ struct Summary {
   std::uint64_t peak_rss = 0;                // bytes, of the process
   std::string hash;                          // of the state
   std::vector<std::filesystem::path> files;  // written, complete
+  std::vector<std::string> notes;            // that were said, or would have been
 
   // Nodes times steps over the time of solving; 0 before the first step.
   double node_steps_per_second() const {

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "solver/damping.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
+
+#include "solver/node_vectors.hpp"
 
 namespace hackle {
 namespace {
 
-// Of row j; returns the sum of squares before, times the density over that of the plate.
 template <class Real>
-double damp_row(const Lattice& lattice, Real keep, int j, Motion<Real>& motion) {
+double square_of_row(const Lattice& lattice, int j, const Motion<Real>& motion) {
   const Grid& grid = lattice.grid;
   double sum = 0.0;
   for (int i = 0; i < grid.nx; ++i) {
@@ -19,28 +22,66 @@ double damp_row(const Lattice& lattice, Real keep, int j, Motion<Real>& motion) 
                                ? 1.0
                                : lattice.material_at(i, j).material.rho / lattice.rho;
     sum += inertia * (vx * vx + vy * vy);
-    motion.vx[at] *= keep;
-    motion.vy[at] *= keep;
   }
   return sum;
 }
 
+// What of v is led.
+Vec2 led_part(const LedNode& node, const Vec2& v) {
+  return {node.along_x ? v.x() : 0.0, node.along_y ? v.y() : 0.0};
+}
+
 }  // namespace
 
-double damp(const Lattice& lattice, double keep, const Threads& threads, State& state) {
+Damping::Damping(double x) {
+  if (!(x > 0.0)) return;
+  keep = std::exp(-x);
+  yield = -std::expm1(-x) / x;
+  loss = x;
+  first = 0.5 - x / (2.0 * std::sinh(x));
+  last = x / -std::expm1(-2.0 * x) - 0.5 * keep;
+}
+
+double free_motion(const Lattice& lattice, std::span<const LedNode> led, const Threads& threads,
+                   const State& state) {
   std::vector<double> of_row(static_cast<std::size_t>(lattice.grid.ny));
-  constexpr int rows_per_task = 16;
   std::visit(
-      [&]<class Real>(Motion<Real>& motion) {
-        const int ny = lattice.grid.ny;
-        threads.for_tasks((ny + rows_per_task - 1) / rows_per_task, [&](int task, int) {
-          for (int j = task * rows_per_task; j < std::min(ny, (task + 1) * rows_per_task); ++j)
-            of_row[static_cast<std::size_t>(j)] =
-                damp_row(lattice, static_cast<Real>(keep), j, motion);
+      [&](const auto& motion) {
+        for_rows(threads, lattice.grid.ny, [&](int j) {
+          of_row[static_cast<std::size_t>(j)] = square_of_row(lattice, j, motion);
         });
       },
       state.motion);
-  return 0.5 * (1.0 - keep * keep) * std::accumulate(of_row.begin(), of_row.end(), 0.0);
+  double sum = std::accumulate(of_row.begin(), of_row.end(), 0.0);
+  for (const LedNode& node : led)
+    sum -= node.inertia * led_part(node, state.v(node.i, node.j)).squaredNorm();
+  return std::max(sum, 0.0);
+}
+
+void damp(const Lattice& lattice, std::span<const LedNode> led, double keep, const Threads& threads,
+          State& state) {
+  std::vector<Vec2> before;
+  before.reserve(led.size());
+  for (const LedNode& node : led) before.push_back(state.v(node.i, node.j));
+  std::visit(
+      [&]<class Real>(Motion<Real>& motion) {
+        const Grid& grid = lattice.grid;
+        for_rows(threads, grid.ny, [&](int j) {
+          const auto at = static_cast<std::size_t>(grid.layout().at(0, j));
+          for (std::size_t n = at; n < at + static_cast<std::size_t>(grid.nx); ++n) {
+            motion.vx[n] *= static_cast<Real>(keep);
+            motion.vy[n] *= static_cast<Real>(keep);
+          }
+        });
+      },
+      state.motion);
+  for (std::size_t k = 0; k < led.size(); ++k) {
+    const LedNode& node = led[k];
+    const Vec2 damped = state.v(node.i, node.j);
+    state.set_v(
+        node.i, node.j,
+        {node.along_x ? before[k].x() : damped.x(), node.along_y ? before[k].y() : damped.y()});
+  }
 }
 
 }  // namespace hackle

@@ -1,15 +1,44 @@
 // SPDX-License-Identifier: MIT
-// Viscous damping: velocities die away.
+// Viscous damping: velocities die away as exp(-rate t).
+//
+// A step takes v to keep v + yield a, which is the exact motion under a force that is constant
+// meanwhile: keep = exp(-x), yield = (1 - keep)/x, x = rate dt. It is of second order in the step,
+// a plate that creeps under a load does so at the right velocity for any x, and the step limit
+// stays what it is: a mode of Omega = omega dt obeys z^2 - (1 + keep - yield Omega^2) z + keep = 0,
+// whose roots lie in the unit circle for yield Omega^2 < 2 (1 + keep), that is Omega^2 < 2 x
+// coth(x/2), which is never below 4.
 #pragma once
 
+#include <span>
+
 #include "lattice/lattice.hpp"
+#include "solver/loading.hpp"
 #include "solver/state.hpp"
 #include "solver/threads.hpp"
 
 namespace hackle {
 
-// Makes every velocity `keep` times what it was. Returns the kinetic energy that goes, in units of
-// rho dx^4/dt^2 (J/m); its bits do not depend on the number of threads.
-double damp(const Lattice& lattice, double keep, const Threads& threads, State& state);
+// What damping does in a time `x`, in units of 1/rate; nothing when that is 0.
+struct Damping {
+  explicit Damping(double x);
+
+  double keep = 1.0;
+  double yield = 1.0;
+  // Of free_motion() over a step, what it takes: x v^2, as the power is rate v^2. So that the
+  // ledger of a plate on which no force acts is exact, less at both ends: `first` of the motion at
+  // the start, and `last` in the step that was the last one so far.
+  double loss = 0.0;
+  double first = 0.0;
+  double last = 0.0;
+};
+
+// Sum of v^2, weighed by the density over that of the plate, of everything that is not led. The
+// same bits for any number of threads.
+double free_motion(const Lattice& lattice, std::span<const LedNode> led, const Threads& threads,
+                   const State& state);
+
+// Makes the velocity of everything that is not led `keep` times what it was.
+void damp(const Lattice& lattice, std::span<const LedNode> led, double keep, const Threads& threads,
+          State& state);
 
 }  // namespace hackle

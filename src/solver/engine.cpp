@@ -171,12 +171,10 @@ void Engine<Real>::set_loads(const Loading& loading) {
 }
 
 template <class Real>
-typename Engine<Real>::LeadWork Engine<Real>::work_of_leads() const {
-  LeadWork sum;
-  for (std::size_t k = 0; k < leads_.size(); ++k) {
-    sum.done += inertia_of_leads_[k] * static_cast<double>(leads_[k].work);
-    sum.ahead += inertia_of_leads_[k] * static_cast<double>(leads_[k].ahead);
-  }
+double Engine<Real>::work_of_leads() const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < leads_.size(); ++k)
+    sum += inertia_of_leads_[k] * static_cast<double>(leads_[k].work);
   return sum;
 }
 
@@ -265,7 +263,7 @@ KernelData<Real> Engine<Real>::tables(const Lattice& lattice, const Motion<Real>
   data.first_on_row = first_on_row_;
   data.ux = motion.ux.data();
   data.uy = motion.uy.data();
-  data.kick = state.is_start() ? Real{0.5} : Real{1};
+  data.starts = state.is_start();
   data.bonds = state.bonds.words().data();
   data.unbreakable = lattice.unbreakable.empty() ? nullptr : lattice.unbreakable.words().data();
   data.plane = state.bonds.plane();
@@ -311,9 +309,10 @@ void Engine<Real>::advance(const KernelData<Real>& data) {
 }
 
 template <class Real>
-void Engine<Real>::step(const Lattice& lattice, State& state) {
+void Engine<Real>::step(const Lattice& lattice, State& state, double kick) {
   auto& motion = std::get<Motion<Real>>(state.motion);
   KernelData<Real> data = tables(lattice, motion, state);
+  data.kick = static_cast<Real>(kick);
   let_write(data, motion);
   let_lead(data);
   advance(data);
@@ -354,7 +353,6 @@ void Engine<Real>::accelerations(const Lattice& lattice, const State& state, Val
   KernelData<Real> data = tables(lattice, std::get<Motion<Real>>(state.motion), state);
   data.ax = ax.data();
   data.ay = ay.data();
-  let_lead(data);
   advance(data);
 }
 

@@ -32,23 +32,20 @@ class Engine {
   void set_loads(const Loading& loading);
   // The thermal strain of every node from now on, by Grid::index. For an engine that is heated.
   void set_heat(const Lattice& lattice, const std::vector<double>& strain);
-  // The work it took in the last step to lead nodes, in units of rho dx^4/dt^2: that up to its
-  // beginning, which adds up, and that ahead of it, which does not.
-  struct LeadWork {
-    double done = 0.0;
-    double ahead = 0.0;
-  };
-  LeadWork work_of_leads() const;
+  // The work it took to lead nodes up to the beginning of the last step, in units of
+  // rho dx^4/dt^2.
+  double work_of_leads() const;
 
   // `lattice` is the one it was made for. To be called before the first step, and whenever a state
   // is not the one that step() left. A state at its start gets the thresholds that follow from its
   // displacements, as if it had been there a step earlier.
   void prepare(const Lattice& lattice, State& state);
 
-  // u, v, bonds and thresholds go on by one step; the rest of the state is the caller's.
-  void step(const Lattice& lattice, State& state);
+  // u, v, bonds and thresholds go on by one step; the rest of the state is the caller's. An
+  // acceleration changes v by `kick` of itself.
+  void step(const Lattice& lattice, State& state, double kick);
 
-  // Acceleration of every place at the time of u, in lattice units.
+  // Acceleration of every place at the time of u, in lattice units, as if no node were led.
   void accelerations(const Lattice& lattice, const State& state, Values<Real>& ax,
                      Values<Real>& ay);
 

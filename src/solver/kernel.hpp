@@ -91,10 +91,8 @@ struct NodeLead {
   Real y{};
   // Written by the kernel: the work that leading takes up to the beginning of the step, for a node
   // of mass 1: the change of its momentum that no bond and no load makes, times the mean of its
-  // velocities before and after.
+  // velocities before and after; at the start, where there is no before, the half of it.
   Real work{};
-  // The same for the half of the step that lies ahead, which the next step's `work` contains.
-  Real ahead{};
 };
 
 // A bond that was found stretched too far.
@@ -119,7 +117,9 @@ struct KernelData {
   Real* next_uy = nullptr;
   Real* vx = nullptr;
   Real* vy = nullptr;
-  Real kick = 1;  // steps from the time of v to the middle of this step: 1, or 1/2 at the start
+  Real kick =
+      1;  // what an acceleration does to v, in steps: 1, or 1/2 at the start; less with damping
+  bool starts = false;  // u and v belong to the same time
 
   const std::uint32_t* bonds = nullptr;
   // Read by guarded kernels only; mixed and heated ones take nothing for no zones.

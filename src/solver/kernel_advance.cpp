@@ -245,25 +245,20 @@ void Sweep<features>::add_loads(int j) {
   }
 }
 
-// Makes advance() move the node as it is led: from rest, by a force that amounts to its move.
+// Makes advance() move the node as it is led: at the velocity of its move, and no force changes it.
 template <KernelFeatures features>
 void Sweep<features>::lead(int j) {
   for (std::size_t n = data_.leads_of_row[j]; n < data_.leads_of_row[j + 1]; ++n) {
     NodeLead<Real>& node = data_.leads[n];
     const int q = node.i - data_.layout.first_column() - first_;
     if (q < 0 || q >= columns_) continue;
-    node.work = node.ahead = 0;
-    if (data_.ax != nullptr) {  // forces are asked for, and nothing moves
-      if (node.along_x) work_.up.x[q] = 0;
-      if (node.along_y) work_.up.y[q] = 0;
-      continue;
-    }
+    node.work = 0;
     const auto along = [&](Real& force, Real& v, Real move) {
-      const Real push = move - (v + data_.kick * force);
+      const Real push = move - (v + force);
       node.work += Real{0.5} * push * (v + move);
-      node.ahead -= Real{0.5} * force * move;
-      v = 0;
-      force = move / data_.kick;
+      if (data_.starts) node.work += Real{0.5} * force * v;
+      v = move;
+      force = 0;
     };
     const std::ptrdiff_t at = place(j) + q;
     if (node.along_x) along(work_.up.x[q], data_.vx[at], node.x);

@@ -14,6 +14,7 @@
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
 #include "lattice/carve.hpp"
+#include "lattice/touching.hpp"
 #include "solver/bond_energy.hpp"
 #include "solver/damping.hpp"
 #include "solver/heat_work.hpp"
@@ -60,6 +61,32 @@ void set_in_motion(const std::vector<Start>& starts, const Lattice& lattice, dou
     });
 }
 
+// To three digits.
+double rounded_down(double step) {
+  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 2.0);
+  return std::isfinite(step) ? std::floor(step / unit) * unit : step;
+}
+
+// Of discs that come later; those that the plate has before are checked with the numerics. The
+// limit is for nodes deep in the plate: of those that a disc comes upon, which lack half their
+// bonds, the reserve of the default step is enough (dense eigenvalues, m = 3 to 6).
+void check_step(const Plate& plate, const Lattice& lattice, double dt) {
+  const double limit = step_limit(lattice, plate) / step_fraction;
+  const double longest = longest_step_of_impact(plate, lattice.grid.dx);
+  const double fit = std::min(limit, longest);
+  if (dt <= fit * (1.0 + 1e-9)) return;
+  throw Error(
+      ErrorKind::refused,
+      limit < longest
+          ? fmt::format("impactor: the step is {}, above the stability limit of {} while it pushes",
+                        quantity(dt, "s"), quantity(limit, "s"))
+          : fmt::format("impactor: in the step of {} it crosses {:.2g} spacings, {:g} are the most",
+                        quantity(dt, "s"), most_crossed * dt / longest, most_crossed),
+      fmt::format("give simulate a step of {} or less; for an impactor that the plate has before "
+                  "simulate() it is found",
+                  quantity(rounded_down(fit), "s")));
+}
+
 using AnyEngine = std::variant<Engine<double>, Engine<float>>;
 
 AnyEngine engine_for(Precision precision, const Lattice& lattice, const EngineOptions& options,
@@ -83,7 +110,7 @@ Simulation::Simulation(Plate plate, Numerics numerics, Execution execution,
           with_strength(Lattice(checked(plate_, numerics_, execution.instruction_set), numerics_),
                         std::move(strength))),
       state_(lattice_, numerics_.precision),
-      dt_(numerics_.step.value_or(default_step(lattice_.step_limit))),
+      dt_(numerics_.step.value_or(default_step(plate_, lattice_))),
       loading_(plate_, lattice_, dt_),
       heat_(plate_, lattice_, dt_),
       instruction_set_(execution.instruction_set),
@@ -103,9 +130,12 @@ EngineOptions Simulation::options() const {
 }
 
 double Simulation::default_step(double limit) {
-  const double wanted = step_fraction * limit;
-  const double unit = std::pow(10.0, std::floor(std::log10(wanted)) - 2.0);
-  return std::floor(wanted / unit) * unit;
+  return rounded_down(step_fraction * limit);
+}
+
+double Simulation::default_step(const Plate& plate, const Lattice& lattice) {
+  const double longest = longest_step_of_impact(plate, lattice.grid.dx);
+  return std::min(default_step(lattice.step_limit), rounded_down(longest));
 }
 
 void Simulation::restore(State state) {
@@ -113,6 +143,7 @@ void Simulation::restore(State state) {
     engine_ = engine_for(state.precision(), lattice_, options(), threads_);
   state_ = std::move(state);
   borne_.clear();
+  most_energy_ = energy_of_state();
   stop();
   prepare();
 }
@@ -128,6 +159,10 @@ void Simulation::show(Snapshot snapshot) {
 void Simulation::start() {
   heat_.update(lattice_, state_);
   set_in_motion(plate_.starts, lattice_, dt_, state_);
+  state_.external_work = energy_of_state();
+}
+
+double Simulation::energy_of_state() const {
   double doubled = 0.0;
   for (int j = 0; j < lattice_.grid.ny; ++j)
     for (int i = 0; i < lattice_.grid.nx; ++i)
@@ -135,7 +170,7 @@ void Simulation::start() {
         doubled +=
             lattice_.material_at(i, j).material.rho / lattice_.rho * state_.v(i, j).squaredNorm();
   const BondEnergy bonds = bond_energy(lattice_, state_, heat_.values());
-  state_.external_work = 0.5 * doubled + bonds.held / energy_unit();
+  return 0.5 * doubled + bonds.held / energy_unit();
 }
 
 void Simulation::prepare() {
@@ -158,6 +193,8 @@ void Simulation::set_loads(Loads loads) {
   check(plate, problems);
   problems.throw_if_any();
   Loading loading(plate, lattice_, dt_);
+  const bool more_discs = plate.loads.impactors.size() > plate_.loads.impactors.size();
+  if (more_discs && !numerics_.force_step) check_step(plate, lattice_, dt_);
   loading.tabulate(state_.clock, state_.step, std::max(state_.step, last_step_) + 1);
   ThermalStrain heat(plate, lattice_, dt_);
   heat.tabulate(state_.clock, state_.step, std::max(state_.step, last_step_) + 1);
@@ -168,19 +205,21 @@ void Simulation::set_loads(Loads loads) {
     state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_),
                                       heat.before(lattice_, state_), threads_) /
                             energy_unit();
-  // What is let go has done its work.
-  if (loading.led().empty()) state_.external_work += std::exchange(state_.work_ahead, 0.0);
+  const double work = work_of_half_step(), loss = lost_in_half_step();
   loading_ = std::move(loading);
   heat_ = std::move(heat);
   plate_ = std::move(plate);
+  if (more_discs) lattice_.step_limit = step_limit(lattice_, plate_);
   if (rebuild) engine_ = engine_for(state_.precision(), lattice_, options(), threads_);
   prepare();
+  state_.external_work += work_of_half_step() - work;
+  state_.damped += loss - lost_in_half_step();
 }
 
 void Simulation::step() {
-  if (plate_.loads.damping > 0.0) damp_motion();
+  const double kick = plate_.loads.damping > 0.0 ? damp_motion() : state_.is_start() ? 0.5 : 1.0;
   if (!heat_.empty()) count_heat_work();
-  std::visit([this](auto& engine) { engine.step(lattice_, state_); }, engine_);
+  std::visit([&](auto& engine) { engine.step(lattice_, state_, kick); }, engine_);
   ++state_.step;
   count_external_work();
   if (!heat_.empty()) take_heat();
@@ -189,9 +228,38 @@ void Simulation::step() {
     keep_f32_exact();
 }
 
-void Simulation::damp_motion() {
+// From the time of v to the time of u, and on to the middle of the step; returns the kick that goes
+// with it.
+double Simulation::damp_motion() {
   const Stopwatch watch(step_seconds_.damping);
-  state_.damped += damp(lattice_, std::exp(-plate_.loads.damping * dt_), threads_, state_);
+  const Damping step(plate_.loads.damping * dt_), half(0.5 * plate_.loads.damping * dt_);
+  const bool starts = state_.is_start();
+  state_.damped +=
+      (starts ? step.first : step.loss) * free_motion(lattice_, loading_.led(), threads_, state_);
+  damp(lattice_, loading_.led(), starts ? half.keep : step.keep, threads_, state_);
+  return starts ? 0.5 * half.yield : step.yield;
+}
+
+// What acts at a step does half its work in the step before it, as in the step after it. So other
+// loads, or another temperature, at a step make the step before it end otherwise: by this, of all
+// accelerations.
+double Simulation::work_of_half_step() const {
+  if (state_.is_start()) return 0.0;
+  const Grid& grid = lattice_.grid;
+  const std::vector<Vec2> a = accelerations();
+  double sum = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      if (!lattice_.is_void(i, j))
+        sum += lattice_.material_at(i, j).material.rho / lattice_.rho *
+               a[grid.index(i, j)].dot(state_.v(i, j));
+  return 0.5 * sum;
+}
+
+double Simulation::lost_in_half_step() const {
+  if (!(plate_.loads.damping > 0.0) || state_.is_start()) return 0.0;
+  return 0.5 * Damping(plate_.loads.damping * dt_).loss *
+         free_motion(lattice_, loading_.led(), threads_, state_);
 }
 
 // For the step to come.
@@ -235,15 +303,22 @@ void Simulation::keep_f32_exact() {
 
 void Simulation::count_external_work() {
   loading_.add_work(lattice_, state_, state_.external_work);
-  state_.work_ahead = 0.0;
   if (loading_.led().empty()) return;
-  std::visit(
-      [this](const auto& engine) {
-        const auto work = engine.work_of_leads();
-        state_.external_work += work.done;
-        state_.work_ahead = work.ahead;
-      },
-      engine_);
+  state_.external_work +=
+      std::visit([](const auto& engine) { return engine.work_of_leads(); }, engine_);
+}
+
+// By supports, in the second half of the last step: that of what pulls at nodes that do not yield.
+double Simulation::work_of_led_half_step() const {
+  if (loading_.led().empty() || state_.is_start()) return 0.0;
+  const std::vector<Vec2> a = accelerations();
+  double sum = 0.0;
+  for (const LedNode& node : loading_.led()) {
+    const Vec2 push = a[lattice_.grid.index(node.i, node.j)], v = state_.v(node.i, node.j);
+    if (node.along_x) sum -= node.inertia * push.x() * v.x();
+    if (node.along_y) sum -= node.inertia * push.y() * v.y();
+  }
+  return 0.5 * sum;
 }
 
 void Simulation::aim(double duration) {
@@ -301,7 +376,7 @@ void Simulation::go_on(std::span<Observer* const> observers) {
 }
 
 void Simulation::look_after_step(std::span<Observer* const> observers) {
-  if (state_.step % steps_between_checks == 0) check_finite();
+  if (state_.step % steps_between_checks == 0) check_energy(check_motion());
   let_look(observers);
   if (interrupted())
     throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}, at {}", state_.step,
@@ -309,24 +384,51 @@ void Simulation::look_after_step(std::span<Observer* const> observers) {
 }
 
 void Simulation::check_finite() const {
+  check_motion();
+}
+
+// Returns the sum of v^2.
+double Simulation::check_motion() const {
   // What a field can hold, which is in single precision.
   constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
   const Grid& grid = lattice_.grid;
   const double u_most = most / grid.dx, v_most = most / (grid.dx / dt_);
+  double sum = 0.0;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
+      const Vec2 moves = state_.v(i, j);
       const double u = (state_.origin + state_.u(i, j)).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-      const double v = state_.v(i, j).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-      if (u < u_most && v < v_most) continue;
-      const Vec2 place = grid.position(i, j);
-      throw Error(ErrorKind::run_failed,
-                  fmt::format("the solution has diverged by step {}, at {}, at ({}, {}): the step "
-                              "is {}, its limit {}",
-                              state_.step, quantity(time(), "s"), quantity(place.x(), "m"),
-                              quantity(place.y(), "m"), quantity(dt_, "s"),
-                              quantity(lattice_.step_limit, "s")),
-                  "take a smaller step or a smaller load");
+      const double v = moves.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+      if (!(u < u_most && v < v_most)) throw_diverged(i, j);
+      sum += moves.squaredNorm();
     }
+  return sum;
+}
+
+// All motion comes from work, so that kinetic energy is never above the most that was put in, but
+// for the error of the step. Where it is far above, nothing else is right either.
+void Simulation::check_energy(double motion) {
+  constexpr double beyond_reason = 1000.0;
+  most_energy_ = std::max(most_energy_, std::abs(state_.external_work));
+  if (0.5 * motion <= beyond_reason * most_energy_) return;
+  const Grid& grid = lattice_.grid;
+  int fastest_i = 0, fastest_j = 0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      if (state_.v(i, j).squaredNorm() > state_.v(fastest_i, fastest_j).squaredNorm())
+        fastest_i = i, fastest_j = j;
+  throw_diverged(fastest_i, fastest_j);
+}
+
+void Simulation::throw_diverged(int i, int j) const {
+  const Vec2 place = lattice_.grid.position(i, j);
+  throw Error(
+      ErrorKind::run_failed,
+      fmt::format("the solution has diverged by step {}, at {}, at ({}, {}): the step "
+                  "is {}, its limit {}",
+                  state_.step, quantity(time(), "s"), quantity(place.x(), "m"),
+                  quantity(place.y(), "m"), quantity(dt_, "s"), quantity(lattice_.step_limit, "s")),
+      "take a smaller step or a smaller load");
 }
 
 // Lattice units of energy per metre: mass of a node rho dx^2, times (dx/dt)^2.
@@ -336,7 +438,7 @@ double Simulation::energy_unit() const {
 }
 
 double Simulation::external_work() const {
-  double work = (state_.external_work + state_.work_ahead) * energy_unit();
+  double work = (state_.external_work + work_of_led_half_step()) * energy_unit();
   if (!heat_.empty() && heat_.changes_until(state_))
     work += heat_work(lattice_, state_, heat_.before(lattice_, state_), heat_.values(), threads_);
   return work;
@@ -347,7 +449,11 @@ double Simulation::contact_energy() const {
 }
 
 double Simulation::damped_energy() const {
-  return state_.damped * energy_unit();
+  double damped = state_.damped;
+  if (plate_.loads.damping > 0.0 && !state_.is_start())
+    damped += Damping(plate_.loads.damping * dt_).last *
+              free_motion(lattice_, loading_.led(), threads_, state_);
+  return damped * energy_unit();
 }
 
 double Simulation::released_energy() const {
@@ -369,30 +475,41 @@ Vec2 Simulation::displacement(int i, int j) const {
   return lattice_.grid.dx * (state_.origin + state_.u(i, j));
 }
 
-// v is half a step old, except at the start.
-std::vector<Vec2> Simulation::velocities() const {
+std::vector<Vec2> Simulation::accelerations() const {
   const Grid& grid = lattice_.grid;
-  const double unit = grid.dx / dt_;
   std::vector<Vec2> result(grid.nodes());
-  const auto fill = [&](const auto& kick) {
-    for (int j = 0; j < grid.ny; ++j)
-      for (int i = 0; i < grid.nx; ++i)
-        result[grid.index(i, j)] = unit * (state_.v(i, j) + kick(state_.layout.at(i, j)));
-  };
-  if (state_.is_start()) {
-    fill([](std::ptrdiff_t) { return Vec2(0, 0); });
-    return result;
-  }
   std::visit(
       [&]<class Real>(Engine<Real>& engine) {
         Values<Real> ax, ay;
         engine.accelerations(lattice_, state_, ax, ay);
-        fill([&](std::ptrdiff_t at) {
-          const auto place = static_cast<std::size_t>(at);
-          return Vec2(0.5 * static_cast<double>(ax[place]), 0.5 * static_cast<double>(ay[place]));
-        });
+        for (int j = 0; j < grid.ny; ++j)
+          for (int i = 0; i < grid.nx; ++i) {
+            const auto at = static_cast<std::size_t>(state_.layout.at(i, j));
+            result[grid.index(i, j)] = {ax[at], ay[at]};
+          }
       },
       engine_);
+  return result;
+}
+
+// v is half a step old, except at the start; what is led keeps it.
+std::vector<Vec2> Simulation::velocities() const {
+  const Grid& grid = lattice_.grid;
+  const Damping half(0.5 * plate_.loads.damping * dt_);
+  const bool starts = state_.is_start();
+  const double unit = grid.dx / dt_, keep = starts ? 1.0 : half.keep;
+  std::vector<Vec2> result(grid.nodes(), Vec2(0, 0));
+  if (!starts) result = accelerations();
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      Vec2& v = result[grid.index(i, j)];
+      v = unit * (keep * state_.v(i, j) + 0.5 * half.yield * v);
+    }
+  for (const LedNode& node : loading_.led()) {
+    const Vec2 led = unit * state_.v(node.i, node.j);
+    Vec2& v = result[grid.index(node.i, node.j)];
+    v = {node.along_x ? led.x() : v.x(), node.along_y ? led.y() : v.y()};
+  }
   return result;
 }
 

@@ -60,7 +60,8 @@ class Simulation {
   // Functions of time in the loads are asked before the first of these steps, and may throw.
   // Between steps, and at the start, every observer that is due sees the state. Stops after the
   // current step with Error (interrupted) on Ctrl-C, and with Error (run_failed) when the solution
-  // has diverged.
+  // has diverged: it holds what are no numbers, or moves with a thousand times the energy that was
+  // ever put in.
   void run(double duration, std::span<Observer* const> observers = {});
 
   // run() in pieces: aim() says how much further it is to go, go_on() goes there unless an observer
@@ -94,7 +95,7 @@ class Simulation {
                                 std::span<Observer* const> observers = {});
 
   // Other loads from now on; an observer may change them between two steps. Throws Error (refused)
-  // with every problem found.
+  // with every problem found, a step that is too long for them among them.
   void set_loads(Loads loads);
 
   // Goes on from another state of the same lattice: a kept one, which gives the same bits, or one
@@ -142,6 +143,8 @@ class Simulation {
 
   // The default step for a limit: step_fraction of it, rounded down to three digits.
   static double default_step(double limit);
+  // And one in which no disc flies too far (see longest_step_of_impact).
+  static double default_step(const Plate& plate, const Lattice& lattice);
 
   // Throws Error (run_failed) unless every displacement and velocity is a number, and one that the
   // single precision of fields can hold.
@@ -150,15 +153,23 @@ class Simulation {
  private:
   EngineOptions options() const;
   void start();
+  double energy_of_state() const;  // of motion and of bonds, in units of the state's work
   void prepare();
-  void damp_motion();
+  double damp_motion();
   void take_loads();
   void take_heat();
   void count_heat_work();
   void count_external_work();
-  double energy_unit() const;  // J/m
+  double work_of_half_step() const;         // the ledger's, in units of the state's
+  double work_of_led_half_step() const;     // likewise
+  double lost_in_half_step() const;         // likewise
+  std::vector<Vec2> accelerations() const;  // lattice units, by Grid::index, as if nothing were led
+  double energy_unit() const;               // J/m
   void keep_f32_exact();
   void check_statics(const RelaxOptions& options) const;
+  double check_motion() const;
+  void check_energy(double motion);
+  [[noreturn]] void throw_diverged(int i, int j) const;
   void look_after_step(std::span<Observer* const> observers);
   // What acts and moves when the plate sets out for rest.
   struct Departure {
@@ -188,6 +199,7 @@ class Simulation {
   double solve_seconds_ = 0.0;
   StepSeconds step_seconds_;
   std::optional<double> widened_at_;
+  double most_energy_ = 0.0;  // that there was a reason for so far, in units of the state's work
 
   InstructionSet instruction_set_;
   Threads threads_;

@@ -49,7 +49,7 @@ Simulation::Departure Simulation::depart() {
     from.loads = loading_.forces();
   }
   state_.external_work = external_work() / energy_unit();
-  state_.work_ahead = 0.0;
+  state_.damped = damped_energy() / energy_unit();
   state_.released += kinetic_energy() / energy_unit();
   return from;
 }

@@ -69,7 +69,7 @@ std::string State::hash() const {
     hash.add(std::span(&clock.moment, 1));
     hash.add(std::span(&clock.since, 1));
   }
-  for (const double* energy : {&work_ahead, &damped, &released})
+  for (const double* energy : {&damped, &released})
     if (*energy != 0.0) hash.add(std::span(energy, 1));
   hash.add(std::span(origin.data(), 2));
   for (const Disc& disc : discs)

@@ -52,10 +52,9 @@ struct State {
   std::int64_t step = 0;  // done so far; slow loading goes on in time without any
   Clock clock;
   std::int64_t start = 0;      // step at which the plate was last set in motion, or brought to rest
-  double external_work = 0.0;  // done by loads and supports so far, and by changes of temperature
+  double external_work = 0.0;  // done by loads so far, and by supports and changes of temperature
                                // up to half a step ago, in units of rho dx^4/dt^2 (J/m)
-  double work_ahead = 0.0;     // what supports did in the last half step, which is not in it yet
-  double damped = 0.0;         // kinetic energy taken by damping so far, in the same units
+  double damped = 0.0;         // taken by damping up to a step ago, in the same units
   double released = 0.0;       // given off by jumps and on the way to rest so far, likewise
   Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u
   std::vector<Disc> discs;     // in the order of the impactors of the plate

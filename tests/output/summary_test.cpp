@@ -21,6 +21,7 @@ TEST(Summary, HasTheKeysOfSchemaOneInOrder) {
   summary.energy.external = 5.0;
   summary.energy.kinetic = 2.0;
   summary.files = {"a.mp4"};
+  summary.notes = {"beware"};
   summary.paths[static_cast<int>(Path::still)] = 10;
   summary.paths[static_cast<int>(Path::careful)] = 30;
   const auto json = to_json(summary);
@@ -30,10 +31,13 @@ TEST(Summary, HasTheKeysOfSchemaOneInOrder) {
       keys, testing::ElementsAre("schema", "script", "nodes", "bonds", "steps", "time_s", "dt_s",
                                  "dt_limit_s", "precision", "threads", "tile_paths", "step_shares",
                                  "kernel_features", "wall_s", "node_steps_per_s", "energy_J_per_m",
-                                 "damage", "peak_rss_bytes", "hash", "files"));
+                                 "residual_share", "damage", "peak_rss_bytes", "hash", "files",
+                                 "notes"));
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["node_steps_per_s"], 1500.0);
   EXPECT_EQ(json["energy_J_per_m"]["residual"], 3.0);
+  EXPECT_EQ(json["residual_share"], 0.6);
+  EXPECT_EQ(json["notes"][0], "beware");
   EXPECT_EQ(json["files"][0], "a.mp4");
   EXPECT_EQ(json["tile_paths"]["still"], 0.25);
   EXPECT_EQ(json["tile_paths"]["careful"], 0.75);

@@ -130,7 +130,9 @@ TEST(Heat, CanBeTurnedOnAndOffWhileThePlateIsSolved) {
   simulation.set_loads({});
   EXPECT_TRUE(simulation.thermal_strain().empty());
   const Energy after = energy(simulation);
-  EXPECT_NEAR((after.external - before.external) / (after.strain - before.strain), 1.0, 1e-12);
+  // Strain and the motion half a step on change at once: all but the square of the latter's change,
+  // which is of the order of (omega dt)^2.
+  EXPECT_NEAR(after.residual(), before.residual(), 0.05 * std::abs(after.strain - before.strain));
   EXPECT_NO_THROW(simulation.run(3e-6));
 }
 

@@ -3,6 +3,7 @@
 #include "solver/impact.hpp"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -129,7 +130,9 @@ TEST(Impact, BitsDoNotDependOnThreadsOrPieces) {
 TEST(Impact, TwoDiscsThatCoverANodePushItTogether) {
   Plate plate = hit({40.0, 0.0});
   plate.loads.impactors.push_back({{-radius, 0.01}, radius, {40.0, 0.0}, mass});
-  Simulation twice(plate, test::numerics(), {1}), once(hit({40.0, 0.0}), test::numerics(), {1});
+  Numerics numerics = test::numerics();
+  numerics.step = 150e-9;
+  Simulation twice(plate, numerics, {1}), once(hit({40.0, 0.0}), numerics, {1});
   while (once.loading().forces().empty()) {
     once.step();
     twice.step();
@@ -153,6 +156,60 @@ TEST(Impact, ADiscMayComeLater) {
   EXPECT_GT(simulation.state().discs.back().velocity.x(), -40.0 * simulation.dt() / 0.5e-3);
 }
 
+std::string refusal(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    return error.what();
+  }
+  return "";
+}
+
+// A fast disc sets the step; where the step is given it is checked, before the run and in it.
+TEST(Impact, ADiscCrossesNoMoreThanATenthOfASpacingInAStep) {
+  for (const double speed : {100.0, 1e3, 1e4, 3e4}) {
+    Simulation simulation(hit({speed, 0.0}), test::numerics(), {1});
+    EXPECT_LE(speed * simulation.dt(), 0.1 * 0.5e-3) << speed;
+    EXPECT_LT(simulation.dt(), simulation.lattice().step_limit);
+  }
+  Numerics numerics = test::numerics();
+  numerics.step = 60e-9;
+  EXPECT_EQ(refusal([&] { Simulation(hit({800.0, 0.0}), numerics, {1}); }), "");
+  EXPECT_THAT(refusal([&] {
+                Simulation(hit({0.0, -1e3}), numerics, {1});
+              }),
+              testing::AllOf(testing::HasSubstr("in a step of 60 ns it crosses 0.12 spacings"),
+                             testing::HasSubstr("a step of 50 ns or less")));
+  Plate plate = hit({800.0, 0.0});
+  plate.loads.impactors.clear();
+  Simulation simulation(plate, test::numerics(), {1});
+  simulation.run(1e-6);
+  const std::string before = simulation.state().hash();
+  EXPECT_THAT(refusal([&] {
+                simulation.set_loads(hit({800.0, 0.0}).loads);
+              }),
+              testing::AllOf(testing::HasSubstr("crosses 0.34 spacings"),
+                             testing::HasSubstr("a step of 62.5 ns or less")));
+  EXPECT_EQ(simulation.state().hash(), before);
+  EXPECT_EQ(refusal([&] { simulation.set_loads(hit({200.0, 0.0}).loads); }), "");
+}
+
+// At the largest step that is taken, a disc that is pressed far into a plate that cannot break
+// gives and takes energy, but makes none.
+TEST(Impact, IsStableAtTheLimit) {
+  for (const double m : {3.0, 4.0}) {
+    Plate plate = hit({60.0, 0.0});
+    Numerics numerics = test::numerics(0.5e-3, m * 0.5e-3);
+    numerics.step = 0.98 * Lattice(plate, numerics).step_limit;
+    Simulation simulation(plate, numerics, {1});
+    simulation.run(200e-6);
+    const Energy now = energy(simulation);
+    EXPECT_LT(now.kinetic + now.strain, 1.05 * now.external) << m;
+    EXPECT_GT(now.external, 0.0);
+  }
+}
+
 struct BadDisc {
   Impactor impactor;
   const char* says;
@@ -165,14 +222,6 @@ TEST_P(BadDiscs, AreRefusedBeforeTheRunAndInIt) {
   Simulation simulation(plate, test::numerics(), {1});
   const std::string before = simulation.state().hash();
   plate.loads.impactors.push_back(GetParam().impactor);
-  const auto refusal = [](const auto& work) -> std::string {
-    try {
-      work();
-    } catch (const Error& error) {
-      return error.kind() == ErrorKind::refused ? error.what() : "";
-    }
-    return "";
-  };
   EXPECT_THAT(refusal([&] { Simulation(plate, test::numerics(), {1}); }),
               testing::HasSubstr(GetParam().says));
   EXPECT_THAT(refusal([&] { simulation.set_loads(plate.loads); }),

@@ -22,7 +22,6 @@ State busy(Precision precision) {
     }
   state.step = state.start = 7;
   state.external_work = 1.0;
-  state.work_ahead = 2.0;
   state.damped = 3.0;
   state.released = 3.25;
   state.clock = {1e-6, 2};
@@ -52,7 +51,6 @@ TEST(StateHash, KnowsEveryMember) {
       {"step and start", [](State& s) { s.step = s.start = 8; }},
       {"start", [](State& s) { s.start = 6; }},
       {"external_work", [](State& s) { s.external_work = 1.5; }},
-      {"work_ahead", [](State& s) { s.work_ahead = 2.5; }},
       {"damped", [](State& s) { s.damped = 3.5; }},
       {"released", [](State& s) { s.released = 3.75; }},
       {"moment of the clock", [](State& s) { s.clock.moment = 2e-6; }},

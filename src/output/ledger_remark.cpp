@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "output/ledger_remark.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+
+namespace hackle {
+namespace {
+
+// The largest that a node moves in a step, in spacings.
+double pace(const State& state) {
+  double most = 0.0;
+  for (int j = 0; j < state.layout.ny; ++j)
+    for (int i = 0; i < state.layout.nx; ++i) most = std::max(most, state.v(i, j).norm());
+  return most;
+}
+
+// The shortest that a bond along a row or a column is, of what it was.
+double least_length(const Simulation& simulation) {
+  const Grid& grid = simulation.lattice().grid;
+  const State& state = simulation.state();
+  double least = 1.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      for (const auto& [a, b] : {std::pair{1, 0}, {0, 1}})
+        if (grid.contains(i + a, j + b) && simulation.holds(i, j, a, b))
+          least = std::min(least, (Vec2(a, b) + state.u(i + a, j + b) - state.u(i, j)).norm());
+  return least;
+}
+
+std::string likely_cause(const Simulation& simulation) {
+  constexpr double squeezed = 0.7, fast = 0.1, strong = 0.3;
+  const Loads& loads = simulation.plate().loads;
+  const double moves = pace(simulation.state()), length = least_length(simulation);
+  const double damping = loads.damping * simulation.dt();
+  if (length < squeezed)
+    return fmt::format(
+        "bonds are pressed to {:.0f} % of their length, where they are stiffer than "
+        "the step allows for",
+        100.0 * length);
+  if (!loads.impactors.empty()) return "the step is long for the impact";
+  if (!loads.heatings.empty()) return "the step is long for how fast the temperature changes";
+  if (moves > fast) return fmt::format("nodes move by up to {:.2g} spacings in a step", moves);
+  if (damping > strong)
+    return fmt::format("the step is long for the damping, whose rate times the step is {:.2g}",
+                       damping);
+  return "the step is long for what happens";
+}
+
+}  // namespace
+
+double residual_share(const Energy& energy) {
+  double most = 0.0;
+  for (const double entry : {energy.external, energy.kinetic, energy.strain, energy.broken,
+                             energy.damped, energy.contact, energy.released})
+    most = std::max(most, std::abs(entry));
+  return most > 0.0 ? energy.residual() / most : 0.0;
+}
+
+std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy) {
+  const double share = residual_share(energy);
+  if (std::abs(share) <= most_residual) return std::nullopt;
+  return fmt::format(
+      "the energies do not add up: {:.2g} % of the largest {}. A likely cause: {}; what remains "
+      "with simulate's step = {:.3g} or less tells",
+      100.0 * std::abs(share), share > 0.0 ? "is lost" : "comes from nowhere",
+      likely_cause(simulation), 0.5 * simulation.dt());
+}
+
+}  // namespace hackle

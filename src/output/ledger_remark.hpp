@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What a user should know of a ledger of energy that does not close.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "measure/energy.hpp"
+#include "solver/simulation.hpp"
+
+namespace hackle {
+
+// A ledger whose residual is a larger share of its largest entry is remarked on.
+inline constexpr double most_residual = 0.05;
+
+// The residual over the largest entry; 0 where all are 0.
+double residual_share(const Energy& energy);
+
+// That too much is missing or too much there, why this may be, and what to do about it; nothing
+// where the ledger closes.
+std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy);
+
+}  // namespace hackle

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/touching.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "lattice/lattice.hpp"
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr double dx = 0.5e-3;
+
+Impactor disc(double speed) {
+  return {{-2e-3, 2e-3}, 2e-3, {speed, 0.0}, 0.1};
+}
+
+TEST(Touching, CountsContactsAndTwoDiscsAtMost) {
+  Plate plate = test::bare_plate(20, 10);
+  EXPECT_EQ(touching_stiffness(plate, dx), 0.0);
+  const double recoil = 2.0 * 2e-3 * dx * 2235.0 / 0.1;
+  for (int discs = 1; discs <= 3; ++discs) {
+    plate.loads.impactors.push_back(disc(1.0));
+    EXPECT_DOUBLE_EQ(touching_stiffness(plate, dx), std::min(discs, 2) * 15.0 * (1.0 + recoil));
+  }
+  plate.loads.impactors.clear();
+  plate.contact = Contact{20.0, 0.9};
+  EXPECT_DOUBLE_EQ(touching_stiffness(plate, dx), 80.0);
+  plate.loads.impactors.push_back(disc(1.0));
+  EXPECT_DOUBLE_EQ(touching_stiffness(plate, dx), 80.0 + 20.0 * (1.0 + recoil));
+}
+
+TEST(Touching, LowersTheLimitOfTheLattice) {
+  Plate plate = test::bare_plate(20, 10);
+  const Lattice alone(plate, test::numerics());
+  plate.loads.impactors.push_back(disc(1.0));
+  const Lattice hit(plate, test::numerics());
+  EXPECT_LT(hit.step_limit, alone.step_limit);
+  EXPECT_EQ(step_limit(alone, plate), hit.step_limit);
+}
+
+TEST(Touching, ADiscMayCrossATenthOfASpacingInAStep) {
+  Plate plate = test::bare_plate(20, 10);
+  EXPECT_EQ(longest_step_of_impact(plate, dx), std::numeric_limits<double>::infinity());
+  plate.loads.impactors = {disc(100.0), disc(-1000.0)};
+  EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, dx), 50e-9);
+  plate.starts.push_back({{}, Vec2(0, 0), Vec2(1000.0, 0.0)});  // head on
+  EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, dx), 25e-9);
+}
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "output/load_remarks.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double dt = 0.2e-6, end = 40e-6;
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+double swing(const Course& course, double begin = 0.0) {
+  return shortest_swing(course, begin, end, dt);
+}
+
+Course function(std::function<double(double)> factor) {
+  return Course(std::move(factor), "function");
+}
+
+TEST(ShortestSwing, IsEndlessForWhatStaysRisesOrJumps) {
+  EXPECT_EQ(swing(Course()), forever);
+  EXPECT_EQ(swing(ramp(1e-12)), forever);
+  EXPECT_EQ(swing(step_at(3e-6)), forever);
+  EXPECT_EQ(swing(Course({{0.0, 1.0}, {3e-6 - 1e-12, 1.0}, {3e-6, 0.0}})), 3e-6 - 0.5e-12);
+  EXPECT_EQ(swing(function([](double t) { return t < 3e-6 ? 0.0 : 1.0; })), forever);
+  EXPECT_EQ(swing(function([](double t) { return t; })), forever);
+}
+
+TEST(ShortestSwing, OfAPulseIsItsLength) {
+  for (const double start : {0.0, 3.3e-6})
+    for (const double length : {1e-12, 0.1e-6, 0.5e-6, 5e-6})
+      EXPECT_NEAR(swing(pulse(length, start)), length, 1e-6 * length + 1e-20) << start;
+  // What is there at the start and goes, too.
+  EXPECT_NEAR(swing(Course({{0.0, 1.0}, {1e-12, 0.0}})), 0.5e-12, 1e-18);
+  // After it nothing swings.
+  EXPECT_EQ(swing(pulse(1e-12, 3e-6), 4e-6), forever);
+}
+
+TEST(ShortestSwing, OfASpikeIsItsWidthAtHalfItsHeight) {
+  const Course alone({{1e-6, 0.0}, {1.05e-6, 1.0}, {1.1e-6, 0.0}});
+  EXPECT_NEAR(swing(alone), 0.05e-6, 1e-15);
+  const Course on_a_slope(
+      {{0.0, 0.0}, {10e-6, 1.0}, {10.02e-6, 3.0}, {10.04e-6, 1.0}, {30e-6, 0.0}});
+  EXPECT_NEAR(swing(on_a_slope), 0.02e-6, 1e-15);
+  const Course dip({{0.0, 1.0}, {5e-6, 1.0}, {5.01e-6, 0.2}, {5.02e-6, 1.0}});
+  EXPECT_NEAR(swing(dip), 0.01e-6, 1e-15);
+  // One of a hundredth is noise.
+  EXPECT_GT(swing(Course({{0.0, 0.0}, {5e-6, 1.0}, {5.01e-6, 0.99}, {5.02e-6, 1.0}})), 1e-6);
+}
+
+TEST(ShortestSwing, OfAFunctionIsFoundBetweenTheSteps) {
+  for (const double period : {20e-9, 33e-9, 0.2e-6, 0.4e-6})
+    EXPECT_NEAR(
+        swing(function([=](double t) { return std::sin(2.0 * std::numbers::pi * t / period); })) /
+            period,
+        1.0 / 3.0, 0.2)
+        << period;  // that of the first rise, or half the period
+  EXPECT_GT(swing(function([](double t) { return std::sin(2e6 * t); })), steps_a_swing * dt);
+  const double spike =
+      swing(function([](double t) { return t > 7.01e-6 && t < 7.03e-6 ? 1.0 : 0.0; }));
+  EXPECT_NEAR(spike, 0.02e-6, 0.005e-6);
+}
+
+TEST(LoadRemarks, NameTheLoadTheTimeAndTheStep) {
+  Plate plate = test::bare_plate(40, 20);
+  plate.loads.tractions.push_back({Edge::top, {0.0, 1e9}, 0.0, pulse(1e-12, 0.0)});
+  plate.loads.tractions.push_back({Edge::left, {1e6, 0.0}, 0.0, ramp(1e-6)});
+  const Simulation simulation(plate, test::numerics());
+  EXPECT_THAT(load_remarks(simulation, end),
+              ElementsAre(testing::AllOf(HasSubstr("traction 1 comes and goes within 1 ps"),
+                                         HasSubstr("a step of 0.333 ps or less"))));
+}
+
+TEST(LoadRemarks, AreSilentForOrdinaryLoads) {
+  Plate plate = test::edge_crack(12e6);
+  plate.loads.tractions[0].course = ramp(5e-6);
+  plate.loads.tractions[1].course = pulse(3e-6, 1e-6);
+  EXPECT_THAT(load_remarks(Simulation(plate, test::numerics()), end), IsEmpty());
+}
+
+Plate heated(double change, Course course = {}) {
+  Plate plate = test::bare_plate(40, 20);
+  plate.material.alphaT = 3.3e-6;
+  plate.loads.heatings.push_back({{}, ScalarField(change), std::move(course)});
+  return plate;
+}
+
+// s0 is 1.03e-3 here, which is 310 K.
+TEST(ShockRemarks, TellOfColdThatBreaksBondsAtOnce) {
+  const auto of = [](double change) {
+    return shock_remarks(Simulation(heated(change), test::numerics()), {});
+  };
+  EXPECT_THAT(of(-1000.0), ElementsAre(HasSubstr("it stretches bonds by 0.0033 at once")));
+  EXPECT_THAT(of(-100.0), IsEmpty());
+  EXPECT_THAT(of(1000.0), IsEmpty());  // which presses
+  const Simulation cold(heated(-1000.0), test::numerics());
+  EXPECT_THAT(shock_remarks(cold, cold.thermal_strain()), IsEmpty());
+}
+
+TEST(ShockRemarks, TellOfJumpsToCome) {
+  const auto of = [](double change, const Course& course) {
+    return load_remarks(Simulation(heated(change, course), test::numerics()), end);
+  };
+  EXPECT_THAT(of(-1000.0, step_at(5e-6)), ElementsAre(HasSubstr("at once")));
+  EXPECT_THAT(of(1000.0, Course({{0.0, 0.0}, {8e-6, 1.0}, {8e-6, 0.0}})),
+              ElementsAre(HasSubstr("at once")));
+  EXPECT_THAT(of(-1000.0, ramp(5e-6)), IsEmpty());
+  EXPECT_THAT(of(-1000.0, step_at(50e-6)), IsEmpty());  // later
+}
+
+}  // namespace
+}  // namespace hackle
