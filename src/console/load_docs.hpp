@@ -121,7 +121,7 @@ inline constexpr std::array damping_options{
            .unit = "1/s",
            .range = at_least(0.0),
            .required = true,
-           .sentence = "Velocities die away as exp(-rate t)."},
+           .sentence = "Velocities die away as exp(-rate t); stable for any rate."},
 };
 
 inline constexpr auto start_options =

@@ -58,7 +58,7 @@ inline constexpr std::array simulate_options{
     Option{.name = "step",
            .unit = "s",
            .range = above(0.0),
-           .fallback = "0.9 of the stability limit",
+           .fallback = "0.9 of the stability limit, or in which an impactor crosses 0.1 spacings",
            .sentence = "The time step."},
     Option{.name = "force_step",
            .type = OptionType::flag,
