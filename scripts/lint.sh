@@ -22,14 +22,16 @@ git ls-files '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
 echo "formatting: clean"
 
 if [ "${1:-}" = --tidy ]; then
+  # A release is built in units of several sources, so that a header is read once for all of them. The kernels
+  # are compiled many times from one source, once a set of instructions: it is read once, too.
   cmake --preset release
   cmake --build --preset release --target hackle_git_hash
-  # The kernels are compiled many times from one source, once a set of instructions: it is read once.
-  mkdir -p build/tidy
-  awk -v RS='},?\n' '{ sub(/^\[\n/, "") }
-    match($0, /"file": "[^"]*"/) && !seen[substr($0, RSTART, RLENGTH)]++ { list = list (list ? ",\n" : "") $0 "}" }
-    END { print "[" list "]" }' build/release/compile_commands.json >build/tidy/compile_commands.json
-  git ls-files 'src/*.cpp' | xargs -d '\n' -P "$(nproc)" -n 1 \
-    clang-tidy -p build/tidy --quiet --warnings-as-errors='*'
+  units() {
+    find "$PWD/build/release/src" -name 'unity_*_cxx.cxx' ! -path '*/hackle_kernel_*'
+    find "$PWD/build/release/src" -name 'unity_*_cxx.cxx' -path '*/hackle_kernel_baseline_double.dir/*'
+    printf '%s\n' "$PWD/src/base/version.cpp"
+  }
+  units | xargs -d '\n' -P "$(nproc)" -n 1 \
+    clang-tidy -p build/release --quiet --header-filter='/src/.*\.[ch]pp$' --warnings-as-errors='*'
   echo "clang-tidy: clean"
 fi

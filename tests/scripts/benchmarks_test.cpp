@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-constexpr double us = 1e-6, mm = 1e-3;
+using test::mm, test::us;
 
 // The numbers in a text, in order.
 std::vector<double> numbers_in(const std::string& text) {

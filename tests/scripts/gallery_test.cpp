@@ -5,7 +5,7 @@
 namespace hackle {
 namespace {
 
-constexpr double mm = 1e-3;
+using test::mm;
 
 // A crack is what has left the cold skin of 1 mm.
 TEST(Gallery, QuenchMakesAnArrayOfCracks) {

@@ -7,7 +7,7 @@
 namespace hackle {
 namespace {
 
-constexpr double us = 1e-6, mm = 1e-3;
+using test::mm, test::us;
 constexpr double interval = 0.5 * us;
 
 // The header: 6 us, 23 us, 67 mm.

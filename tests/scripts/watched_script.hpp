@@ -10,6 +10,8 @@
 
 namespace hackle::test {
 
+inline constexpr double us = 1e-6, mm = 1e-3;
+
 // Between s:run and the simulation stands a watcher that cuts the run into intervals, which changes
 // no bit of it, and notes what it sees after each. Movies and run files are left out; pictures are
 // painted. In Lua, `runs[k]` is the k-th simulation: s, first (time of the first broken bond),
