@@ -18,7 +18,7 @@ LiveView::LiveView(Session& session, const PictureOptions& options, double every
 
 // Over the last one unless something else has been said since.
 void LiveView::observe(const Simulation& simulation) {
-  schedule_.advance();
+  schedule_.advance(simulation);
   Terminal terminal = terminal_of(STDOUT_FILENO);
   terminal.graphics = Graphics::symbols;  // whose lines can be counted
   std::string text = picture_text(simulation, options_, terminal);

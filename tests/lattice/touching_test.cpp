@@ -11,7 +11,7 @@
 namespace hackle {
 namespace {
 
-constexpr double dx = 0.5e-3;
+constexpr double spacing = 0.5e-3;
 
 Impactor disc(double speed) {
   return {{-2e-3, 2e-3}, 2e-3, {speed, 0.0}, 0.1};
@@ -19,17 +19,18 @@ Impactor disc(double speed) {
 
 TEST(Touching, CountsContactsAndTwoDiscsAtMost) {
   Plate plate = test::bare_plate(20, 10);
-  EXPECT_EQ(touching_stiffness(plate, dx), 0.0);
-  const double recoil = 2.0 * 2e-3 * dx * 2235.0 / 0.1;
+  EXPECT_EQ(touching_stiffness(plate, spacing), 0.0);
+  const double recoil = 2.0 * 2e-3 * spacing * 2235.0 / 0.1;
   for (int discs = 1; discs <= 3; ++discs) {
     plate.loads.impactors.push_back(disc(1.0));
-    EXPECT_DOUBLE_EQ(touching_stiffness(plate, dx), std::min(discs, 2) * 15.0 * (1.0 + recoil));
+    EXPECT_DOUBLE_EQ(touching_stiffness(plate, spacing),
+                     std::min(discs, 2) * 15.0 * (1.0 + recoil));
   }
   plate.loads.impactors.clear();
   plate.contact = Contact{20.0, 0.9};
-  EXPECT_DOUBLE_EQ(touching_stiffness(plate, dx), 80.0);
+  EXPECT_DOUBLE_EQ(touching_stiffness(plate, spacing), 80.0);
   plate.loads.impactors.push_back(disc(1.0));
-  EXPECT_DOUBLE_EQ(touching_stiffness(plate, dx), 80.0 + 20.0 * (1.0 + recoil));
+  EXPECT_DOUBLE_EQ(touching_stiffness(plate, spacing), 80.0 + 20.0 * (1.0 + recoil));
 }
 
 TEST(Touching, LowersTheLimitOfTheLattice) {
@@ -43,11 +44,11 @@ TEST(Touching, LowersTheLimitOfTheLattice) {
 
 TEST(Touching, ADiscMayCrossATenthOfASpacingInAStep) {
   Plate plate = test::bare_plate(20, 10);
-  EXPECT_EQ(longest_step_of_impact(plate, dx), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(longest_step_of_impact(plate, spacing), std::numeric_limits<double>::infinity());
   plate.loads.impactors = {disc(100.0), disc(-1000.0)};
-  EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, dx), 50e-9);
+  EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, spacing), 50e-9);
   plate.starts.push_back({{}, Vec2(0, 0), Vec2(1000.0, 0.0)});  // head on
-  EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, dx), 25e-9);
+  EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, spacing), 25e-9);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@
 namespace hackle {
 namespace {
 
-constexpr int nx = 34, ny = 22, m = 3;
+constexpr int columns = 34, rows = 22, m = 3;
 constexpr double dx = 0.5e-3;
 
 // What a node is of, by where it lies.
@@ -45,7 +45,7 @@ Vec2 warmth(int i, int j) {  // K, of two changes
 }
 
 Plate mixed_plate(Plane plane) {
-  Plate plate = test::bare_plate(nx, ny);  // 17 x 11 mm
+  Plate plate = test::bare_plate(columns, rows);  // 17 x 11 mm
   plate.plane = plane;
   plate.material = material_of(glass);
   plate.inclusions.push_back({rectangle({0, 8e-3}, {20e-3, 11e-3}), material_of(hard)});
@@ -69,8 +69,8 @@ Simulation mixed(Plane plane) {
   Simulation simulation(mixed_plate(plane), test::numerics(dx, m * dx), {1});
   State state = test::jolted(simulation.state(), 2e-4, 3);
   state = test::shaken(std::move(state), 1e-3, 4);
-  for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i)
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i)
       if (kind_at(i, j) == nothing) state.set_v(i, j, {0, 0});  // nothing moves it
   // A cut through the whole plate and a node without bonds, as if they had broken in a run.
   Plate cut = mixed_plate(plane);
@@ -91,15 +91,15 @@ class ByHand {
       pure.material = material_of(kind);
       calibrations_[kind] = Lattice(pure, simulation.numerics()).calibration;
     }
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i)
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i)
         for (int b = -m; b <= m; ++b)
           for (int a = -m; a <= m; ++a)
             if ((a != 0 || b != 0) && a * a + b * b <= m * m) add_bond(i, j, a, b);
   }
 
   double at(const std::string& field, int i, int j) const {
-    const auto node = static_cast<std::size_t>(j * nx + i);
+    const auto node = static_cast<std::size_t>(j * columns + i);
     const Kind kind = kind_at(i, j);
     const Material material = material_of(kind);
     const Vec2 u = kind == nothing ? Vec2(0, 0) : Vec2(dx * simulation_.state().u(i, j));
@@ -133,8 +133,8 @@ class ByHand {
 
   double kinetic() const {
     double sum = 0.0;
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i)
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i)
         if (kind_at(i, j) != nothing)
           sum += 0.5 * material_of(kind_at(i, j)).rho * dx * dx * speed(i, j).squaredNorm();
     return sum;
@@ -166,11 +166,11 @@ class ByHand {
 
   void add_bond(int i, int j, int a, int b) {
     const int k = i + a, l = j + b;
-    if (k < 0 || l < 0 || k >= nx || l >= ny) return;
+    if (k < 0 || l < 0 || k >= columns || l >= rows) return;
     const Lattice& lattice = simulation_.lattice();
     const Grid& grid = lattice.grid;
-    const auto one = static_cast<std::size_t>(j * nx + i),
-               two = static_cast<std::size_t>(l * nx + k);
+    const auto one = static_cast<std::size_t>(j * columns + i),
+               two = static_cast<std::size_t>(l * columns + k);
     const bool in_scene = holds(grid, lattice.family, lattice.bonds, i, j, a, b);
     const bool cut_away =
         kind_at(i, j) == nothing || kind_at(k, l) == nothing || passes_hole(i, j, a, b);
@@ -206,9 +206,10 @@ class ByHand {
 
   const Simulation& simulation_;
   std::map<Kind, Calibration> calibrations_;
-  std::vector<double> xx_ = std::vector<double>(nx * ny), yy_ = xx_, xy_ = xx_, energy_ = xx_;
-  std::vector<double> closest_ = std::vector<double>(nx * ny, -1e300);
-  std::vector<int> born_ = std::vector<int>(nx * ny), left_ = born_;
+  std::vector<double> xx_ = std::vector<double>(columns * rows), yy_ = xx_, xy_ = xx_,
+                      energy_ = xx_;
+  std::vector<double> closest_ = std::vector<double>(columns * rows, -1e300);
+  std::vector<int> born_ = std::vector<int>(columns * rows), left_ = born_;
   double broken_ = 0.0;
   int lost_ = 0;
 };
@@ -225,9 +226,10 @@ TEST_P(MixedPlate, HasEveryFieldAtEveryNode) {
     float most = 0.0F;
     for (const float value : found) most = std::max(most, std::abs(value));
     EXPECT_GT(most, 0.0F) << name;
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i)
-        ASSERT_NEAR(found[static_cast<std::size_t>(j * nx + i)], sums.at(name, i, j), 2e-7 * most)
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i)
+        ASSERT_NEAR(found[static_cast<std::size_t>(j * columns + i)], sums.at(name, i, j),
+                    2e-7 * most)
             << name << " at " << i << ", " << j;
   }
 }

@@ -7,13 +7,13 @@ namespace hackle {
 namespace {
 
 // 100 x 40 mm.
-const Grid grid{200, 80, 0.5e-3, {0.05, 0.02}};
+const Grid fine_grid{200, 80, 0.5e-3, {0.05, 0.02}};
 
 class Markers : public testing::Test {
  protected:
   std::vector<PlacedMarker> place(const std::vector<Marker>& markers) {
     return place_markers(markers, layout, layout.plate,
-                         Camera(grid, {0, 0, 200, 80}, 0.0, layout.plate), font);
+                         Camera(fine_grid, {0, 0, 200, 80}, 0.0, layout.plate), font);
   }
   Vec2 pixel(double x, double y) const {
     return {layout.plate.x + layout.plate.width * x / 0.1,
@@ -24,7 +24,7 @@ class Markers : public testing::Test {
   }
 
   Font font;
-  Layout layout = make_layout(grid, 1280);
+  Layout layout = make_layout(fine_grid, 1280);
 };
 
 TEST_F(Markers, StandAtTheirPlaces) {

@@ -14,12 +14,12 @@ namespace {
 using test::Reference;
 
 // A bit for each thing that a scene may have.
-constexpr int mixed = 1, heated = 2, history = 4, scattered = 8, late = 16, other_family = 32;
+constexpr int mixed = 1, warm = 2, history = 4, scattered = 8, late = 16, other_family = 32;
 constexpr int all = 64;
 
 Plate torn(int what) {
   Plate plate = test::composite(
-      34, 20, {(what & mixed) != 0, (what & heated) != 0, (what & history) != 0 ? 0.25 : 0.0});
+      34, 20, {(what & mixed) != 0, (what & warm) != 0, (what & history) != 0 ? 0.25 : 0.0});
   if ((what & scattered) != 0) plate.scatter = Scatter{Scatter::Kind::normal, 0.25, 0.0, 3};
   if ((what & other_family) != 0) plate.plane = Plane::strain;
   plate.cracks.push_back({{0.0, 0.35 * plate.height}, {0.3 * plate.width, 0.35 * plate.height}});
