@@ -17,6 +17,7 @@
 #include "app/voice.hpp"
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
+#include "base/streams.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
 
@@ -176,26 +177,26 @@ Json to_json(const Measurements& measurements, const BenchRequest& request) {
 
 void print_row(const std::string& name, const Json& row) {
   const Json ratio = row.value("ratio_to_lammps", Json());
-  fmt::print(
-      "{:<20} {:>7} {:>6} {:>14.2f} {:>15.3f} {:>11.0f} {:>10}\n", name, row["threads"].get<int>(),
-      row["steps"].get<int>(), 1e-6 * row["node_steps_per_second"].get<double>(),
-      1e-9 * row["bond_visits_per_second"].get<double>(), row["bytes_per_node"].get<double>(),
-      ratio.is_null() ? "" : fmt::format("{:.1f}", ratio.get<double>()));
+  print_out("{:<20} {:>7} {:>6} {:>14.2f} {:>15.3f} {:>11.0f} {:>10}\n", name,
+            row["threads"].get<int>(), row["steps"].get<int>(),
+            1e-6 * row["node_steps_per_second"].get<double>(),
+            1e-9 * row["bond_visits_per_second"].get<double>(), row["bytes_per_node"].get<double>(),
+            ratio.is_null() ? "" : fmt::format("{:.1f}", ratio.get<double>()));
 }
 
 void print_table(const Json& json) {
   const Json& about = json["machine"];
-  fmt::print("{}, {}\n", about["processor"].get<std::string>(),
-             about["instruction_set"].get<std::string>());
-  fmt::print("{} nodes, medians of {} rounds\n\n", grouped(json["rows"][0]["nodes"].get<int>()),
-             json["rounds"].get<int>());
-  fmt::print("{:<20} {:>7} {:>6} {:>14} {:>15} {:>11} {:>10}\n", "", "threads", "steps",
-             "M node-steps/s", "G bond visits/s", "bytes/node", "to LAMMPS");
+  print_out("{}, {}\n", about["processor"].get<std::string>(),
+            about["instruction_set"].get<std::string>());
+  print_out("{} nodes, medians of {} rounds\n\n", grouped(json["rows"][0]["nodes"].get<int>()),
+            json["rounds"].get<int>());
+  print_out("{:<20} {:>7} {:>6} {:>14} {:>15} {:>11} {:>10}\n", "", "threads", "steps",
+            "M node-steps/s", "G bond visits/s", "bytes/node", "to LAMMPS");
   for (const Json& row : json["rows"]) print_row(row["name"].get<std::string>(), row);
   if (json["lammps"].is_null()) return;
   for (const Json& row : json["lammps"]["rows"])
     print_row(fmt::format("LAMMPS, alpha {}", row["alpha"].get<double>()), row);
-  fmt::print("\nLAMMPS {}, peri/pmb\n", json["lammps"]["version"].get<std::string>());
+  print_out("\nLAMMPS {}, peri/pmb\n", json["lammps"]["version"].get<std::string>());
 }
 
 }  // namespace
@@ -226,7 +227,7 @@ std::string in(const std::optional<double>& value, double unit) {
 }
 
 void print(const TradeResult& result) {
-  fmt::print(
+  print_out(
       "{:<24} {:>6} {:>6.2f} {:>7.1f} {:>9.1e} {:>9.1e} {:>6} {:>6} {:>6} {:>6.2f} {:>6} "
       "{:>7.2f}\n",
       result.name, result.nodes, result.seconds, 1e-6 * result.node_steps_per_second,
@@ -235,7 +236,7 @@ void print(const TradeResult& result) {
 }
 
 void print_head() {
-  fmt::print(
+  print_out(
       "12 MPa on an edge crack, to 32 us, one core. u is compared at 5 us, before the first bond "
       "breaks:\nwith f64 and the default step on the same lattice, and with a lattice of half the "
       "spacing.\n\n{:<24} {:>6} {:>6} {:>7} {:>9} {:>9} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7}\n"
@@ -254,9 +255,9 @@ int show_accuracy(const BenchRequest& request) {
     const TradeResult result = measure_trade(trade, request.execution.instruction_set);
     json["rows"].push_back(to_json(result));
     if (!request.json) print(result);
-    std::fflush(stdout);
+    flush(stdout);
   }
-  if (request.json) fmt::print("{}\n", json.dump());
+  if (request.json) print_out("{}\n", json.dump());
   return 0;
 }
 
@@ -268,7 +269,7 @@ int command_bench(const BenchRequest& request) {
     if (request.accuracy) return show_accuracy(request);
     const Json json = to_json(measure_all(request), request);
     if (request.json)
-      fmt::print("{}\n", json.dump());
+      print_out("{}\n", json.dump());
     else
       print_table(json);
     return 0;

@@ -7,6 +7,7 @@
 
 #include "app/exit_code.hpp"
 #include "base/interrupt.hpp"
+#include "base/streams.hpp"
 #include "console/console.hpp"
 
 namespace hackle {
@@ -39,9 +40,9 @@ int command_check(const RunRequest& request) {
     const auto failure = failure_of_script(console, request);
     int number = 0;
     for (const Rehearsal& rehearsal : console.rehearsals())
-      fmt::print("simulation {}\n{}\n", ++number, describe(rehearsal));
-    if (number == 0) fmt::print("the script makes no simulation\n");
-    if (failure) fmt::print("then it wants results: {}\n", failure->problems().front().what);
+      print_out("simulation {}\n{}\n", ++number, describe(rehearsal));
+    if (number == 0) print_out("the script makes no simulation\n");
+    if (failure) print_out("then it wants results: {}\n", failure->problems().front().what);
     return console.exit_code().value_or(0);
   });
 }

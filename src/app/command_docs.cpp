@@ -6,6 +6,7 @@
 #include "app/exit_code.hpp"
 #include "app/man_page.hpp"
 #include "app/shell_completion.hpp"
+#include "base/streams.hpp"
 
 namespace hackle {
 namespace {
@@ -20,7 +21,7 @@ std::string text_of(const DocsRequest& request, const std::vector<Command>& comm
 int command_docs(const DocsRequest& request, const std::vector<Command>& commands) {
   return exit_code_of([&] {
     const std::string text = text_of(request, commands);
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    write_to(stdout, text);
     return 0;
   });
 }

@@ -10,6 +10,7 @@
 #include "app/libraries.hpp"
 #include "base/error.hpp"
 #include "base/machine.hpp"
+#include "base/streams.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
 #include "render/gl_context.hpp"
@@ -48,7 +49,7 @@ std::string text_of(const nlohmann::ordered_json& value) {
 }
 
 void print_line(const std::string& name, const std::string& value) {
-  fmt::print("{:<16} {}\n", name, value);
+  print_out("{:<16} {}\n", name, value);
 }
 
 void print(const nlohmann::ordered_json& facts) {
@@ -69,7 +70,7 @@ void print(const nlohmann::ordered_json& facts) {
 int command_info(bool json) {
   return exit_code_of([json] {
     if (json)
-      fmt::print("{}\n", facts().dump());
+      print_out("{}\n", facts().dump());
     else
       print(facts());
     return 0;

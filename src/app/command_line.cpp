@@ -24,6 +24,7 @@
 #include "app/libraries.hpp"
 #include "app/shell_completion.hpp"
 #include "app/voice.hpp"
+#include "base/streams.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 
@@ -222,10 +223,21 @@ int execute(const CLI::App& app, Request& request) {
   return command_prompt(request.run.limits);
 }
 
+// What was printed and never written makes a success a failure. A reader who has had enough, as
+// head has, hears no complaint.
+int with_output_checked(int code) {
+  const auto reason = lost_output();
+  if (!reason) return code;
+  const bool unread = output_is_unread();
+  if (!unread) tell(Error(ErrorKind::files, "what was printed is lost: " + *reason));
+  const bool stopped = unread && code == static_cast<int>(ErrorKind::interrupted);
+  return code == 0 || stopped ? static_cast<int>(ErrorKind::files) : code;
+}
+
 // After the help of a command that was given a script: what else that understands.
 int tell_options(const RunRequest& request) {
   return exit_code_of([&] {
-    fmt::print("\n{}", options_text(request));
+    print_out("\n{}", options_text(request));
     return 0;
   });
 }
@@ -242,7 +254,9 @@ std::vector<std::string> with_command(std::vector<std::string> words) {
   return words;
 }
 
-int run_program(std::vector<std::string> words) {
+namespace {
+
+int carry_out(std::vector<std::string> words) {
   Request request;
   request.run.arguments = cut_script_arguments(words);
   words = with_command(std::move(words));
@@ -259,6 +273,12 @@ int run_program(std::vector<std::string> words) {
     return refuse(app, error, first);
   }
   return execute(app, request);
+}
+
+}  // namespace
+
+int run_program(std::vector<std::string> words) {
+  return with_output_checked(carry_out(std::move(words)));
 }
 
 }  // namespace hackle

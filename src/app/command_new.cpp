@@ -8,6 +8,7 @@
 #include "app/exit_code.hpp"
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "base/streams.hpp"
 
 namespace hackle {
 
@@ -20,8 +21,8 @@ int command_new(const std::string& name) {
                   "take another name");
     make_folder_of(path);
     write_text(path, read_text(data_file("assets/new.lua")));
-    fmt::print("wrote {0}\nhackle check {0} tells what it takes, hackle run {0} runs it\n",
-               path.string());
+    print_out("wrote {0}\nhackle check {0} tells what it takes, hackle run {0} runs it\n",
+              path.string());
     return 0;
   });
 }

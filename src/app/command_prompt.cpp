@@ -8,7 +8,9 @@
 
 #include "app/exit_code.hpp"
 #include "app/voice.hpp"
+#include "base/interrupt.hpp"
 #include "base/machine.hpp"
+#include "base/streams.hpp"
 #include "base/version.hpp"
 #include "console/line_reader.hpp"
 #include "console/prompt.hpp"
@@ -23,19 +25,19 @@ Prompt::Reader line_reader(const std::shared_ptr<LineEditor>& editor) {
       return reader->read(line, idle);
     };
   }
-  fmt::print("Hackle {}  -  help() tells more, Ctrl-D leaves\n", version());
+  print_out("Hackle {}  -  help() tells more, Ctrl-D leaves\n", version());
   return [editor](const std::string& prompt, std::string& line, const Idle& idle) {
     return editor->read(prompt, line, idle);
   };
 }
 
 void print_note(const std::string& note) {
-  fmt::print(stderr, "note: {}\n", note);
+  say("note: {}\n", note);
 }
 
 void print_value(const std::string& value) {
-  fmt::print("{}\n", value);
-  std::fflush(stdout);
+  print_out("{}\n", value);
+  flush(stdout);
 }
 
 }  // namespace
@@ -48,6 +50,7 @@ int command_prompt(const Limits& limits) {
     settings.show_in_terminal = stdout_is_terminal();
     limits.apply(settings);
     Console console(settings);
+    const InterruptHandler handler(InterruptHandler::Keyboard::left_alone);
     const bool person = isatty(STDIN_FILENO) != 0;
     const auto editor = person ? std::make_shared<LineEditor>(history_file()) : nullptr;
     Prompt prompt(console, line_reader(editor), {print_value, tell, print_note});
@@ -56,8 +59,9 @@ int command_prompt(const Limits& limits) {
           [&](const std::string& before) { return console.complete(prompt.begun() + before); });
     const int first_error = prompt.run();
     // A person has seen the errors; a program that feeds lines reads them from the code.
-    if (!person) console.finish_work();
-    const int code = person ? console.exit_code().value_or(0) : first_error;
+    if (!person && !asked_to_leave()) console.finish_work();
+    int code = person ? console.exit_code().value_or(0) : first_error;
+    if (asked_to_leave()) code = static_cast<int>(ErrorKind::interrupted);
     const int closing = exit_code_of([&] {
       console.close_all();
       return 0;

@@ -12,6 +12,7 @@
 #include "app/voice.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/streams.hpp"
 #include "base/text.hpp"
 #include "console/console.hpp"
 #include "console/reference.hpp"
@@ -128,16 +129,16 @@ std::string printable(std::string text) {
 
 // What is in a file, and what can be made of it.
 void tell_of(Console& console, const std::string& run) {
-  fmt::print("{}: {}\n", run, printable(console.evaluate("recording " + quoted(run)).at(0)));
+  print_out("{}: {}\n", run, printable(console.evaluate("recording " + quoted(run)).at(0)));
   const std::string script = printable(console.evaluate("_.script").at(0));
-  if (!script.empty()) fmt::print("  made by {}\n", script);
+  if (!script.empty()) print_out("  made by {}\n", script);
 }
 
 void tell_what_is_there(Console& console, const RenderJob& job) {
   for (const std::string& run : job.runs) tell_of(console, run);
   const std::string run = shell_word(job.runs.front());
   const std::filesystem::path stem = std::filesystem::path(job.runs.front()).stem();
-  fmt::print(
+  print_out(
       "next: hackle render {} {} field=stress_1\n"
       "      hackle render {} {} field=von_mises percentile=99\n",
       run, shell_word(stem.string() + ".png"), run, shell_word(stem.string() + ".mp4"));

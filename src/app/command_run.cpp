@@ -8,6 +8,7 @@
 #include "app/voice.hpp"
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
+#include "base/streams.hpp"
 #include "console/console.hpp"
 
 namespace hackle {
@@ -27,7 +28,7 @@ ConsoleSettings settings_of(const RunRequest& request) {
 namespace {
 
 void print_json(const Console& console, const RunRequest& request) {
-  fmt::print("{}\n", json_of(console.simulations(), request.script.string()).dump());
+  print_out("{}\n", json_of(console.simulations(), request.script.string()).dump());
 }
 
 }  // namespace

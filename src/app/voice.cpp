@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/machine.hpp"
+#include "base/streams.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
 
@@ -49,22 +50,22 @@ std::string error_text(const Error& error, bool colour) {
 }
 
 void tell(const Error& error) {
-  std::fflush(stdout);
-  fmt::print(stderr, "{}", error_text(error, in_colour()));
+  flush(stdout);
+  say("{}", error_text(error, in_colour()));
 }
 
 void tell_file(const std::filesystem::path& file) {
-  fmt::print(stderr, "wrote {}{}\n", file.string(), size_text(file));
+  say("wrote {}{}\n", file.string(), size_text(file));
 }
 
 void tell_files(const std::vector<Summary>& simulations) {
-  std::fflush(stdout);
+  flush(stdout);
   std::set<std::filesystem::path> told;
   for (const Summary& summary : simulations)
     for (const std::filesystem::path& file : summary.files)
       if (told.insert(file).second) tell_file(file);
   const auto run = std::ranges::find(told, ".h5", &std::filesystem::path::extension);
-  if (run != told.end()) fmt::print(stderr, "next: hackle render {}\n", shell_word(run->string()));
+  if (run != told.end()) say("next: hackle render {}\n", shell_word(run->string()));
 }
 
 Talk talk(bool quiet) {

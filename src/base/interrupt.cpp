@@ -2,28 +2,34 @@
 #include "base/interrupt.hpp"
 
 #include <atomic>
-#include <csignal>
 #include <string_view>
 
 #include <unistd.h>
+
+#include "base/error.hpp"
 
 namespace hackle {
 namespace {
 
 // A signal handler can reach nothing but a lock-free global.
-std::atomic<bool> flag{false};
+std::atomic<bool> flag{false}, leaving{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-struct sigaction former_int, former_term;
-
+// A terminal that is closed may say so twice.
 void on_signal(int number) {
+  if (number != SIGINT) leaving.store(true);
   if (flag.exchange(true)) {
+    if (number == SIGHUP) return;
     std::signal(number, SIG_DFL);
     std::raise(number);
     return;
   }
   constexpr std::string_view note = "\nstopping after this step (again to abort)\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, note.data(), note.size());
+}
+
+bool stays_ignored(int number, const struct sigaction& former) {
+  return number == SIGHUP && former.sa_handler == SIG_IGN;
 }
 
 }  // namespace
@@ -37,18 +43,28 @@ void request_interrupt() noexcept {
 void clear_interrupt() noexcept {
   flag.store(false);
 }
+bool asked_to_leave() noexcept {
+  return leaving.load(std::memory_order_relaxed);
+}
 
-InterruptHandler::InterruptHandler() {
+void throw_if_interrupted() {
+  if (interrupted()) throw Error(ErrorKind::interrupted, "interrupted");
+}
+
+InterruptHandler::InterruptHandler(Keyboard keyboard) {
   struct sigaction action {};
-  action.sa_handler = on_signal;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, &former_int);
-  sigaction(SIGTERM, &action, &former_term);
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    sigaction(signals[k], nullptr, &former_[k]);
+    if (stays_ignored(signals[k], former_[k])) continue;
+    if (signals[k] == SIGINT && keyboard == Keyboard::left_alone) continue;
+    action.sa_handler = on_signal;
+    sigaction(signals[k], &action, nullptr);
+  }
 }
 
 InterruptHandler::~InterruptHandler() {
-  sigaction(SIGINT, &former_int, nullptr);
-  sigaction(SIGTERM, &former_term, nullptr);
+  for (std::size_t k = 0; k < signals.size(); ++k) sigaction(signals[k], &former_[k], nullptr);
 }
 
 }  // namespace hackle

@@ -2,21 +2,37 @@
 // Ctrl-C as one atomic flag that every long loop reads between two steps.
 #pragma once
 
+#include <array>
+#include <csignal>
+
 namespace hackle {
 
-// True once SIGINT or SIGTERM arrived, or request_interrupt() was called, until clear_interrupt().
+// True once SIGINT, SIGTERM or SIGHUP arrived, or request_interrupt() was called, until
+// clear_interrupt().
 bool interrupted() noexcept;
 void request_interrupt() noexcept;
 void clear_interrupt() noexcept;
 
-// While an object of this class lives, SIGINT and SIGTERM set the flag and say so on stderr; a
-// second signal ends the process at once. The former handlers come back afterwards.
+// Throws Error (interrupted) if so: for loops that have nothing to complete.
+void throw_if_interrupted();
+
+// True for ever once SIGTERM or SIGHUP arrived: the program is to end, not what it does just now.
+bool asked_to_leave() noexcept;
+
+// While an object of this class lives, SIGINT, SIGTERM and SIGHUP set the flag and say so on
+// stderr; a second SIGINT or SIGTERM ends the process at once. A SIGHUP that was ignored stays so
+// (nohup). The former handlers come back afterwards.
 class InterruptHandler {
  public:
-  InterruptHandler();
+  enum class Keyboard { heard, left_alone };  // SIGINT
+  explicit InterruptHandler(Keyboard keyboard = Keyboard::heard);
   ~InterruptHandler();
   InterruptHandler(const InterruptHandler&) = delete;
   InterruptHandler& operator=(const InterruptHandler&) = delete;
+
+ private:
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, signals.size()> former_;
 };
 
 }  // namespace hackle

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/streams.hpp"
+
 namespace hackle {
 namespace {
 
@@ -35,7 +37,7 @@ Progress::Progress(Talk talk) : talk_(talk), start_(Clock::now()), last_(start_)
 }
 
 Progress::~Progress() {
-  if (bar_is_drawn_) fmt::print(stderr, "\r\033[K");
+  if (bar_is_drawn_) say("\r\033[K");
 }
 
 double Progress::elapsed() const {
@@ -58,11 +60,11 @@ void Progress::show(double fraction, const std::string& detail) {
   const std::string left = remaining_text(elapsed() * (1.0 - fraction) / done);
   const int percent = static_cast<int>(fraction * 100.0);
   if (talk_ == Talk::animated) {
-    fmt::print(stderr, "\r\033[K{} {:3d} %  {}  {}", bar(fraction), percent, detail, left);
-    std::fflush(stderr);
+    say("\r\033[K{} {:3d} %  {}  {}", bar(fraction), percent, detail, left);
+    flush(stderr);
     bar_is_drawn_ = true;
   } else {
-    fmt::print(stderr, "{:3d} %  {}  {}\n", percent, detail, left);
+    say("{:3d} %  {}  {}\n", percent, detail, left);
   }
 }
 

@@ -198,6 +198,7 @@ int script(lua_State* L) {
   const Arguments arguments = Arguments::from_table(L, 2, script_doc);
   arguments.problems.throw_if_any();
   const auto path = session_of(L).output_path("script", arguments.text("file"));
+  if (session_of(L).settings.purpose != Purpose::results) return 0;
   make_folder_of(path);
   write_text(path, session_of(L).script());
   return 0;

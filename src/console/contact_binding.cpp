@@ -5,6 +5,7 @@
 
 #include "console/arguments.hpp"
 #include "console/plate_binding.hpp"
+#include "console/plate_memory.hpp"
 
 namespace hackle {
 namespace {
@@ -35,8 +36,7 @@ int set_contact(lua_State* L) {
   const Contact usual;
   plate.contact = Contact{arguments.number("stiffness", usual.stiffness),
                           arguments.number("reach", usual.reach)};
-  lua_settop(L, 1);
-  return 1;
+  return return_plate(L);
 }
 
 }  // namespace

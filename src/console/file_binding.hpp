@@ -7,7 +7,8 @@
 namespace hackle {
 
 // io.open, io.lines, io.input, io.output, loadfile and dofile: names are resolved as everywhere in
-// Hackle, by Session::input_path and output_path, which refuse what a script may not reach.
+// Hackle, by Session::input_path and output_path, which refuse what a script may not reach. What a
+// script that is only looked at writes goes nowhere.
 void open_files(lua_State* L);
 
 }  // namespace hackle

@@ -66,6 +66,7 @@ int with_text(lua_State* L) {
 // What the function threw, or nothing; then its number of results is in `results`.
 std::optional<Error> attempt(lua_State* L, Binding function, int& results) {
   try {
+    if (auto reason = reason_to_stop(L)) return reason;
     results = function(L);
     return std::nullopt;
   } catch (const Error& error) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The border between C++ exceptions and errors of Lua. Every bound function is registered through
 // guarded<>: what it throws reaches the script as an error object that keeps the kind, so that
-// pcall works on it and the exit code survives.
+// pcall works on it and the exit code survives. A script that is to stop (interrupt_hook.hpp) is
+// stopped at its next call of one.
 #pragma once
 
 #include <functional>

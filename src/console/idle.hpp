@@ -12,7 +12,8 @@ using MakeRoom = std::function<void()>;
 // argument before it says anything.
 using Idle = std::function<bool(const MakeRoom&)>;
 
-// Until stdin has something to read, or an end, or until nothing is left to do.
-void idle_until_input(const Idle& idle, const MakeRoom& make_room);
+// Lets others work until stdin has something to read, or an end, and waits for that where nothing
+// is left to do. False when the program is asked to leave instead.
+bool wait_for_input(const Idle& idle, const MakeRoom& make_room);
 
 }  // namespace hackle

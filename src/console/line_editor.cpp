@@ -97,15 +97,15 @@ struct LineEditor::Parts {
   // the line, and read() throws it.
   static int next_key(EditLine* editor, wchar_t* key) noexcept {
     try {
-      give_others_their_turn(editor);
-      return read_character(key);
+      return give_others_their_turn(editor) ? read_character(key) : 0;
     } catch (...) {
       of(editor).failure = std::current_exception();
       return 0;
     }
   }
 
-  static void give_others_their_turn(EditLine* editor) {
+  // False when the program is asked to leave.
+  static bool give_others_their_turn(EditLine* editor) {
     const Parts& parts = of(editor);
     bool has_spoken = false;
     const auto make_room = [&] {
@@ -113,12 +113,12 @@ struct LineEditor::Parts {
       std::fflush(stdout);
     };
     const auto idle = [&](const MakeRoom& room) {
-      const bool more = parts.idle(room);
+      const bool more = parts.idle && parts.idle(room);
       std::fflush(stdout);
       if (std::exchange(has_spoken, false)) el_set(editor, EL_REFRESH);
       return more;
     };
-    if (parts.idle) idle_until_input(idle, make_room);
+    return wait_for_input(idle, make_room);
   }
 
   // 1, or 0 at the end of the input.

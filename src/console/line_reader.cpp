@@ -12,7 +12,7 @@ LineEnd LineReader::read(std::string& line, const Idle& idle) {
   std::size_t end = 0;
   while ((end = buffer_.find('\n', end)) == buffer_.npos) {
     end = buffer_.size();
-    idle_until_input(idle, [] {});
+    if (!wait_for_input(idle, [] {})) return LineEnd::end_of_input;
     if (fill()) continue;
     if (buffer_.empty()) return LineEnd::end_of_input;
     buffer_ += '\n';

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/streams.hpp"
 #include "console/picture_text.hpp"
 
 namespace hackle {
@@ -26,7 +27,7 @@ void LiveView::observe(const Simulation& simulation) {
   if (session_.make_room) session_.make_room();
   if (said_ == session_.said) text.insert(0, fmt::format("\r\033[{}A", lines_));
   if (session_.settings.talk == Talk::animated) text.insert(0, "\r\033[K");
-  std::fflush(stdout);
+  flush(stdout);
   write_picture(text, terminal, STDOUT_FILENO);
   lines_ = lines;
   said_ = session_.said;

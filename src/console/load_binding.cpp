@@ -9,6 +9,7 @@
 
 #include "console/load_docs.hpp"
 #include "console/plate_binding.hpp"
+#include "console/plate_memory.hpp"
 #include "console/simulation_binding.hpp"
 
 namespace hackle {
@@ -142,7 +143,7 @@ int add_to_plate(lua_State* L) {
   check(loads, arguments.problems);
   arguments.problems.throw_if_any();
   plate.loads = std::move(loads);
-  return return_self(L);
+  return return_plate(L);
 }
 
 template <class Kind, const FunctionDoc& doc>
@@ -169,7 +170,7 @@ double read_damping(lua_State* L, const FunctionDoc& doc) {
 int damp_plate(lua_State* L) {
   Plate& plate = self<Plate>(L, plate_damping_doc);
   plate.loads.damping = read_damping(L, plate_damping_doc);
-  return return_self(L);
+  return return_plate(L);
 }
 
 int damp_run(lua_State* L) {
@@ -206,7 +207,7 @@ int add_start(lua_State* L) {
     arguments.problems.add("start: no motion is given", "give velocity, displacement or both");
   arguments.problems.throw_if_any();
   plate.starts.push_back(std::move(start));
-  return return_self(L);
+  return return_plate(L);
 }
 
 constexpr std::array plate_methods{

@@ -5,6 +5,12 @@
 
 namespace hackle {
 
+bool LuaMemory::hold(std::size_t bytes) {
+  if (bytes > limit_ - used_) return false;
+  used_ += bytes;
+  return true;
+}
+
 void* LuaMemory::allocate(void* memory, void* block, std::size_t old_size, std::size_t size) {
   LuaMemory& self = *static_cast<LuaMemory*>(memory);
   if (block == nullptr) old_size = 0;  // it was the kind of the object

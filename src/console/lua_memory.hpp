@@ -10,7 +10,7 @@ inline constexpr std::size_t default_lua_memory = std::size_t{1024} << 20U;  // 
 
 // Counts what Lua asks for. Beyond the limit Lua is told that there is none left: it collects its
 // garbage, asks once more, and then raises "not enough memory", which a script may catch. What our
-// own objects hold outside of Lua is not counted.
+// own objects hold outside of Lua counts where they say so with hold().
 class LuaMemory {
  public:
   explicit LuaMemory(std::size_t limit) : limit_(limit) {}  // bytes
@@ -19,6 +19,11 @@ class LuaMemory {
 
   std::size_t limit() const { return limit_; }
   std::size_t used() const { return used_; }
+
+  // Memory outside of Lua that an object in it takes, and gives back when it is collected. False
+  // when there is no room for it.
+  bool hold(std::size_t bytes);
+  void release(std::size_t bytes) { used_ -= bytes; }
 
   // A lua_Alloc; `memory` is a LuaMemory.
   static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t size);

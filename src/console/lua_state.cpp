@@ -18,6 +18,12 @@ int panic(lua_State* L) {
   throw Error(ErrorKind::script, text ? lua_tostring(L, -1) : "(error without a text)");
 }
 
+LuaMemory& memory_of(lua_State* L) {
+  void* memory = nullptr;
+  lua_getallocf(L, &memory);
+  return *static_cast<LuaMemory*>(memory);
+}
+
 }  // namespace
 
 LuaState::LuaState(std::size_t most_memory)
@@ -32,13 +38,21 @@ LuaState::~LuaState() {
 }
 
 Error out_of_memory(lua_State* L) {
-  void* memory = nullptr;
-  lua_getallocf(L, &memory);
   constexpr std::size_t bytes_a_megabyte = 1U << 20U;
   return {ErrorKind::script,
           fmt::format("not enough memory: the script's Lua values exceed {} MB",
-                      static_cast<LuaMemory*>(memory)->limit() / bytes_a_megabyte),
+                      memory_of(L).limit() / bytes_a_megabyte),
           "--lua-memory allows more"};
+}
+
+void hold_memory(lua_State* L, std::size_t bytes) {
+  if (memory_of(L).hold(bytes)) return;
+  lua_gc(L, LUA_GCCOLLECT);
+  if (!memory_of(L).hold(bytes)) throw out_of_memory(L);
+}
+
+void release_memory(lua_State* L, std::size_t bytes) {
+  memory_of(L).release(bytes);
 }
 
 // Lua keeps the size of a pointer for its host in every state; a new coroutine gets a copy of the

@@ -30,6 +30,10 @@ class LuaState {
 // What is said of a state that has asked for more than its limit.
 Error out_of_memory(lua_State* L);
 
+// See LuaMemory::hold; collects garbage where there is no room. Throws what out_of_memory says.
+void hold_memory(lua_State* L, std::size_t bytes);
+void release_memory(lua_State* L, std::size_t bytes);
+
 class Session;
 
 // The session that the bound functions of a state and of all its coroutines work for. Null in a

@@ -7,6 +7,7 @@
 #include "console/arguments.hpp"
 #include "console/contact_binding.hpp"
 #include "console/load_binding.hpp"
+#include "console/plate_memory.hpp"
 #include "console/region_options.hpp"
 #include "console/shape_binding.hpp"
 #include "console/strength_binding.hpp"
@@ -63,12 +64,6 @@ int make_plate(lua_State* L) {
   return 1;
 }
 
-// The plate itself, so that calls can be chained.
-int return_self(lua_State* L) {
-  lua_settop(L, 1);
-  return 1;
-}
-
 int add_nofail(lua_State* L) {
   Plate& plate = self<Plate>(L, nofail_doc);
   Arguments arguments = Arguments::from_table(L, 2, nofail_doc);
@@ -79,7 +74,7 @@ int add_nofail(lua_State* L) {
   if (zone) check_no_fail(plate, *zone, arguments.problems);
   arguments.problems.throw_if_any();
   plate.no_fail.push_back(*zone);
-  return return_self(L);
+  return return_plate(L);
 }
 
 constexpr std::array own_methods_of_plate{Function{&nofail_doc, guarded<add_nofail>}};
@@ -119,7 +114,7 @@ const TypeDoc& plate_type() {
                             .methods = all,
                             .fields = fields,
                             .to_text = guarded<to_text>,
-                            .destroy = destroy_object<Plate>};
+                            .destroy = destroy_plate};
   return type;
 }
 

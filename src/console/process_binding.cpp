@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "base/streams.hpp"
 #include "console/guard.hpp"
 #include "console/interrupt_hook.hpp"
 #include "console/session.hpp"
@@ -29,12 +30,12 @@ int print(lua_State* L) {
   for (int i = 1; i <= count; ++i) {
     std::size_t size = 0;
     const char* text = luaL_tolstring(L, i, &size);
-    if (i > 1) std::fputc('\t', stream);
-    std::fwrite(text, 1, size, stream);
+    if (i > 1) write_to(stream, "\t");
+    write_to(stream, {text, size});
     lua_pop(L, 1);
   }
-  std::fputc('\n', stream);
-  std::fflush(stream);
+  write_to(stream, "\n");
+  flush(stream);
   return 0;
 }
 

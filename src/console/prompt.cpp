@@ -19,7 +19,7 @@ Prompt::Prompt(Console& console, Reader reader, Voice voice)
 
 int Prompt::run() {
   std::string chunk;
-  while (!console_.exit_code() && read_chunk(chunk))
+  while (!console_.exit_code() && !asked_to_leave() && read_chunk(chunk))
     if (!chunk.empty()) evaluate(chunk);
   return console_.exit_code().value_or(first_code_);
 }

@@ -10,6 +10,7 @@
 #include "base/files.hpp"
 #include "base/units.hpp"
 #include "console/arguments.hpp"
+#include "console/background_binding.hpp"
 #include "console/object_type.hpp"
 #include "console/recording_docs.hpp"
 #include "console/session.hpp"
@@ -30,12 +31,13 @@ void check_is_there(const Session& session, const std::filesystem::path& path) {
 }
 
 int open_recording(lua_State* L) {
-  const Session& session = session_of(L);
+  Session& session = session_of(L);
   const Arguments arguments = Arguments::from_table(L, 1, recording_doc);
   arguments.problems.throw_if_any();
   const auto path = session.input_path("recording", arguments.text("file"));
   check_is_there(session, path);
-  push_object(L, ScriptedRecording{std::make_shared<Recording>(path, session.settings.execution)});
+  collect_simulations(L);
+  push_object(L, ScriptedRecording{session.open_recording(path)});
   return 1;
 }
 

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "base/machine.hpp"
+#include "base/units.hpp"
 #include "base/version.hpp"
 
 namespace hackle {
@@ -20,7 +22,8 @@ bool works(const std::shared_ptr<Run>& run) {
 
 }  // namespace
 
-Session::Session(ConsoleSettings with) : settings(std::move(with)) {
+Session::Session(ConsoleSettings with)
+    : settings(std::move(with)), memory_at_start_(available_memory()) {
 }
 
 Session::~Session() = default;
@@ -70,6 +73,35 @@ std::shared_ptr<Run> Session::adopt(std::shared_ptr<Run> run) {
   if (settings.purpose == Purpose::check) run->rehearse();
   entries_.push_back({run, std::nullopt, std::nullopt, run->simulation().state().step, false});
   return run;
+}
+
+std::shared_ptr<Recording> Session::open_recording(const fs::path& path) {
+  std::erase_if(recordings_, [](const auto& recording) { return recording.expired(); });
+  check_memory("recording", 0);
+  auto recording = std::make_shared<Recording>(path, settings.execution);
+  recordings_.push_back(recording);
+  return recording;
+}
+
+std::uint64_t Session::memory_left() const {
+  std::uint64_t held = 0;
+  const auto add = [&held](const Simulation& simulation) {
+    held += simulation.bytes() + PlateMemory().grown(simulation.plate());
+  };
+  for (const auto& run : open_runs()) add(run->simulation());
+  for (const auto& recording : recordings_)
+    if (const auto open = recording.lock()) add(open->simulation());
+  return std::min(memory_at_start_ - std::min(held, memory_at_start_), available_memory());
+}
+
+void Session::check_memory(const std::string& who, std::uint64_t bytes) const {
+  const std::uint64_t left = memory_left();
+  if (bytes < left) return;
+  throw Error(ErrorKind::run_failed,
+              fmt::format("{}: out of memory: {} are left, the simulations of this script hold "
+                          "the rest",
+                          who, quantity(static_cast<double>(left), "B")),
+              "let go of some: set what holds them to nil");
 }
 
 int Session::number_of(const Run& run) const {

@@ -7,15 +7,18 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "console/idle.hpp"
 #include "console/lua_memory.hpp"
 #include "console/materials.hpp"
+#include "console/plate_memory.hpp"
 #include "console/sandbox.hpp"
 #include "console/transcript.hpp"
 #include "output/run.hpp"
+#include "store/recording.hpp"
 
 namespace hackle {
 
@@ -60,6 +63,13 @@ class Session {
   std::shared_ptr<Run> simulate(Plate plate, Numerics numerics);
   // Takes on a run made from another.
   std::shared_ptr<Run> adopt(std::shared_ptr<Run> run);
+  // Opens a run file. Throws what Recording throws.
+  std::shared_ptr<Recording> open_recording(const std::filesystem::path& path);
+  // Bytes that one more simulation may take: those that were available when the session began less
+  // what its simulations and recordings hold, whether they have touched it yet or not.
+  std::uint64_t memory_left() const;
+  // Throws Error (run_failed), which `who` begins, unless so many are left.
+  void check_memory(const std::string& who, std::uint64_t bytes) const;
   // Simulations count from 1 in the order they were made.
   int number_of(const Run& run) const;
   // Closes a run that nobody can reach any more and keeps its summary alone. A failure is kept for
@@ -104,6 +114,7 @@ class Session {
   MakeRoom make_room;                                   // before anything is printed, or none
   std::int64_t said = 0;   // lines of the prompt and of the script so far
   int pictures_shown = 0;  // in files, by show(s)
+  std::unordered_map<const Plate*, PlateMemory> plates;  // what those of the script take
 
  private:
   struct Entry {
@@ -116,7 +127,9 @@ class Session {
   void close(Run& run) noexcept;
   std::vector<std::shared_ptr<Run>> open_runs() const;
 
+  const std::uint64_t memory_at_start_;
   std::vector<Entry> entries_;
+  std::vector<std::weak_ptr<const Recording>> recordings_;
   Transcript transcript_;
   bool has_prompt_ = false;
   std::vector<Problem> closing_problems_;

@@ -8,6 +8,7 @@
 
 #include "console/arguments.hpp"
 #include "console/plate_binding.hpp"
+#include "console/plate_memory.hpp"
 #include "console/session.hpp"
 #include "console/shape_docs.hpp"
 #include "output/mask.hpp"
@@ -17,12 +18,6 @@
 namespace hackle {
 namespace {
 
-// The plate itself, so that calls can be chained.
-int return_self(lua_State* L) {
-  lua_settop(L, 1);
-  return 1;
-}
-
 int add_hole(lua_State* L) {
   Plate& plate = self<Plate>(L, hole_doc);
   Arguments arguments = Arguments::from_table(L, 2, hole_doc);
@@ -30,7 +25,7 @@ int add_hole(lua_State* L) {
   if (shape) check_cutout(plate, *shape, "hole", arguments.problems);
   arguments.problems.throw_if_any();
   plate.cutouts.push_back({*shape, arguments.text("name")});
-  return return_self(L);
+  return return_plate(L);
 }
 
 int add_notch(lua_State* L) {
@@ -45,7 +40,7 @@ int add_notch(lua_State* L) {
   check_cutout(plate, shape, "notch", arguments.problems);
   arguments.problems.throw_if_any();
   plate.cutouts.push_back({shape, arguments.text("name")});
-  return return_self(L);
+  return return_plate(L);
 }
 
 constexpr std::array<std::string_view, 2> straight{"from", "to"};
@@ -78,7 +73,7 @@ int add_crack(lua_State* L) {
   if (!crack.points.empty()) check(plate, crack, arguments.problems);
   arguments.problems.throw_if_any();
   plate.cracks.push_back(std::move(crack));
-  return return_self(L);
+  return return_plate(L);
 }
 
 // The rectangle from `from` to `to`; the plate when neither is given. Adds a problem for one alone.
@@ -103,7 +98,7 @@ int add_random_cracks(lua_State* L) {
   check(plate, cracks, arguments.problems);
   arguments.problems.throw_if_any();
   for (Crack& crack : make(cracks)) plate.cracks.push_back(std::move(crack));
-  return return_self(L);
+  return return_plate(L);
 }
 
 int add_inclusion(lua_State* L) {
@@ -113,7 +108,7 @@ int add_inclusion(lua_State* L) {
   if (shape) check(plate, *shape, "inclusion", arguments.problems);
   arguments.problems.throw_if_any();
   plate.inclusions.push_back({*shape, arguments.material("material")});
-  return return_self(L);
+  return return_plate(L);
 }
 
 int add_mask(lua_State* L) {
@@ -137,7 +132,7 @@ int add_mask(lua_State* L) {
     plate.cutouts.push_back({shape, arguments.text("name")});
   else
     plate.inclusions.push_back({shape, arguments.material("material")});
-  return return_self(L);
+  return return_plate(L);
 }
 
 }  // namespace

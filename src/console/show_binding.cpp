@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/files.hpp"
+#include "base/streams.hpp"
 #include "console/arguments.hpp"
 #include "console/guard.hpp"
 #include "console/live_view.hpp"
@@ -100,7 +101,7 @@ void show_in_terminal(const Session& session, const Simulation& simulation,
   std::string text = picture_text(simulation, options, terminal);
   // A function called in the middle of a run finds its progress bar here.
   if (session.settings.talk == Talk::animated) text.insert(0, "\r\033[K");
-  std::fflush(stdout);
+  flush(stdout);
   write_picture(text, terminal, STDOUT_FILENO);
 }
 
@@ -117,8 +118,8 @@ void show_in_file(Session& session, Run* run, const Simulation& simulation,
     write_png(paint(simulation, options), path);
   }
   std::FILE* file = session.settings.print_to_stderr ? stderr : stdout;
-  fmt::print(file, "{}: {}\n", caption(simulation, options), path.string());
-  std::fflush(file);
+  write_to(file, fmt::format("{}: {}\n", caption(simulation, options), path.string()));
+  flush(file);
 }
 
 int show(lua_State* L) {

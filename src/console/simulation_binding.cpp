@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
-#include "base/machine.hpp"
 #include "base/units.hpp"
 #include "console/arguments.hpp"
 #include "console/background_binding.hpp"
@@ -49,11 +48,12 @@ const Plate& plate_at(lua_State* L, int index) {
 
 // Options that were wrong read as their defaults; the limit of the step is then not that of what
 // was meant.
-void check_numerics(const Plate& plate, Numerics numerics, Arguments& arguments) {
+void check_numerics(const Plate& plate, Numerics numerics, std::uint64_t memory,
+                    Arguments& arguments) {
   if (!arguments.has("spacing")) return;
   if (!arguments.good({"horizon", "quadrature", "micromodulus", "constants"}))
     numerics.step.reset();
-  check(plate, numerics, available_memory(), arguments.problems);
+  check(plate, numerics, memory, arguments.problems);
 }
 
 int simulate(lua_State* L) {
@@ -64,9 +64,9 @@ int simulate(lua_State* L) {
   Arguments arguments = Arguments::from_table(L, 2, simulate_doc);
   const Numerics numerics = numerics_of(arguments);
   check(plate, arguments.problems);
-  check_numerics(plate, numerics, arguments);
-  arguments.problems.throw_if_any();
   collect_simulations(L);
+  check_numerics(plate, numerics, session.memory_left(), arguments);
+  arguments.problems.throw_if_any();
   push_object(L, ScriptedRun(session.simulate(plate, numerics), session));
   remember_simulation(L, -1);
   return 1;

@@ -8,6 +8,7 @@
 
 #include "console/file_binding.hpp"
 #include "console/guard.hpp"
+#include "console/interrupt_hook.hpp"
 #include "console/module_binding.hpp"
 #include "console/session.hpp"
 
@@ -132,13 +133,40 @@ void cut_down(lua_State* L) {
   lua_pop(L, 1);
 }
 
+int pretend(lua_State* L) {
+  lua_pushboolean(L, 1);
+  return 1;
+}
+
+int refuse_to_act(lua_State*) {
+  throw Error(ErrorKind::refused, "a script that is checked changes nothing outside of it");
+}
+
+void replace(lua_State* L, const char* library, const char* name, lua_CFunction function) {
+  lua_getglobal(L, library);
+  lua_pushcfunction(L, function);
+  lua_setfield(L, -2, name);
+  lua_pop(L, 1);
+}
+
+// What a trusted script can do to the world, while it is only looked at. Files that it opens for
+// writing are held back where they are opened (file_binding.hpp).
+void hold_back(lua_State* L) {
+  for (const char* name : {"remove", "rename"}) replace(L, "os", name, pretend);
+  for (const char* name : {"execute", "tmpname"}) replace(L, "os", name, guarded<refuse_to_act>);
+  replace(L, "io", "popen", guarded<refuse_to_act>);
+}
+
 }  // namespace
 
 void open_standard_library(lua_State* L) {
   luaL_openlibs(L);
   seed_random(L);
   open_files(L);
-  if (session_of(L).settings.trust) return;
+  open_interruptible(L);
+  const ConsoleSettings& settings = session_of(L).settings;
+  if (settings.trust && settings.purpose != Purpose::results) hold_back(L);
+  if (settings.trust) return;
   open_modules(L);
   guard_globals(L);
   hide_metatable_of_files(L);

@@ -118,6 +118,7 @@ int fork(lua_State* L) {
   Arguments::from_values(L, 2, fork_doc).problems.throw_if_any();
   Session& session = session_of(L);
   collect_simulations(L);
+  session.check_memory("fork", scripted.simulation().bytes());
   push_object(L, ScriptedRun(session.adopt(scripted.run().fork()), session));
   remember_simulation(L, -1);
   return 1;

@@ -7,6 +7,7 @@
 
 #include "console/arguments.hpp"
 #include "console/plate_binding.hpp"
+#include "console/plate_memory.hpp"
 
 namespace hackle {
 namespace {
@@ -74,8 +75,7 @@ int set_strength(lua_State* L) {
   scatter.correlation = arguments.number("correlation");
   scatter.seed = arguments.integer("seed", 1);
   plate.scatter = scatter;
-  lua_settop(L, 1);
-  return 1;
+  return return_plate(L);
 }
 
 }  // namespace

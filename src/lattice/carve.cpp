@@ -40,11 +40,10 @@ std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& gri
   }
   for (const Cutout& cutout : plate.cutouts) {
     const Shape shape = transformed(cutout.shape, grid.centre, 1.0 / grid.dx);
-    const NodeRange range = nodes_near(bounds(shape), grid, 1);
-    for (int j = range.first_j; j <= range.last_j; ++j)
-      for (int i = range.first_i; i <= range.last_i; ++i)
-        if (is_inside(shape, grid.from_centre(i, j), tie))
-          material[grid.index(i, j)] = Lattice::void_node;
+    for_nodes(nodes_near(bounds(shape), grid, 1), [&](int i, int j) {
+      if (is_inside(shape, grid.from_centre(i, j), tie))
+        material[grid.index(i, j)] = Lattice::void_node;
+    });
   }
   if (std::ranges::count(material, Lattice::void_node) ==
       static_cast<std::ptrdiff_t>(material.size()))
@@ -77,10 +76,8 @@ void carve(const std::vector<Cutout>& cutouts, const std::vector<std::uint8_t>& 
            const Grid& grid, const Family& family, BondBits& bonds) {
   for (const Cutout& cutout : cutouts) {
     const Shape shape = transformed(cutout.shape, grid.centre, 1.0 / grid.dx);
-    const NodeRange range = nodes_near(bounds(shape), grid, family.reach());
-    for (int j = range.first_j; j <= range.last_j; ++j)
-      for (int i = range.first_i; i <= range.last_i; ++i)
-        carve_at(i, j, shape, material, grid, family, bonds);
+    for_nodes(nodes_near(bounds(shape), grid, family.reach()),
+              [&](int i, int j) { carve_at(i, j, shape, material, grid, family, bonds); });
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/interrupt.hpp"
 #include "lattice/bonds.hpp"
 #include "lattice/family.hpp"
 #include "lattice/grid.hpp"
@@ -22,21 +23,33 @@ struct NodeRange {
 // centre.
 NodeRange nodes_near(const Box& box, const Grid& grid, int margin);
 
+// Calls work(i, j) row by row, as everything does that sets a plate up: Ctrl-C ends it between two
+// rows. Throws Error (interrupted).
+template <class Work>
+void for_nodes(const NodeRange& range, const Work& work) {
+  for (int j = range.first_j; j <= range.last_j; ++j) {
+    throw_if_interrupted();
+    for (int i = range.first_i; i <= range.last_i; ++i) work(i, j);
+  }
+}
+template <class Work>
+void for_nodes(const Grid& grid, const Work& work) {
+  for_nodes(NodeRange{0, grid.nx - 1, 0, grid.ny - 1}, work);
+}
+
 // Calls work(i, j) for every node that the shape (in m) covers, rim included.
 template <class Work>
 void for_nodes_in(const Shape& shape, const Grid& grid, const Work& work) {
   const Shape scaled = transformed(shape, grid.centre, 1.0 / grid.dx);
-  const NodeRange range = nodes_near(bounds(scaled), grid, 1);
-  for (int j = range.first_j; j <= range.last_j; ++j)
-    for (int i = range.first_i; i <= range.last_i; ++i)
-      if (covers(scaled, grid.from_centre(i, j), tie)) work(i, j);
+  for_nodes(nodes_near(bounds(scaled), grid, 1), [&](int i, int j) {
+    if (covers(scaled, grid.from_centre(i, j), tie)) work(i, j);
+  });
 }
 // For every node, when there is no region.
 template <class Work>
 void for_nodes_in(const Region& region, const Grid& grid, const Work& work) {
   if (region) return for_nodes_in(*region, grid, work);
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) work(i, j);
+  for_nodes(grid, work);
 }
 
 // The plate's own material, then those of its inclusions, each once.

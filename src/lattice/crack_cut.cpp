@@ -20,13 +20,12 @@ template <class Cuts>
 void cut_near(const Segment& piece, const Grid& grid, const Family& family, BondBits& bonds,
               const Cuts& cuts) {
   const Box box{piece.from.cwiseMin(piece.to), piece.from.cwiseMax(piece.to)};
-  const NodeRange range = nodes_near(box, grid, family.reach());
-  for (int j = range.first_j; j <= range.last_j; ++j)
-    for (int i = range.first_i; i <= range.last_i; ++i)
-      family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-        if (cuts(Segment{grid.from_centre(i, j), grid.from_centre(i + a, j + b)}))
-          bonds.clear(grid.layout().at(i, j), bit);
-      });
+  for_nodes(nodes_near(box, grid, family.reach()), [&](int i, int j) {
+    family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+      if (cuts(Segment{grid.from_centre(i, j), grid.from_centre(i + a, j + b)}))
+        bonds.clear(grid.layout().at(i, j), bit);
+    });
+  });
 }
 
 }  // namespace

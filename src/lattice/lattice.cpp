@@ -16,11 +16,11 @@ namespace {
 
 BondBits uncut_bonds(const Grid& grid, const Family& family) {
   BondBits bonds(grid.layout(), family.words());
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-        if (grid.contains(i + a, j + b)) bonds.set(grid.layout().at(i, j), bit);
-      });
+  for_nodes(grid, [&](int i, int j) {
+    family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+      if (grid.contains(i + a, j + b)) bonds.set(grid.layout().at(i, j), bit);
+    });
+  });
   return bonds;
 }
 
@@ -37,13 +37,13 @@ BondBits bonds_in_zones(const std::vector<Shape>& zones, const Grid& grid, const
     for_nodes_in(zone, grid, [&](int i, int j) { safe_node[grid.index(i, j)] = 1; });
 
   BondBits bonds(grid.layout(), family.words());
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-        if (!grid.contains(i + a, j + b)) return;
-        if (safe_node[grid.index(i, j)] || safe_node[grid.index(i + a, j + b)])
-          bonds.set(grid.layout().at(i, j), bit);
-      });
+  for_nodes(grid, [&](int i, int j) {
+    family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+      if (!grid.contains(i + a, j + b)) return;
+      if (safe_node[grid.index(i, j)] || safe_node[grid.index(i + a, j + b)])
+        bonds.set(grid.layout().at(i, j), bit);
+    });
+  });
   return bonds;
 }
 

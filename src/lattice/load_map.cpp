@@ -109,15 +109,13 @@ NodeForces spread(const Pressure& pressure, const Plate& plate, const Lattice& l
         open[grid.index(i, j)] = static_cast<char>(lattice.is_void(i, j));
       });
   NodeForces forces;
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      if (lattice.is_void(i, j)) continue;
-      Vec2 normal{0, 0};  // out of the cut-out, summed over the faces
-      for (const auto& [a, b] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-        if (grid.contains(i + a, j + b) && open[grid.index(i + a, j + b)] != 0)
-          normal -= Vec2(a, b);
-      if (normal != Vec2(0, 0)) push(forces, lattice, i, j, pressure.pressure * normal, grid.dx);
-    }
+  for_nodes(grid, [&](int i, int j) {
+    if (lattice.is_void(i, j)) return;
+    Vec2 normal{0, 0};  // out of the cut-out, summed over the faces
+    for (const auto& [a, b] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+      if (grid.contains(i + a, j + b) && open[grid.index(i + a, j + b)] != 0) normal -= Vec2(a, b);
+    if (normal != Vec2(0, 0)) push(forces, lattice, i, j, pressure.pressure * normal, grid.dx);
+  });
   if (forces.empty()) refuse_empty("pressure", fmt::format("around '{}'", pressure.rim));
   return forces;
 }

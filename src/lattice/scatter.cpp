@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "base/portable_math.hpp"
+#include "lattice/carve.hpp"
 
 namespace hackle {
 namespace {
@@ -91,6 +92,7 @@ void for_correlated(const Scatter& scatter, const Grid& grid, const Take& take) 
   const auto columns = static_cast<std::size_t>(across.back().first - first + 2LL * reach + 1);
   NoiseRows noise(scatter.seed, first, columns);
   for (int j = 0; j < grid.ny; ++j) {
+    throw_if_interrupted();
     const Bell up(grid.position(0, j).y() / cell);
     noise.move_to(up.first);
     const std::vector<double> sums = noise.weighted(up);
@@ -106,8 +108,7 @@ void for_correlated(const Scatter& scatter, const Grid& grid, const Take& take) 
 
 template <class Take>
 void for_independent(const Scatter& scatter, const Grid& grid, const Take& take) {
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) take(grid.index(i, j), normal_noise(scatter.seed, i, j));
+  for_nodes(grid, [&](int i, int j) { take(grid.index(i, j), normal_noise(scatter.seed, i, j)); });
 }
 
 // The value of a Weibull distribution with as much below it as a normal one has below g.

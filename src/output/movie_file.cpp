@@ -10,6 +10,7 @@
 
 #include "base/files.hpp"
 #include "base/hash.hpp"
+#include "base/streams.hpp"
 #include "base/version.hpp"
 #include "movie/rescue.hpp"
 
@@ -71,7 +72,7 @@ MovieFile::MovieFile(const std::filesystem::path& path, const MovieOptions& opti
 }
 
 void MovieFile::tell(const std::string& note) const {
-  if (!note.empty() && talk_ != Talk::quiet) fmt::print(stderr, "note: {}\n", note);
+  if (!note.empty() && talk_ != Talk::quiet) say("note: {}\n", note);
 }
 
 double MovieFile::expected_bytes(std::int64_t frames, double pixels) const {

@@ -169,6 +169,7 @@ PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
     widest = {std::min(widest.least, usual.least), std::max(widest.most, usual.most)};
     if (!options.percentile) continue;
     for (const double time : times.empty() ? std::vector{the_end} : times) {
+      throw_if_interrupted();
       show_at(*tile.recording, time);
       seen.add(tile.recording->simulation());
     }
@@ -223,6 +224,7 @@ Image sheet_of(const Tiles& tiles, const std::vector<double>& times, PictureOpti
     PlatePainter painter(style_of(options, tile.recording->simulation()));
     layout.height = std::max(layout.height, painter.height() * layout.width / painter.width());
     for (const double time : times.empty() ? std::vector{the_end} : times) {
+      throw_if_interrupted();
       show_at(*tile.recording, time);
       images.push_back({painter.paint(shot_of(options, tile.recording->simulation())), tile.title});
     }

@@ -14,6 +14,7 @@
 #include "base/files.hpp"
 #include "base/machine.hpp"
 #include "base/stopwatch.hpp"
+#include "base/streams.hpp"
 #include "base/units.hpp"
 #include "output/chart_data.hpp"
 #include "output/ledger_remark.hpp"
@@ -76,7 +77,7 @@ struct Run::Parts {
     for (const std::string& remark : remarks) {
       if (std::ranges::find(notes, remark) != notes.end()) continue;
       notes.push_back(remark);
-      if (talk != Talk::quiet) fmt::print(stderr, "note: {}\n", remark);
+      if (talk != Talk::quiet) hackle::say("note: {}\n", remark);
     }
   }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "render/canvas.hpp"
 #include "render/theme.hpp"
 
@@ -78,6 +79,7 @@ Image sheet_of(int count, const SheetLayout& layout, Picture picture, Title titl
   canvas.colour(background_colour);
   canvas.fill(0, 0, sheet.width, sheet.height);
   for (int k = 0; k < count; ++k) {
+    throw_if_interrupted();
     const int column = k % columns, row = k / columns;
     const double x = cell.gap + column * (cell.width + cell.gap);
     const double y = cell.gap + row * cell.pitch;

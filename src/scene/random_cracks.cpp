@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupt.hpp"
 #include "base/units.hpp"
 
 namespace hackle {
@@ -41,6 +42,7 @@ Vec2 direction(double angle) {
 }
 
 Crack draw(const RandomCracks& cracks, std::mt19937_64& random) {
+  throw_if_interrupted();
   for (int trial = 0; trial < most_tries; ++trial) {
     const double length = between(cracks.length, random);
     const Vec2 half = 0.5 * length * direction(between(cracks.angle, random));

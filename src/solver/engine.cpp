@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "lattice/carve.hpp"
 #include "solver/bond_net.hpp"
 #include "solver/kernel_tables.hpp"
 
@@ -103,13 +104,12 @@ void Engine<Real>::set_thresholds(const Lattice& lattice) {
   threshold_.assign(layout_.size(), least_threshold_);
   if (features_.history) next_threshold_ = threshold_;
   if (lattice.strength.empty() && !features_.mixed) return;
-  for (int j = 0; j < layout_.ny; ++j)
-    for (int i = 0; i < layout_.nx; ++i) {
-      const auto at = static_cast<std::size_t>(layout_.at(i, j));
-      const double own = lattice.critical_stretch_at(i, j);
-      s00_[at] = static_cast<Real>(own);
-      threshold_[at] = static_cast<Real>(threshold_of(own));
-    }
+  for_nodes(lattice.grid, [&](int i, int j) {
+    const auto at = static_cast<std::size_t>(layout_.at(i, j));
+    const double own = lattice.critical_stretch_at(i, j);
+    s00_[at] = static_cast<Real>(own);
+    threshold_[at] = static_cast<Real>(threshold_of(own));
+  });
 }
 
 // Places without a node have no bonds: any number will do.
@@ -118,15 +118,14 @@ void Engine<Real>::set_materials(const Lattice& lattice) {
   half_stiffness_.assign(layout_.size(), Real{0.5});
   inverse_inertia_.assign(layout_.size(), Real{1});
   if (features_.history) alphas_.assign(layout_.size(), Real{0});
-  for (int j = 0; j < layout_.ny; ++j)
-    for (int i = 0; i < layout_.nx; ++i) {
-      if (lattice.is_void(i, j)) continue;
-      const MaterialOnLattice& own = lattice.material_at(i, j);
-      const auto at = static_cast<std::size_t>(layout_.at(i, j));
-      half_stiffness_[at] = static_cast<Real>(0.5 * own.calibration.c / lattice.calibration.c);
-      inverse_inertia_[at] = static_cast<Real>(lattice.rho / own.material.rho);
-      if (features_.history) alphas_[at] = static_cast<Real>(own.material.alpha);
-    }
+  for_nodes(lattice.grid, [&](int i, int j) {
+    if (lattice.is_void(i, j)) return;
+    const MaterialOnLattice& own = lattice.material_at(i, j);
+    const auto at = static_cast<std::size_t>(layout_.at(i, j));
+    half_stiffness_[at] = static_cast<Real>(0.5 * own.calibration.c / lattice.calibration.c);
+    inverse_inertia_[at] = static_cast<Real>(lattice.rho / own.material.rho);
+    if (features_.history) alphas_[at] = static_cast<Real>(own.material.alpha);
+  });
 }
 
 template <class Real>

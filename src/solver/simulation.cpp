@@ -117,6 +117,7 @@ Simulation::Simulation(Plate plate, Numerics numerics, Execution execution,
       threads_(execution.threads > 0 ? execution.threads : available_cores()),
       engine_(engine_for(numerics_.precision, lattice_, options(), threads_)) {
   if (!plate_.starts.empty() || !heat_.empty()) start();
+  throw_if_interrupted();
   prepare();
 }
 

@@ -38,7 +38,7 @@ Simulation rebuilt(const Hdf5Reader& file, Execution execution) {
     Inputs inputs = read_inputs(file.text("inputs"));
     return {std::move(inputs.plate), inputs.numerics, execution};
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::files) throw;
+    if (error.kind() == ErrorKind::files || error.kind() == ErrorKind::interrupted) throw;
     file.refuse(error.problems().front().what);
   }
 }

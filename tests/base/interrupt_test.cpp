@@ -4,6 +4,9 @@
 #include <csignal>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/error.hpp"
 
 namespace hackle {
 namespace {
@@ -32,6 +35,56 @@ TEST_F(Interrupt, ASecondSignalEndsTheProcess) {
     std::raise(SIGINT);
   };
   EXPECT_EXIT(twice(), testing::KilledBySignal(SIGINT), "stopping after this step");
+}
+
+TEST_F(Interrupt, AClosedTerminalMaySaySoTwice) {
+  const auto twice = [] {
+    const InterruptHandler handler;
+    std::raise(SIGHUP);
+    std::raise(SIGHUP);
+    _exit(interrupted() && asked_to_leave() ? 7 : 0);
+  };
+  EXPECT_EXIT(twice(), testing::ExitedWithCode(7), "stopping after this step");
+}
+
+TEST_F(Interrupt, CtrlCDoesNotAskToLeave) {
+  const auto once = [] {
+    const InterruptHandler handler;
+    std::raise(SIGINT);
+    _exit(asked_to_leave() ? 1 : 0);
+  };
+  EXPECT_EXIT(once(), testing::ExitedWithCode(0), "");
+}
+
+TEST_F(Interrupt, AnIgnoredHangupStaysIgnored) {
+  std::signal(SIGHUP, SIG_IGN);
+  {
+    const InterruptHandler handler;
+    std::raise(SIGHUP);
+  }
+  EXPECT_FALSE(interrupted());
+  std::signal(SIGHUP, SIG_DFL);
+}
+
+TEST_F(Interrupt, TheKeyboardCanBeLeftAlone) {
+  std::signal(SIGINT, SIG_IGN);
+  {
+    const InterruptHandler handler(InterruptHandler::Keyboard::left_alone);
+    std::raise(SIGINT);
+  }
+  EXPECT_FALSE(interrupted());
+  std::signal(SIGINT, SIG_DFL);
+}
+
+TEST_F(Interrupt, ALoopWithNothingToCompleteIsLeftByAnError) {
+  EXPECT_NO_THROW(throw_if_interrupted());
+  request_interrupt();
+  try {
+    throw_if_interrupted();
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+  }
 }
 
 TEST_F(Interrupt, TheFormerHandlerComesBack) {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The memory that a plate takes beside its object in Lua: it counts towards the script's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "console/lua_state.hpp"
+#include "scene/plate.hpp"
+
+namespace hackle {
+
+// Parts are only ever added to a plate, so each is looked at once.
+class PlateMemory {
+ public:
+  // Bytes that were added since the last call.
+  std::size_t grown(const Plate& plate);
+  // Bytes that were added so far.
+  std::size_t total() const { return total_; }
+
+ private:
+  std::array<std::size_t, 10> counted_{};
+  std::size_t total_ = 0;
+};
+
+// How every method of a plate ends: [-all, +1] its stack holds the plate alone, so that calls can
+// be chained. Throws Error (script) when the script has no memory left for what was added.
+int return_plate(lua_State* L);
+
+// As destroy_object<Plate>; gives its memory back.
+int destroy_plate(lua_State* L);
+
+}  // namespace hackle
