@@ -63,7 +63,7 @@ double residual_share(const Energy& energy) {
 
 std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy) {
   const double share = residual_share(energy);
-  if (std::abs(share) <= most_residual) return std::nullopt;
+  if (!(std::abs(share) > most_residual)) return std::nullopt;
   return fmt::format(
       "the energies do not add up: {:.2g} % of the largest {}. A likely cause: {}; what remains "
       "with simulate's step = {:.3g} or less tells",

@@ -29,7 +29,7 @@ Corners corners_of(const Course& course, double begin, double end) {
   if (begin <= 0.0) corners.emplace_back(0.0, 0.0);
   corners.emplace_back(begin, course.at(begin));
   for (const Vec2& point : course.points())
-    if (point.x() >= begin && point.x() <= end) corners.push_back(point);
+    if (point.x() > begin && point.x() <= end) corners.push_back(point);
   return corners;
 }
 

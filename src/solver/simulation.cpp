@@ -144,9 +144,9 @@ void Simulation::restore(State state) {
     engine_ = engine_for(state.precision(), lattice_, options(), threads_);
   state_ = std::move(state);
   borne_.clear();
-  most_energy_ = energy_of_state();
   stop();
   prepare();
+  most_energy_ = energy_of_state() + loading_.contact_energy();
 }
 
 void Simulation::show(Snapshot snapshot) {
