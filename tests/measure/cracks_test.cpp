@@ -69,5 +69,15 @@ TEST(Foremost, OfTwoBranchesIsTheMiddle) {
   EXPECT_EQ(foremost(damage, grid, {1, 0}).value(), Vec2(6.5, 3.0));
 }
 
+// Seen a little from above or below, one branch lies a quarter of a spacing behind the other.
+TEST(Foremost, OfBranchesWithinHalfASpacingIsTheirMiddleEitherWay) {
+  Field damage = none();
+  for (const int j : {1, 4}) damage.values[grid.index(6, j)] = 0.5F;
+  for (const double tilt : {-0.085, 0.085})
+    EXPECT_EQ(foremost(damage, grid, {1.0, tilt}).value(), Vec2(6.5, 3.0)) << tilt;
+  for (const double tilt : {-0.5, 0.5})  // one and a half behind
+    EXPECT_EQ(foremost(damage, grid, {1.0, tilt}).value(), Vec2(6.5, tilt < 0.0 ? 1.5 : 4.5));
+}
+
 }  // namespace
 }  // namespace hackle
