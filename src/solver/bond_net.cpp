@@ -2,6 +2,7 @@
 #include "solver/bond_net.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -80,14 +81,6 @@ double BondNet::heat_of(int i, int j, const Kept& bond) const {
   return heat_[grid.index(i, j)] + heat_[grid.index(i + bond.a, j + bond.b)];
 }
 
-Vec2 BondNet::force_of(const NodeVectors& u, int i, int j, const Kept& bond) const {
-  const auto from = static_cast<std::size_t>(layout().at(i, j));
-  const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
-  const Deformed deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]},
-                          heat_of(i, j, bond));
-  return (strength_of(i, j, bond) * bond.inverse_length * deformed.g()) * deformed.y;
-}
-
 double BondNet::stretch_of(const NodeVectors& u, int i, int j, const Kept& bond) const {
   const auto from = static_cast<std::size_t>(layout().at(i, j));
   const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
@@ -112,31 +105,65 @@ Stiffness BondNet::stiffness_of(const NodeVectors& u, int i, int j, const Kept& 
           across + along * (y.y() * y.y())};
 }
 
+// The force on each node of row j by the bonds of one image: those that the row keeps, or those
+// that others keep to it.
+void BondNet::pull_row(const NodeVectors& u, int j, const Kept& bond, bool keeps, double* x,
+                       double* y) const {
+  const Grid& grid = lattice_->grid;
+  std::fill_n(x, grid.nx, 0.0);
+  std::fill_n(y, grid.nx, 0.0);
+  const int row = keeps ? j : j - bond.b;
+  if (row < 0 || row + bond.b >= grid.ny) return;
+  const std::ptrdiff_t from = layout().at(0, row), to = layout().at(bond.a, row + bond.b);
+  const double *x_from = u.x.data() + from, *x_to = u.x.data() + to;
+  const double *y_from = u.y.data() + from, *y_to = u.y.data() + to;
+  const std::uint32_t* words = state_->bonds.words().data() +
+                               static_cast<std::size_t>(bond.bit / 32) * state_->bonds.plane() +
+                               from;
+  const double sign = keeps ? 1.0 : -1.0;
+  const int end = std::min(grid.nx, grid.nx - bond.a), shift = keeps ? 0 : bond.a;
+  for (int i = std::max(0, -bond.a); i < end; ++i) {
+    const Deformed deformed(bond.xi, bond.inverse_length,
+                            {x_to[i] - x_from[i], y_to[i] - y_from[i]}, heat_of(i, row, bond));
+    const bool held = ((words[i] >> (bond.bit % 32)) & 1U) != 0;
+    const double pull =
+        held ? sign * (strength_of(i, row, bond) * bond.inverse_length * deformed.g()) : 0.0;
+    x[i + shift] = pull * deformed.y.x();
+    y[i + shift] = pull * deformed.y.y();
+  }
+}
+
 // Images of an offset in the order of the engine: a scene that is its own mirror image has forces
 // that are, to the last bit.
 void BondNet::forces(const NodeVectors& u, NodeVectors& force) const {
-  const Grid& grid = lattice_->grid;
-  const auto pull = [&](int i, int j, const Kept& bond, bool keeps) -> Vec2 {
-    const int from_i = keeps ? i : i - bond.a, from_j = keeps ? j : j - bond.b;
-    if (!grid.contains(from_i, from_j) || !holds(from_i, from_j, bond)) return {0, 0};
-    return keeps ? force_of(u, from_i, from_j, bond) : -force_of(u, from_i, from_j, bond);
-  };
-  for_rows(threads_, grid.ny, [&](int j) {
-    for (int i = 0; i < grid.nx; ++i) {
-      Vec2 sum(0, 0);
-      for (const std::size_t first : images_) {
-        const Kept& one = kept_[first];
-        if (one.a == 0 || one.b == 0) {
-          sum += pull(i, j, one, true) + pull(i, j, one, false);
-          continue;
+  const auto nx = static_cast<std::size_t>(lattice_->grid.nx);
+  for_rows(threads_, lattice_->grid.ny, [&](int j) {
+    const auto first = static_cast<std::size_t>(layout().at(0, j));
+    double *x = &force.x[first], *y = &force.y[first];
+    std::fill_n(x, nx, 0.0);
+    std::fill_n(y, nx, 0.0);
+    std::vector<double> pulls(8 * nx);  // x and y of four images
+    const auto fill = [&](std::size_t image, const Kept& bond, bool keeps) {
+      double* of = &pulls[2 * image * nx];
+      pull_row(u, j, bond, keeps, of, of + nx);
+    };
+    const auto at = [&](std::size_t part) { return &pulls[part * nx]; };
+    for (const std::size_t k : images_) {
+      fill(0, kept_[k], true);
+      fill(1, kept_[k], false);
+      if (kept_[k].a == 0 || kept_[k].b == 0) {
+        for (std::size_t i = 0; i < nx; ++i) {
+          x[i] += at(0)[i] + at(2)[i];
+          y[i] += at(1)[i] + at(3)[i];
         }
-        const Kept& other = kept_[first + 1];
-        sum += (pull(i, j, one, true) + pull(i, j, other, true)) +
-               (pull(i, j, one, false) + pull(i, j, other, false));
+        continue;
       }
-      const auto at = static_cast<std::size_t>(layout().at(i, j));
-      force.x[at] = sum.x();
-      force.y[at] = sum.y();
+      fill(2, kept_[k + 1], true);
+      fill(3, kept_[k + 1], false);
+      for (std::size_t i = 0; i < nx; ++i) {
+        x[i] += (at(0)[i] + at(4)[i]) + (at(2)[i] + at(6)[i]);
+        y[i] += (at(1)[i] + at(5)[i]) + (at(3)[i] + at(7)[i]);
+      }
     }
   });
 }
@@ -161,6 +188,24 @@ void BondNet::linearise(const NodeVectors& u, Tangent tangent) {
   own_.resize(grid.nodes());
   for_rows(threads_, grid.ny, [&](int j) { linearise_row(u, tangent, j); });
   for_rows(threads_, grid.ny, [&](int j) { sum_own_row(j); });
+}
+
+void BondNet::forget(const std::vector<Loss>& losses) {
+  if (tangent_.empty()) return;
+  std::vector<char> touched(static_cast<std::size_t>(lattice_->grid.ny));
+  for (const Loss& loss : losses) {
+    const int bit = 32 * loss.word + std::countr_zero(loss.bit);
+    const auto j = static_cast<int>(loss.at / layout().stride());
+    const std::ptrdiff_t column = loss.at - j * layout().stride();
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+      if (kept_[k].bit != bit) continue;
+      for (int component = 0; component < 3; ++component) slice(j, k, component)[column] = 0.0F;
+      touched[static_cast<std::size_t>(j)] = touched[static_cast<std::size_t>(j + kept_[k].b)] = 1;
+    }
+  }
+  for_rows(threads_, lattice_->grid.ny, [&](int j) {
+    if (touched[static_cast<std::size_t>(j)] != 0) sum_own_row(j);
+  });
 }
 
 void BondNet::linearise_row(const NodeVectors& u, Tangent tangent, int j) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lattice/lattice.hpp"
+#include "solver/kernel.hpp"
 #include "solver/node_vectors.hpp"
 #include "solver/state.hpp"
 
@@ -70,6 +71,8 @@ class BondNet {
   // Takes the tangent at u: K/L (g 1 + (1+e)^(-3/2) y y^T/L^2) of each bond, with y = xi + h. Held
   // in single precision.
   void linearise(const NodeVectors& u, Tangent tangent);
+  // Takes bonds that have broken since out of the tangent.
+  void forget(const std::vector<Loss>& losses);
   // The change of the forces when u changes by p, to first order. linearise() was called.
   void apply_row(const NodeVectors& p, NodeVectors& result, int j) const;
   // Calls work(one, other, stiffness) for every bond that holds; ends by Grid::index.
@@ -113,7 +116,8 @@ class BondNet {
   double strength_of(int i, int j, const Kept& bond) const;
   double heat_of(int i, int j, const Kept& bond) const;
   double critical_stretch(const NodeVectors& u, int i, int j) const;
-  Vec2 force_of(const NodeVectors& u, int i, int j, const Kept& bond) const;
+  void pull_row(const NodeVectors& u, int j, const Kept& bond, bool keeps, double* x,
+                double* y) const;
   void add_stretches_of_row(const NodeVectors& u, const std::vector<double>& critical, int j,
                             Stretches& sum) const;
   double stretch_of(const NodeVectors& u, int i, int j, const Kept& bond) const;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "solver/kernel.hpp"
 #include "solver/relaxation.hpp"
 
 namespace hackle {

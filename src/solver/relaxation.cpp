@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/units.hpp"
+#include "solver/coarse_space.hpp"
 #include "solver/static_solve.hpp"
 
 namespace hackle {
@@ -17,6 +18,8 @@ namespace {
 
 constexpr int most_newton_steps = 40;
 constexpr int most_halvings = 10;
+constexpr double most_for_old_tangent = 0.1;
+constexpr int few_iterations = 10;
 constexpr double share_of_step = 1e-4;  // what a step may leave: the next one starts from there
 
 // 0 where a node is led.
@@ -55,27 +58,48 @@ Relaxation::Relaxation(const Lattice& lattice, const State& state, const Loading
       mobile_(mobile_of(state.layout, loading)),
       move_(state.layout),
       residual_(state.layout),
+      pull_(state.layout),
       pieces_(lattice, state, mobile_, threads) {
   take_loads(loading.forces(), load_);
   take_leads(loading);
-  const auto degree = degrees(lattice.grid, lattice.family, state.bonds);
-  for (int j = 0; j < lattice.grid.ny; ++j)
-    for (int i = 0; i < lattice.grid.nx; ++i) {
-      if (degree[lattice.grid.index(i, j)] != 0) continue;
-      const auto at = static_cast<std::size_t>(state.layout.at(i, j));
-      mobile_.x[at] = mobile_.y[at] = load_.x[at] = load_.y[at] = 0.0;
-    }
+  hold_lonely_nodes();
   for (int j = 0; j < lattice.grid.ny; ++j)
     largest_load_ = std::max(largest_load_, largest_of_row(state.layout, load_, j));
-  before_ = {u_, NodeVectors(state.layout), load_};
-  net_.forces(u_, before_.pull);
+  set_out();
+}
+
+Relaxation::~Relaxation() = default;
+
+// Nodes without bonds.
+void Relaxation::hold_lonely_nodes() {
+  const auto degree = degrees(lattice_->grid, lattice_->family, state_->bonds);
+  for (int j = 0; j < lattice_->grid.ny; ++j)
+    for (int i = 0; i < lattice_->grid.nx; ++i) {
+      if (degree[lattice_->grid.index(i, j)] != 0) continue;
+      const auto at = static_cast<std::size_t>(net_.layout().at(i, j));
+      mobile_.x[at] = mobile_.y[at] = load_.x[at] = load_.y[at] = 0.0;
+    }
+}
+
+// The forces follow when they are known.
+void Relaxation::set_out() {
+  before_ = {u_, {}, load_};
+}
+
+void Relaxation::lose(const std::vector<Loss>& losses) {
+  net_.forget(losses);
+  pieces_ = Pieces(*lattice_, *state_, mobile_, net_.threads());
+  hold_lonely_nodes();
+  most_left_ = 0.0;
+  set_out();
 }
 
 void Relaxation::comes_from(const std::vector<LoadedNode>& loads, std::span<const double> heat) {
   before_.load = NodeVectors(net_.layout());
   take_loads(loads, before_.load);
-  if (!heat.empty())
-    BondNet(*lattice_, *state_, net_.threads(), heat).forces(before_.u, before_.pull);
+  if (heat.empty()) return;
+  before_.pull = NodeVectors(net_.layout());
+  BondNet(*lattice_, *state_, net_.threads(), heat).forces(before_.u, before_.pull);
 }
 
 void Relaxation::take_loads(const std::vector<LoadedNode>& forces, NodeVectors& load) const {
@@ -130,8 +154,9 @@ void Relaxation::check_held(const RelaxOptions& options) const {
 
 // Loads keep their direction: on a deformed piece they have a moment, to which it gives way until
 // there is none, tan(angle) = moment/virial.
-void Relaxation::turn_free_pieces(const RelaxOptions& options) {
+bool Relaxation::turn_free_pieces(const RelaxOptions& options) {
   constexpr double steepest = 0.2;
+  bool turned = false;
   for (std::size_t k = 0; k < pieces_.list().size(); ++k) {
     const Piece& piece = pieces_.list()[k];
     if (piece.is_held) continue;
@@ -143,7 +168,9 @@ void Relaxation::turn_free_pieces(const RelaxOptions& options) {
     if (std::abs(resultant.moment) > steepest * std::abs(resultant.virial))
       refuse(piece, resultant, options.who);
     pieces_.turn(k, std::atan(resultant.moment / resultant.virial), u_);
+    turned = true;
   }
+  return turned;
 }
 
 double Relaxation::stiffest() const {
@@ -158,14 +185,14 @@ double Relaxation::stiffest() const {
 
 Relaxation::Balance Relaxation::find_left() {
   const NodeLayout& layout = net_.layout();
-  net_.forces(u_, residual_);
+  net_.forces(u_, pull_);
   Balance balance{0.0, 0.0, largest_load_, 0.0};
   std::vector<double> squares(static_cast<std::size_t>(layout.ny));
   double farthest = 0.0;
   for (int j = 0; j < layout.ny; ++j) {
     for (int i = 0; i < layout.nx; ++i) {
       const auto at = static_cast<std::size_t>(layout.at(i, j));
-      const Vec2 sum(residual_.x[at] + load_.x[at], residual_.y[at] + load_.y[at]);
+      const Vec2 sum(pull_.x[at] + load_.x[at], pull_.y[at] + load_.y[at]);
       residual_.x[at] = mobile_.x[at] * sum.x();
       residual_.y[at] = mobile_.y[at] * sum.y();
       const Vec2 reaction(sum.x() - residual_.x[at], sum.y() - residual_.y[at]);
@@ -187,25 +214,37 @@ Relaxation::Balance Relaxation::find_left() {
 }
 
 // Goes along a Newton step, or less of it. False when it leads nowhere.
-bool Relaxation::improve(const NodeVectors& step, const Balance& before) {
+bool Relaxation::improve(const NodeVectors& step, Balance& balance) {
   const NodeVectors from = u_;
+  const double before = balance.total;
   double share = 1.0;
   for (int halving = 0; halving <= most_halvings; ++halving, share *= 0.5) {
     for (std::size_t at = 0; at < u_.x.size(); ++at) {
       u_.x[at] = from.x[at] + share * step.x[at];
       u_.y[at] = from.y[at] + share * step.y[at];
     }
+    balance = find_left();
     // What is prescribed must be reached; the steps after it repair what it leaves.
-    const double total = find_left().total;
-    if (total < before.total || (is_led_ && std::isfinite(total))) return true;
+    if (balance.total < before || (is_led_ && std::isfinite(balance.total))) return true;
     if (is_led_) return false;
   }
   u_ = from;
+  balance = find_left();
   return false;
 }
 
 // Compression can make the exact tangent lose its sign, on the way to an equilibrium or in it: from
 // then on the other one is used, which leads there more slowly.
+bool Relaxation::take_tangent() {
+  if (stale_) net_.linearise(u_, tangent_);
+  stale_ = false;
+  if (!coarse_) {
+    coarse_ = std::make_unique<CoarseSpace>(net_, mobile_);
+    iterations_then_ = 0;
+  }
+  return coarse_->is_positive() || tangent_ == Tangent::positive;
+}
+
 NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, RelaxResult& result) {
   int iterations = result.iterations;
   const auto look = [&](double left) {
@@ -221,34 +260,30 @@ NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, Re
   };
   const int most = 2000 + 40 * (net_.layout().nx + net_.layout().ny);
   ++result.newton_steps;
-  for (;;) {
-    net_.linearise(u_, tangent_);
-    CoarseSpace coarse(net_, mobile_);
-    if (!coarse.is_positive() && tangent_ == Tangent::exact) {
-      tangent_ = Tangent::positive;
-      continue;
-    }
+  for (;; tangent_ = Tangent::positive, stale_ = true, coarse_.reset()) {
+    if (!take_tangent()) continue;
     StaticSolve conjugate_gradients(net_, pieces_, mobile_,
-                                    coarse.is_positive() ? &coarse : nullptr);
+                                    coarse_->is_positive() ? coarse_.get() : nullptr);
     NodeVectors step = move_;
     const StaticSolve::Outcome outcome =
         conjugate_gradients.solve(residual_, step, share_of_step, 0.3 * goal, most, look);
     result.iterations += outcome.iterations;
-    if (outcome.is_positive || tangent_ == Tangent::positive) return step;
-    tangent_ = Tangent::positive;
+    if (!outcome.is_positive && tangent_ == Tangent::exact) continue;
+    if (iterations_then_ == 0) iterations_then_ = outcome.iterations;
+    if (outcome.iterations > 2 * iterations_then_ + few_iterations) coarse_.reset();
+    return step;
   }
 }
 
 StaticWork Relaxation::work_done() const {
-  Posture after{u_, NodeVectors(net_.layout()), load_};
-  net_.forces(u_, after.pull);
-  return work_between(net_.layout(), before_, after, mobile_);
+  return work_between(net_.layout(), before_, {u_, pull_, load_}, mobile_);
 }
 
 Equilibrium Relaxation::solve(const RelaxOptions& options) {
   check_held(options);
-  turn_free_pieces(options);
   Balance balance = find_left();
+  if (before_.pull.x.empty()) before_.pull = pull_;
+  if (turn_free_pieces(options)) balance = find_left();
   const double first = largest_load_ > 0.0 || is_led_ ? 0.0 : balance.largest;
   Equilibrium rest;
   for (;;) {
@@ -258,21 +293,23 @@ Equilibrium Relaxation::solve(const RelaxOptions& options) {
     if (balance.largest <= goal && !is_led_) break;
     if (rest.result.newton_steps == most_newton_steps || !std::isfinite(balance.largest))
       fail(rest.result, options.who);
+    const bool fresh = stale_;
+    const double before = balance.largest;
     if (!improve(newton_step(goal, options, rest.result), balance)) {
       if (balance.largest <= 100.0 * balance.rounding) break;
-      fail(rest.result, options.who);
+      if (fresh || is_led_) fail(rest.result, options.who);
     }
+    stale_ = is_led_ || balance.largest > most_for_old_tangent * before;
     is_led_ = false;
     move_ = NodeVectors(net_.layout());
-    turn_free_pieces(options);
-    balance = find_left();
+    if (turn_free_pieces(options)) balance = find_left();
   }
   Stretches stretches = net_.stretches(u_);
   rest.result.most = stretches.most;
   rest.result.beyond = std::ssize(stretches.beyond);
   rest.beyond = std::move(stretches.beyond);
   rest.work = work_done();
-  rest.u = std::move(u_);
+  rest.u = u_;
   return rest;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "solver/static_work.hpp"
 
 namespace hackle {
+
+class CoarseSpace;
 
 struct RelaxOptions {
   // Of what is left of the force on a node to the largest load or reaction of one, in (0, 1).
@@ -43,9 +46,11 @@ struct Equilibrium {
 
 // Newton's method on the exact forces of the bonds (BondNet), which pull however far they are
 // stretched; each step solved by conjugate gradients (StaticSolve), and halved while it would
-// leave more force than there was. Prescribed displacements enter with the first step. Nodes
-// without bonds stay. Pieces that nothing holds keep their place, and turn only as far as the loads
-// on the deformed piece demand. Neither damping nor contact nor impactors take part.
+// leave more force than there was. The tangent is taken anew when a step has left more than a tenth
+// of the force, the coarse space when the iterations have doubled. Prescribed displacements enter
+// with the first step. Nodes without bonds stay. Pieces that nothing holds keep their place, and
+// turn only as far as the loads on the deformed piece demand. Neither damping nor contact nor
+// impactors take part.
 class Relaxation {
  public:
   // `loading` says what acts at rest (Loading::halt), `heat` how nodes are strained (BondNet). All
@@ -53,12 +58,18 @@ class Relaxation {
   Relaxation(const Lattice& lattice, const State& state, const Loading& loading,
              std::span<const double> heat, const Threads& threads);
 
+  ~Relaxation();
+
   // Where it comes from, when that is not under what acts now: under these loads and this heat.
   void comes_from(const std::vector<LoadedNode>& loads, std::span<const double> heat);
 
   // Throws Error (refused) when loads push or turn a piece that nothing holds, Error (run_failed)
   // when there is no equilibrium to be found, and Error (interrupted).
   Equilibrium solve(const RelaxOptions& options);
+
+  // These bonds of the state have broken since solve(), which is to be called again: from where it
+  // came to rest, under the same loads, with nothing led. What is known of the tangent is kept.
+  void lose(const std::vector<Loss>& losses);
 
  private:
   // What is left of the forces on mobile nodes, and what to compare it with.
@@ -73,23 +84,29 @@ class Relaxation {
   void take_leads(const Loading& loading);
   void check_held(const RelaxOptions& options) const;
   void refuse(const Piece& piece, const Resultant& resultant, const std::string& who) const;
-  void turn_free_pieces(const RelaxOptions& options);
+  bool turn_free_pieces(const RelaxOptions& options);  // true when one has turned
+  void hold_lonely_nodes();
+  void set_out();
   Balance find_left();  // residual_
   double stiffest() const;
   NodeVectors newton_step(double goal, const RelaxOptions& options, RelaxResult& result);
-  bool improve(const NodeVectors& step, const Balance& before);
+  bool improve(const NodeVectors& step, Balance& balance);
+  bool take_tangent();  // false when the tangent has to be the positive one
   StaticWork work_done() const;
 
   const Lattice* lattice_;
   const State* state_;
   BondNet net_;
-  NodeVectors u_, load_, mobile_, move_, residual_;
+  NodeVectors u_, load_, mobile_, move_, residual_, pull_;
   Posture before_;
   Pieces pieces_;
   Tangent tangent_ = Tangent::exact;
   bool is_led_ = false;  // move_ is not 0
   double largest_load_ = 0.0;
   double most_left_ = 0.0;  // that conjugate gradients have seen
+  bool stale_ = true;       // the tangent is to be taken anew
+  std::unique_ptr<CoarseSpace> coarse_;
+  int iterations_then_ = 0;  // of the first step with this coarse space; 0 before it
 };
 
 }  // namespace hackle

@@ -177,7 +177,9 @@ class Simulation {
     std::vector<double> heat;       // thermal strain
   };
   Departure depart();
-  Equilibrium go_to_rest(const Departure& from, const RelaxOptions& options);
+  Equilibrium go_to_rest(const Departure& from, Relaxation& relaxation,
+                         const RelaxOptions& options);
+  Equilibrium settle(Relaxation& relaxation, const RelaxOptions& options);
   void load_to(double end, const QuasistaticOptions& options, QuasistaticResult& result);
   void break_and_settle(double end, const QuasistaticOptions& options, QuasistaticResult& result,
                         std::vector<Loss>& losses);

@@ -56,20 +56,26 @@ Simulation::Departure Simulation::depart() {
 
 // Half of the change of temperature where the plate was, half where it comes to rest: exact while
 // forces are linear in both.
-Equilibrium Simulation::go_to_rest(const Departure& from, const RelaxOptions& options) {
+Equilibrium Simulation::go_to_rest(const Departure& from, Relaxation& relaxation,
+                                   const RelaxOptions& options) {
   const bool heats = from.heat != heat_.values();
-  Relaxation relaxation(lattice_, state_, loading_, heat_.values(), threads_);
   relaxation.comes_from(from.loads, heats ? from.heat : std::span<const double>());
-  Equilibrium rest = relaxation.solve(options);
   const auto heating = [&] {
     return heats ? 0.5 * heat_work(lattice_, state_, from.heat, heat_.values(), threads_) : 0.0;
   };
-  double work = heating();
+  const double before = heating();
+  Equilibrium rest = settle(relaxation, options);
+  state_.external_work += (before + heating()) / energy_unit();
+  return rest;
+}
+
+// Puts the plate where it comes to rest, and its work into the ledger.
+Equilibrium Simulation::settle(Relaxation& relaxation, const RelaxOptions& options) {
+  Equilibrium rest = relaxation.solve(options);
   put(rest.u);
-  work += heating();
-  const double unit = lattice_.calibration.c * std::pow(lattice_.grid.dx, 5);
-  state_.external_work += (rest.work.external * unit + work) / energy_unit();
-  state_.released += rest.work.released * unit / energy_unit();
+  const double unit = lattice_.calibration.c * std::pow(lattice_.grid.dx, 5) / energy_unit();
+  state_.external_work += rest.work.external * unit;
+  state_.released += rest.work.released * unit;
   return rest;
 }
 
@@ -90,7 +96,8 @@ RelaxResult Simulation::relax(const RelaxOptions& options) {
   try {
     const Departure from = depart();
     loading_.halt(state_, 0.0);
-    const RelaxResult result = go_to_rest(from, options).result;
+    Relaxation relaxation(lattice_, state_, loading_, heat_.values(), threads_);
+    const RelaxResult result = go_to_rest(from, relaxation, options).result;
     come_to_rest({});
     return result;
   } catch (...) {
@@ -172,23 +179,26 @@ void Simulation::break_and_settle(double end, const QuasistaticOptions& options,
                           },
                           "quasistatic", "as it was before this increment"};
   check_statics(each);
-  Departure from = depart();
-  double passed = end - time();
+  const Departure from = depart();
+  const double passed = end - time();
   state_.clock = {end, state_.step};
   state_.start = state_.step;
   heat_.update(lattice_, state_);
-  for (bool breaks = true; breaks; passed = 0.0) {
-    ++result.passes.back();
-    loading_.halt(state_, passed);
-    const Equilibrium rest = go_to_rest(from, each);
+  loading_.halt(state_, passed);
+  Relaxation relaxation(lattice_, state_, loading_, heat_.values(), threads_);
+  ++result.passes.back();
+  Equilibrium rest = go_to_rest(from, relaxation, each);
+  for (;;) {
     result.iterations += rest.result.iterations;
-    from = {loading_.forces(), heat_.values()};
-    Breakage broken = break_worst(rest.beyond, state_.bonds);
-    state_.released +=
-        broken.excess * lattice_.calibration.c * std::pow(lattice_.grid.dx, 5) / energy_unit();
+    const Breakage broken = break_worst(rest.beyond, state_.bonds);
+    if (broken.losses.empty()) return;
+    const double unit = lattice_.calibration.c * std::pow(lattice_.grid.dx, 5) / energy_unit();
+    state_.released += broken.excess * unit;
     result.broken += std::ssize(broken.losses);
-    breaks = !broken.losses.empty();
     losses.insert(losses.end(), broken.losses.begin(), broken.losses.end());
+    ++result.passes.back();
+    relaxation.lose(broken.losses);
+    rest = settle(relaxation, each);
   }
 }
 
