@@ -23,8 +23,9 @@ constexpr FunctionDoc relax_doc{
     .name = "relax",
     .owner = "s",
     .sentence =
-        "Brings the plate to rest under what acts on it now, without breaking it; returns "
-        "steps, residual, most (the largest stretch over the critical one), beyond (bonds "
+        "Brings the plate to rest under what acts on it now, heat included, without breaking it; "
+        "what it had too much is energy.released. Returns steps, residual, most (the largest "
+        "stretch over the critical one), beyond (bonds "
         "above that).",
     .options = relax_options,
     .example = "s:relax { tolerance = 1e-6 }"};
@@ -34,7 +35,9 @@ constexpr std::array quasistatic_options{
            .unit = "s",
            .range = above(0.0),
            .required = true,
-           .sentence = "Of the courses of the loads to go through."},
+           .sentence =
+               "Of the courses of the loads to go through; nodes held at a velocity go as far "
+               "as it makes."},
     Option{.name = "increments",
            .type = OptionType::integer,
            .range = between(1.0, 1e6),
@@ -47,8 +50,10 @@ constexpr FunctionDoc quasistatic_doc{
     .name = "quasistatic",
     .owner = "s",
     .sentence =
-        "Goes through the loads so slowly that the plate is always at rest; returns passes "
-        "(a list), steps, broken, bears (false when it came apart).",
+        "Goes through the loads so slowly that the plate is always at rest, at exact moments "
+        "whatever the step; functions of s:on are called between increments. What jumps give off "
+        "is energy.released. Returns passes (a list), steps, broken, bears (false when it came "
+        "apart).",
     .options = quasistatic_options,
     .example =
         "s = simulate(plate { width = 10*mm, height = 10*mm, material = \"duran50\" }, { spacing = "

@@ -89,12 +89,14 @@ Chart load_curve(const Simulation& simulation) {
 Chart energy_chart(const Simulation& simulation) {
   const Energy now = energy(simulation);
   const double time = simulation.time();
-  return {"energy",
-          "J/m",
-          std::max(simulation.end_time(), time),
-          {{"kinetic", "", {{time, now.kinetic}}},
-           {"strain", "", {{time, now.strain}}},
-           {"broken", "", {{time, now.broken}}}}};
+  Chart chart{"energy",
+              "J/m",
+              std::max(simulation.end_time(), time),
+              {{"kinetic", "", {{time, now.kinetic}}},
+               {"strain", "", {{time, now.strain}}},
+               {"broken", "", {{time, now.broken}}}}};
+  if (now.released != 0.0) chart.curves.push_back({"released", "", {{time, now.released}}});
+  return chart;
 }
 
 void check_alone(const char* output, const PictureOptions& options) {

@@ -13,7 +13,8 @@ namespace hackle {
 // not know which acted before. Throws what Course::at throws.
 Chart load_curve(const Simulation& simulation);
 
-// Kinetic, strain and broken energy now. Visits every bond.
+// Kinetic, strain and broken energy now, and what was released where there was any. Visits every
+// bond.
 Chart energy_chart(const Simulation& simulation);
 
 // Throws Error (refused) when the options ask for what a picture alone does not know: what was

@@ -125,6 +125,7 @@ Vec2 CoarseSpace::arm(const Block& block, int i, int j) const {
 void CoarseSpace::factorise(const NodeVectors& mobile) {
   const Grid& grid = net_->lattice().grid;
   const std::size_t parts = block_of_part_.size();
+  if (parts == 0) return;  // no bond holds
   std::vector<std::vector<std::pair<int, Coupling>>> rows(parts);
   const auto coupling = [&](int a, int b) -> Coupling& {
     auto& row = rows[static_cast<std::size_t>(a)];
@@ -221,6 +222,7 @@ void CoarseSpace::make_symmetric(const std::vector<int>& mirror, bool left_right
 }
 
 void CoarseSpace::add_answer(const NodeVectors& r, NodeVectors& z) {
+  if (forces_.empty()) return;
   for_rows(net_->threads(), static_cast<int>(blocks_.size()), [&](int k) {
     const Block& block = blocks_[static_cast<std::size_t>(k)];
     for (int part = block.first_part; part < block.end_part; ++part)

@@ -156,5 +156,19 @@ TEST(EnergyChart, TellsItsEntriesApart) {
   EXPECT_EQ(chart.unit, "J/m");
 }
 
+// What rest has taken has a curve of its own, once there is any.
+TEST(EnergyChart, ShowsWhatWasReleased) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.starts.push_back(
+      {{}, Vec2(0, 0), VectorField([](const Vec2& x) { return Vec2(x.y(), 0); })});
+  Simulation simulation(plate, test::numerics(), {1});
+  EXPECT_EQ(energy_chart(simulation).curves.size(), 3U);
+  simulation.relax();
+  const Chart chart = energy_chart(simulation);
+  ASSERT_EQ(chart.curves.size(), 4U);
+  EXPECT_EQ(chart.curves[3].kind, "released");
+  EXPECT_EQ(chart.curves[3].points, (Points{{0.0, energy(simulation).released}}));
+}
+
 }  // namespace
 }  // namespace hackle

@@ -59,5 +59,19 @@ TEST(Course, MomentsMustAscendAndBeFinite) {
   EXPECT_EQ(problems({{std::numeric_limits<double>::infinity(), 1.0}}), 1U);
 }
 
+// Of straight lines and jumps exact, of functions to the rule's order.
+TEST(Course, HasAMeanOverATime) {
+  EXPECT_DOUBLE_EQ(Course().mean(1.0, 3.0), 1.0);
+  EXPECT_DOUBLE_EQ(ramp(2.0).mean(0.0, 4.0), 0.75);
+  EXPECT_DOUBLE_EQ(ramp(2.0).mean(0.5, 1.0), 0.375);
+  EXPECT_DOUBLE_EQ(pulse(1.0, 2.0).mean(0.0, 4.0), 0.25);
+  EXPECT_DOUBLE_EQ(pulse(1.0, 2.0).mean(2.5, 3.5), 0.5);
+  EXPECT_DOUBLE_EQ(step_at(1.0).mean(1.0, 1.0), 1.0);  // no time between them
+  const Course square([](double t) { return t * t; }, "t^2");
+  EXPECT_NEAR(square.mean(1.0, 4.0), 7.0, 1e-12);
+  const Course wave([](double t) { return std::sin(t); }, "sin t");
+  EXPECT_NEAR(wave.mean(0.0, 3.0), (1.0 - std::cos(3.0)) / 3.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace hackle

@@ -111,10 +111,32 @@ TEST(Quasistatic, AnInterruptLeavesTheLastIncrement) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+    EXPECT_THAT(error.what(), testing::StartsWith("quasistatic: interrupted"));
   }
   clear_interrupt();
   EXPECT_NEAR(simulation.time(), duration / 2, simulation.dt());
   EXPECT_THAT(simulation.load_slowly({duration / 2, 2}).passes, testing::ElementsAre(1, 1));
+}
+
+// Errors name the call that was made, and leave the plate as it was.
+TEST(Quasistatic, ErrorsNameIt) {
+  Plate pushed = test::bare_plate(20, 12);
+  pushed.loads.tractions = {{Edge::right, {1e6, 0.0}}};
+  Plate hit = test::bare_plate(20, 12);
+  hit.loads.impactors = {{{5e-3, 20e-3}, 1e-3, {0, -1.0}, 1.0}};
+  for (const Plate& plate : {pushed, hit}) {
+    Simulation simulation(plate, test::numerics(), {1});
+    const std::string before = simulation.state().hash();
+    try {
+      simulation.load_slowly({duration, 2});
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::refused);
+      EXPECT_THAT(error.what(), testing::StartsWith("quasistatic: "));
+    }
+    EXPECT_EQ(simulation.state().hash(), before);
+    EXPECT_EQ(simulation.time(), 0.0);
+  }
 }
 
 TEST(Quasistatic, RefusesWhatMakesNoSense) {

@@ -177,6 +177,16 @@ TEST(Relaxation, RefusesALoadToWhichTheSupportsGiveWay) {
   EXPECT_THAT(refusal(simulation), testing::HasSubstr("its supports give way"));
 }
 
+// One node holds it; the loads make a couple.
+TEST(Relaxation, RefusesALoadThatTurnsAPlateOnItsHinge) {
+  Plate plate = test::bare_plate(40, 20);
+  plate.loads.tractions = {{Edge::right, {0.0, 1e6}}, {Edge::left, {0.0, -1e6}}};
+  plate.loads.supports = {led(rectangle({10e-3, 5e-3}, {10.5e-3, 5.5e-3}), Vec2(0, 0))};
+  Simulation simulation(plate, test::numerics(), {1});
+  EXPECT_THAT(refusal(simulation), testing::HasSubstr("relax: the loads push"));
+  EXPECT_THAT(refusal(simulation), testing::HasSubstr("its supports give way"));
+}
+
 TEST(Relaxation, RefusesOnlyThePieceThatIsPushed) {
   Plate plate = test::bare_plate(40, 20);
   plate.cracks.push_back({{0.25 * plate.width, 0.0}, {0.25 * plate.width, plate.height}});
@@ -285,6 +295,21 @@ TEST(Relaxation, SaysWhatIsStretchedTooFarAndBreaksNothing) {
   EXPECT_EQ(simulation.state().bonds.count(), simulation.lattice().bonds.count());
   simulation.step();
   EXPECT_EQ(simulation.state().bonds.count(), simulation.lattice().bonds.count() - result.beyond);
+}
+
+// Crumbs that are led move, and nothing else is there to be found.
+TEST(Relaxation, APlateWithoutABondIsLedAllTheSame) {
+  Plate plate = test::bare_plate(12, 8);
+  plate.loads.supports = {led(strip(plate, Edge::right, 1e-3), Vec2(1e-6, 0))};
+  Simulation simulation(plate, test::numerics(), {1});
+  State state = simulation.state();
+  for (int j = 0; j < 8; ++j)
+    for (int i = 0; i < 12; ++i)
+      isolate(simulation.lattice().grid, simulation.lattice().family, i, j, state.bonds);
+  simulation.restore(state);
+  simulation.relax();
+  EXPECT_NEAR(simulation.displacement(11, 3).x(), 1e-6, 1e-18);
+  EXPECT_EQ(simulation.displacement(5, 3), Vec2(0, 0));
 }
 
 TEST(Relaxation, AnUntouchedPlateTakesNoStep) {
