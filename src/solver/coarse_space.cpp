@@ -199,7 +199,7 @@ CoarseSpace::Body CoarseSpace::sum_of(const Block& block, int part, const NodeVe
 namespace {
 
 // Of a force or motion: its mirror image.
-std::array<double, 3> image(const std::array<double, 3>& body, bool left_right) {
+std::array<double, 3> mirror_image(const std::array<double, 3>& body, bool left_right) {
   return {left_right ? -body[0] : body[0], left_right ? body[1] : -body[1], -body[2]};
 }
 
@@ -207,7 +207,7 @@ std::array<double, 3> image(const std::array<double, 3>& body, bool left_right) 
 
 bool CoarseSpace::is_symmetric(const std::vector<int>& mirror, bool left_right) const {
   for (std::size_t part = 0; part < mirror.size(); ++part)
-    if (forces_[part] != image(forces_[static_cast<std::size_t>(mirror[part])], left_right))
+    if (forces_[part] != mirror_image(forces_[static_cast<std::size_t>(mirror[part])], left_right))
       return false;
   return !mirror.empty();
 }
@@ -216,7 +216,7 @@ bool CoarseSpace::is_symmetric(const std::vector<int>& mirror, bool left_right) 
 void CoarseSpace::make_symmetric(const std::vector<int>& mirror, bool left_right) {
   const std::vector<Body> before = answers_;
   for (std::size_t part = 0; part < mirror.size(); ++part) {
-    const Body other = image(before[static_cast<std::size_t>(mirror[part])], left_right);
+    const Body other = mirror_image(before[static_cast<std::size_t>(mirror[part])], left_right);
     for (std::size_t k = 0; k < 3; ++k) answers_[part][k] = 0.5 * (before[part][k] + other[k]);
   }
 }

@@ -189,7 +189,7 @@ TEST(Stop, OutsideOfARunDoesNothing) {
 }
 
 // Slow loading calls them at the ends of its increments.
-const std::string slow = R"(
+const std::string slowly_led = R"(
 function led(shift)
   local p = plate { width = 12*mm, height = 12*mm, material = "duran50" }
   p:crack { from = {0, 6*mm}, to = {4*mm, 6*mm} }
@@ -201,42 +201,42 @@ end
 )";
 
 TEST(On, EveryIsCalledInSlowLoading) {
-  EXPECT_EQ(
-      test::message_of(
-          slow + "s = led(0.1*um) times = {}\n"
-                 "s:on { 'every', every = 2*us, call = function(t)\n"
-                 "  times[#times + 1] = t assert(t == s.time) end }\n"
-                 "s:quasistatic { duration = 10*us, increments = 10 }\n"
-                 "assert(#times == 6, #times)\n"
-                 "for k, t in ipairs(times) do assert(math.abs(t - 2*us*(k - 1)) < 1e-12) end"),
-      "");
+  EXPECT_EQ(test::message_of(
+                slowly_led +
+                "s = led(0.1*um) times = {}\n"
+                "s:on { 'every', every = 2*us, call = function(t)\n"
+                "  times[#times + 1] = t assert(t == s.time) end }\n"
+                "s:quasistatic { duration = 10*us, increments = 10 }\n"
+                "assert(#times == 6, #times)\n"
+                "for k, t in ipairs(times) do assert(math.abs(t - 2*us*(k - 1)) < 1e-12) end"),
+            "");
 }
 
 TEST(On, EndsSlowLoadingAndChangesItsLoads) {
-  EXPECT_EQ(
-      test::message_of(
-          slow + "s = led(0.1*um)\n"
-                 "s:on { 'every', every = 1*us, call = function(t)\n"
-                 "  if t > 2.5*us then s:stop() end end }\n"
-                 "q = s:quasistatic { duration = 10*us, increments = 10 }\n"
-                 "assert(#q.passes == 3 and math.abs(s.time - 3*us) < 1e-12)\n"
-                 "s = led(0) done = false\n"
-                 "s:on { 'every', every = 1*us, call = function(t)\n"
-                 "  if t > 2.5*us and not done then done = true\n"
-                 "    s:body_force { force = {0, 1e9} } end end }\n"
-                 "s:quasistatic { duration = 3*us, increments = 3 } assert(s.energy.strain == 0)\n"
-                 "s:quasistatic { duration = 1*us, increments = 1 } e = s.energy\n"
-                 "assert(e.strain > 0 and math.abs(e.external - e.strain) < 1e-3*e.strain)"),
-      "");
+  EXPECT_EQ(test::message_of(
+                slowly_led +
+                "s = led(0.1*um)\n"
+                "s:on { 'every', every = 1*us, call = function(t)\n"
+                "  if t > 2.5*us then s:stop() end end }\n"
+                "q = s:quasistatic { duration = 10*us, increments = 10 }\n"
+                "assert(#q.passes == 3 and math.abs(s.time - 3*us) < 1e-12)\n"
+                "s = led(0) done = false\n"
+                "s:on { 'every', every = 1*us, call = function(t)\n"
+                "  if t > 2.5*us and not done then done = true\n"
+                "    s:body_force { force = {0, 1e9} } end end }\n"
+                "s:quasistatic { duration = 3*us, increments = 3 } assert(s.energy.strain == 0)\n"
+                "s:quasistatic { duration = 1*us, increments = 1 } e = s.energy\n"
+                "assert(e.strain > 0 and math.abs(e.external - e.strain) < 1e-3*e.strain)"),
+            "");
 }
 
 TEST(On, ABreakIsHeardInSlowLoading) {
-  EXPECT_EQ(test::message_of(slow + "s = led(20*um) calls, heard = 0, false\n"
-                                    "s:on { 'break', call = function() calls = calls + 1\n"
-                                    "  assert(s.damage.broken_bonds > 0) end }\n"
-                                    "s:on { 'damage', call = function() heard = true end }\n"
-                                    "q = s:quasistatic { duration = 10*us, increments = 4 }\n"
-                                    "assert(q.broken > 0 and calls == 1 and heard)"),
+  EXPECT_EQ(test::message_of(slowly_led + "s = led(20*um) calls, heard = 0, false\n"
+                                          "s:on { 'break', call = function() calls = calls + 1\n"
+                                          "  assert(s.damage.broken_bonds > 0) end }\n"
+                                          "s:on { 'damage', call = function() heard = true end }\n"
+                                          "q = s:quasistatic { duration = 10*us, increments = 4 }\n"
+                                          "assert(q.broken > 0 and calls == 1 and heard)"),
             "");
 }
 

@@ -13,9 +13,9 @@
 namespace hackle {
 namespace {
 
-constexpr double duration = 10e-6;
+constexpr double ramp_time = 10e-6;
 
-Support led(Shape region, const VectorField& value, const Course& course) {
+Support grip(Shape region, const VectorField& value, const Course& course) {
   Support support;
   support.region = std::move(region);
   support.value = value;
@@ -24,11 +24,11 @@ Support led(Shape region, const VectorField& value, const Course& course) {
 }
 
 // An edge crack, opened by leading its top up. `shift` in m, from an edge held still.
-Plate opened(double shift, int columns = 24, int rows = 24) {
+Plate led_apart(double shift, int columns = 24, int rows = 24) {
   Plate plate = test::bare_plate(columns, rows);
   plate.cracks.push_back({{0.0, 0.5 * plate.height}, {0.3 * plate.width, 0.5 * plate.height}});
-  plate.loads.supports = {led(strip(plate, Edge::bottom, 1e-3), Vec2(0, 0), {}),
-                          led(strip(plate, Edge::top, 1e-3), Vec2(0, shift), ramp(duration))};
+  plate.loads.supports = {grip(strip(plate, Edge::bottom, 1e-3), Vec2(0, 0), {}),
+                          grip(strip(plate, Edge::top, 1e-3), Vec2(0, shift), ramp(ramp_time))};
   for (const Edge edge : {Edge::top, Edge::bottom})
     plate.no_fail.push_back(strip(plate, edge, 4e-3));
   return plate;
@@ -58,11 +58,11 @@ Vec2 pull_on(const Simulation& simulation, int first_row, int end_row) {
 }
 
 TEST(StaticLedger, WorkIsMeanReactionTimesMoveWhileNothingBreaks) {
-  Simulation simulation(opened(1e-7), test::numerics(), {1});
+  Simulation simulation(led_apart(1e-7), test::numerics(), {1});
   double work = 0.0, before = 0.0;
   const int ny = simulation.lattice().grid.ny;
   for (int k = 1; k <= 4; ++k) {
-    EXPECT_EQ(simulation.load_slowly({duration / 4, 1, 1e-10}).broken, 0);
+    EXPECT_EQ(simulation.load_slowly({ramp_time / 4, 1, 1e-10}).broken, 0);
     const double pull = -pull_on(simulation, ny - 2, ny).y();
     work += 0.5 * (before + pull) * 0.25e-7;
     before = pull;
@@ -75,11 +75,11 @@ TEST(StaticLedger, WorkIsMeanReactionTimesMoveWhileNothingBreaks) {
 
 // What a crack that jumps gives off is an entry of its own: work does not fall while a grip pulls.
 TEST(StaticLedger, WorkNeverFallsWhileAGripPullsAndJumpsAreReleased) {
-  Simulation simulation(opened(16e-6), test::numerics(), {1});
+  Simulation simulation(led_apart(16e-6), test::numerics(), {1});
   double last = 0.0, released = 0.0;
   std::int64_t broken = 0;
   for (int k = 0; k < 8; ++k) {
-    broken += simulation.load_slowly({duration / 8, 1}).broken;
+    broken += simulation.load_slowly({ramp_time / 8, 1}).broken;
     const Energy ledger = energy(simulation);
     const double noise = 1e-6 * ledger.external;  // the tolerance of rest
     EXPECT_GE(ledger.external, last - noise);
@@ -95,10 +95,10 @@ TEST(StaticLedger, WorkNeverFallsWhileAGripPullsAndJumpsAreReleased) {
 
 // In one increment over the jump: the work is that of the plate which has not broken yet.
 TEST(StaticLedger, AnIncrementLoadsBeforeAnythingBreaks) {
-  Simulation gentle(opened(1e-7), test::numerics(), {1}),
-      rough(opened(20e-6), test::numerics(), {1});
-  gentle.load_slowly({duration, 1});
-  EXPECT_GT(rough.load_slowly({duration, 1}).broken, 100);
+  Simulation gentle(led_apart(1e-7), test::numerics(), {1}),
+      rough(led_apart(20e-6), test::numerics(), {1});
+  gentle.load_slowly({ramp_time, 1});
+  EXPECT_GT(rough.load_slowly({ramp_time, 1}).broken, 100);
   const double factor = 20e-6 / 1e-7;
   EXPECT_NEAR(energy(rough).external / (factor * factor * energy(gentle).external), 1.0, 2e-3);
   EXPECT_LT(std::abs(energy(rough).residual()), 2e-3 * energy(rough).external);
@@ -106,14 +106,14 @@ TEST(StaticLedger, AnIncrementLoadsBeforeAnythingBreaks) {
 
 // A dead load goes on working while the crack jumps.
 TEST(StaticLedger, DeadLoadsWorkThroughJumps) {
-  Plate plate = opened(0.0);
+  Plate plate = led_apart(0.0);
   plate.loads.supports.pop_back();
   plate.loads.tractions = {{Edge::top, {0.0, 9e6}}};
-  plate.loads.tractions[0].course = ramp(duration);
+  plate.loads.tractions[0].course = ramp(ramp_time);
   Simulation simulation(plate, test::numerics(), {1});
   double last = 0.0;
   for (int k = 0; k < 4; ++k) {
-    const QuasistaticResult result = simulation.load_slowly({duration / 4, 1});
+    const QuasistaticResult result = simulation.load_slowly({ramp_time / 4, 1});
     const Energy ledger = energy(simulation);
     EXPECT_GE(ledger.external, last);
     EXPECT_LT(std::abs(ledger.residual()), 2e-3 * ledger.external);
@@ -168,7 +168,8 @@ TEST(StaticLedger, ADisplacedPlateGivesOffWhatTheStartGave) {
 
 // Several small calls are one long one.
 TEST(StaticLedger, ManyShortCallsAreOneLongOne) {
-  Simulation one(opened(1e-7), test::numerics(), {1}), many(opened(1e-7), test::numerics(), {1});
+  Simulation one(led_apart(1e-7), test::numerics(), {1}),
+      many(led_apart(1e-7), test::numerics(), {1});
   const double dt = one.dt(), all = 2.5 * dt;
   one.load_slowly({all, 1, 1e-10});
   for (int k = 0; k < 25; ++k) many.load_slowly({0.1 * dt, 1, 1e-10});
@@ -179,12 +180,12 @@ TEST(StaticLedger, ManyShortCallsAreOneLongOne) {
     const double up = one.displacement(12, j).y();
     EXPECT_NEAR(many.displacement(12, j).y(), up, 1e-8 * std::abs(up));
   }
-  EXPECT_NEAR(one.displacement(12, 23).y(), 1e-7 * all / duration, 1e-12 * 1e-7);
+  EXPECT_NEAR(one.displacement(12, 23).y(), 1e-7 * all / ramp_time, 1e-12 * 1e-7);
   EXPECT_NEAR(energy(many).external, energy(one).external, 1e-6 * energy(one).external);
 }
 
 TEST(StaticLedger, IncrementsShorterThanAStepAreLoadsOfTheirOwn) {
-  Simulation simulation(opened(1e-7), test::numerics(), {1});
+  Simulation simulation(led_apart(1e-7), test::numerics(), {1});
   double last = 0.0;
   for (int k = 0; k < 20; ++k) {
     simulation.load_slowly({0.05 * simulation.dt(), 1});
@@ -195,15 +196,15 @@ TEST(StaticLedger, IncrementsShorterThanAStepAreLoadsOfTheirOwn) {
 
 // A run goes on at the moment that was reached, cut or not.
 TEST(StaticLedger, ARunGoesOnFromThere) {
-  const double dt = Simulation(opened(1e-7), test::numerics(), {1}).dt();
+  const double dt = Simulation(led_apart(1e-7), test::numerics(), {1}).dt();
   std::string hash;
   for (const int pieces : {1, 4}) {
-    Simulation simulation(opened(1e-7), test::numerics(), {1});
+    Simulation simulation(led_apart(1e-7), test::numerics(), {1});
     simulation.load_slowly({3.3 * dt, 2});
     for (int k = 0; k < pieces; ++k) simulation.run(7.0 * dt / pieces);
     EXPECT_EQ(simulation.state().step, 7);
     EXPECT_NEAR(simulation.time(), 10.3 * dt, 1e-12 * dt);
-    EXPECT_NEAR(simulation.displacement(12, 23).y(), 1e-7 * 10.3 * dt / duration, 1e-9 * 1e-7);
+    EXPECT_NEAR(simulation.displacement(12, 23).y(), 1e-7 * 10.3 * dt / ramp_time, 1e-9 * 1e-7);
     if (hash.empty()) hash = simulation.state().hash();
     EXPECT_EQ(simulation.state().hash(), hash);
   }
@@ -213,21 +214,21 @@ TEST(StaticLedger, ARunGoesOnFromThere) {
 // stays.
 TEST(StaticLedger, AVelocityMovesItsNodesByItsIntegral) {
   for (const bool function : {false, true}) {
-    Plate plate = opened(0.0);
+    Plate plate = led_apart(0.0);
     Support& grip = plate.loads.supports.back();
     grip.kind = Support::Kind::velocity;
     grip.value = Vec2(0, 0.01);
-    grip.course = function ? Course([](double t) { return std::min(1.0, t / duration); }, "")
-                           : ramp(duration);
+    grip.course = function ? Course([](double t) { return std::min(1.0, t / ramp_time); }, "")
+                           : ramp(ramp_time);
     Simulation simulation(plate, test::numerics(), {1});
-    simulation.load_slowly({0.5 * duration, 3});
-    EXPECT_NEAR(simulation.displacement(12, 23).y(), 0.01 * 0.125 * duration,
-                1e-12 * 0.01 * duration);
+    simulation.load_slowly({0.5 * ramp_time, 3});
+    EXPECT_NEAR(simulation.displacement(12, 23).y(), 0.01 * 0.125 * ramp_time,
+                1e-12 * 0.01 * ramp_time);
     const double there = simulation.displacement(12, 23).y();
     simulation.relax();
     EXPECT_EQ(simulation.displacement(12, 23).y(), there);
-    simulation.load_slowly({duration, 1});
-    EXPECT_NEAR(simulation.displacement(12, 23).y(), 0.01 * duration, 1e-3 * 0.01 * duration);
+    simulation.load_slowly({ramp_time, 1});
+    EXPECT_NEAR(simulation.displacement(12, 23).y(), 0.01 * ramp_time, 1e-3 * 0.01 * ramp_time);
     EXPECT_LT(std::abs(energy(simulation).residual()), 1e-3 * energy(simulation).external);
   }
 }
@@ -242,15 +243,15 @@ Plate squeezed(double alpha, const Course& course) {
   const VectorField field(
       [=](const Vec2& x) { return Vec2(0.025 * (x.x() - 0.5 * w), -0.02 * (x.y() - 0.5 * h)); });
   for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top})
-    plate.loads.supports.push_back(led(strip(plate, edge, 3e-3), field, course));
+    plate.loads.supports.push_back(grip(strip(plate, edge, 3e-3), field, course));
   return plate;
 }
 
 TEST(StaticHistory, HoldsInSlowLoadingAndAtRest) {
   const Numerics numerics = test::numerics(0.5e-3, 1.5e-3);
   for (const double alpha : {0.0, 0.5}) {
-    Simulation slow(squeezed(alpha, ramp(duration)), numerics, {1});
-    const std::int64_t broken = slow.load_slowly({duration, 4}).broken;
+    Simulation slow(squeezed(alpha, ramp(ramp_time)), numerics, {1});
+    const std::int64_t broken = slow.load_slowly({ramp_time, 4}).broken;
     Simulation still(squeezed(alpha, {}), numerics, {1});
     const RelaxResult rest = still.relax();
     still.step();
@@ -292,7 +293,7 @@ TEST(StaticHistory, HoldsInTheFirstStepAfterAPrescribedState) {
   }
 }
 
-Plate warm(double change, const Course& course) {
+Plate warmed(double change, const Course& course) {
   Plate plate = test::bare_plate(30, 20);
   plate.material.alphaT = 9e-6;
   plate.loads.heatings.push_back({{}, ScalarField(change), course});
@@ -301,14 +302,14 @@ Plate warm(double change, const Course& course) {
 
 // A free plate expands by alphaT dT and bears no stress.
 TEST(StaticHeat, AFreePlateExpands) {
-  Simulation simulation(warm(20.0, ramp(duration)), test::numerics(), {1});
-  simulation.load_slowly({duration, 2, 1e-10});
+  Simulation simulation(warmed(20.0, ramp(ramp_time)), test::numerics(), {1});
+  simulation.load_slowly({ramp_time, 2, 1e-10});
   const double strain = 9e-6 * 20.0, cold = 30 * 0.5e-3;
   const double length = (simulation.displacement(29, 7) - simulation.displacement(0, 7)).x();
   EXPECT_NEAR(length / (cold - 0.5e-3) / strain, 1.0, strain);
   const Energy ledger = energy(simulation);
   // Against what it would cost not to let it.
-  Simulation held(warm(20.0, {}), test::numerics(), {1});
+  Simulation held(warmed(20.0, {}), test::numerics(), {1});
   const double most = energy(held).strain;
   EXPECT_LT(ledger.strain, 1e-6 * most);
   EXPECT_LT(std::abs(ledger.residual()), strain * most);  // forces are linear to that share
@@ -316,11 +317,11 @@ TEST(StaticHeat, AFreePlateExpands) {
 
 // Held at its rim, it pushes with E alphaT dT/(1 - nu): the energy of a biaxial strain.
 TEST(StaticHeat, AHeldPlateIsStressed) {
-  Plate plate = warm(20.0, ramp(duration));
+  Plate plate = warmed(20.0, ramp(ramp_time));
   for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top})
-    plate.loads.supports.push_back(led(strip(plate, edge, 0.5e-3), Vec2(0, 0), {}));
+    plate.loads.supports.push_back(grip(strip(plate, edge, 0.5e-3), Vec2(0, 0), {}));
   Simulation simulation(plate, test::numerics(), {1});
-  simulation.load_slowly({duration, 4, 1e-10});
+  simulation.load_slowly({ramp_time, 4, 1e-10});
   const Energy ledger = energy(simulation);
   EXPECT_NEAR(ledger.external / ledger.strain, 1.0, 1e-5);
   // Half of stress times strain, twice: what half a plate of bonds lacks is at its rim.
@@ -332,16 +333,16 @@ TEST(StaticHeat, AHeldPlateIsStressed) {
 }
 
 TEST(StaticHeat, TwoMaterialsBendAndTheLedgerCloses) {
-  Plate plate = warm(50.0, ramp(duration));
+  Plate plate = warmed(50.0, ramp(ramp_time));
   Material other = plate.material;
   other.E *= 0.5;
   other.alphaT = 3e-6;
   plate.inclusions.push_back({rectangle({0, 0}, {plate.width, 0.5 * plate.height}), other});
   plate.loads.tractions = {{Edge::right, {1e6, 0.0}}, {Edge::left, {-1e6, 0.0}}};
   Simulation simulation(plate, test::numerics(), {2});
-  simulation.load_slowly({duration, 3, 1e-9});
+  simulation.load_slowly({ramp_time, 3, 1e-9});
   const Energy ledger = energy(simulation);
-  const double most = energy(Simulation(warm(50.0, {}), test::numerics(), {1})).strain;
+  const double most = energy(Simulation(warmed(50.0, {}), test::numerics(), {1})).strain;
   EXPECT_LT(std::abs(ledger.residual()), 9e-6 * 50.0 * most);
   EXPECT_GT(ledger.strain, 0.0);
   for (int k = 0; k < 100; ++k) simulation.step();
