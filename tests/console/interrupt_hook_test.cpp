@@ -39,6 +39,52 @@ TEST_F(InterruptHook, StopsAScriptThatCatchesAnInterruptedRun) {
   expect_interrupted(test::scene + "while true do pcall(s.run, s, 1) end");
 }
 
+TEST_F(InterruptHook, StopsALoopOfCallsThatAreCaught) {
+  expect_interrupted("while true do pcall(plate) end");
+}
+
+TEST_F(InterruptHook, AHandlerOfErrorsIsNotAskedAboutIt) {
+  expect_interrupted("xpcall(function() while true do end end, function() while true do end end)");
+  expect_interrupted(
+      "while true do xpcall(function() while true do end end, function() return 1 end) end");
+}
+
+TEST_F(InterruptHook, VariablesOfAStoppedCoroutineAreNotClosed) {
+  const std::string closing =
+      "local x <close> = setmetatable({}, { __close = function() while true do end end })\n";
+  expect_interrupted("coroutine.wrap(function() " + closing + " while true do end end)()");
+  expect_interrupted("local c = coroutine.create(function() " + closing +
+                     " while true do end end) coroutine.resume(c) coroutine.close(c)");
+  expect_interrupted(closing + "while true do end");
+}
+
+TEST_F(InterruptHook, OtherErrorsAreHandledAndYieldedAsEver) {
+  EXPECT_EQ(test::message_of(R"(
+    local ok, what = xpcall(error, function(e) return e .. '!' end, 'no')
+    assert(not ok and what == 'no!')
+    assert(select('#', xpcall(function(...) return ... end, print, 1, nil, nil)) == 4)
+    assert(not pcall(xpcall, error) and not pcall(coroutine.wrap))
+    local f = coroutine.wrap(function(a)
+      local ok, b = xpcall(function() return coroutine.yield(a + 1) end, print)
+      return ok, b, 'end'
+    end)
+    assert(f(1) == 2)
+    local ok, b, last = f(5)
+    assert(ok and b == 5 and last == 'end')
+    ok, what = pcall(f)
+    assert(not ok and what:find 'dead')
+    local closed
+    f = coroutine.wrap(function()
+      local x <close> = setmetatable({}, { __close = function() closed = true end })
+      error 'fell'
+    end)
+    ok, what = pcall(f)
+    assert(not ok and what:find 'fell' and closed)
+    ok, what = pcall(coroutine.wrap(function() error { 7 } end))
+    assert(what[1] == 7))"),
+            "");
+}
+
 TEST_F(InterruptHook, TheNextScriptRunsAgain) {
   expect_interrupted("while true do end");
   EXPECT_EQ(test::message_of("for i = 1, 100000 do end"), "");

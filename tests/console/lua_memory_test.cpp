@@ -3,6 +3,8 @@
 // there passes through C++ frames alone and comes out as an error.
 #include "console/lua_memory.hpp"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 
 #include "console/reference.hpp"
@@ -49,6 +51,34 @@ TEST(LuaMemory, EveryFunctionCanBeStoppedAnywhere) {
     }
     EXPECT_LT(enough, std::size_t{1} << 20U) << doc->name;
   }
+}
+
+TEST(LuaMemory, WhatIsHeldOutsideOfLuaCounts) {
+  LuaMemory memory(1000);
+  EXPECT_TRUE(memory.hold(600));
+  EXPECT_FALSE(memory.hold(401));
+  EXPECT_FALSE(memory.hold(std::numeric_limits<std::size_t>::max()));
+  EXPECT_EQ(LuaMemory::allocate(&memory, nullptr, 0, 401), nullptr);
+  memory.release(600);
+  EXPECT_TRUE(memory.hold(1000));
+}
+
+// A hundred thousand cracks take some 8 MB, none of which is Lua's own.
+constexpr const char* cracked =
+    "local function cracked(seed)\n"
+    "  return plate { width = 1, height = 1, material = 'duran50' }:random_cracks {\n"
+    "    count = 100000, length = { 1*mm, 2*mm }, seed = seed }\n"
+    "end\n";
+
+TEST(LuaMemory, PartsOfPlatesCount) {
+  ConsoleSettings settings = test::quiet();
+  settings.lua_memory = std::size_t{64} << 20U;
+  EXPECT_THAT(
+      test::message_of(
+          std::string(cracked) + "local t = {} for k = 1, 100 do t[k] = cracked(k) end", settings),
+      testing::HasSubstr("not enough memory"));
+  EXPECT_EQ(test::message_of(std::string(cracked) + "for k = 1, 20 do cracked(k) end", settings),
+            "");
 }
 
 TEST(LuaMemory, IsLimited) {
