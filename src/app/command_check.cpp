@@ -41,7 +41,9 @@ int command_check(const RunRequest& request) {
     for (const Rehearsal& rehearsal : console.rehearsals())
       fmt::print("simulation {}\n{}\n", ++number, describe(rehearsal));
     if (number == 0) fmt::print("the script makes no simulation\n");
-    if (failure) fmt::print("then it wants results: {}\n", failure->problems().front().what);
+    if (failure)
+      fmt::print("then it wants results: {}\nwhat comes after that is unknown\n",
+                 failure->problems().front().what);
     return console.exit_code().value_or(0);
   });
 }

@@ -18,6 +18,23 @@ int panic(lua_State* L) {
   throw Error(ErrorKind::script, text ? lua_tostring(L, -1) : "(error without a text)");
 }
 
+LuaMemory& memory_of(lua_State* L) {
+  void* memory = nullptr;
+  lua_getallocf(L, &memory);
+  return *static_cast<LuaMemory*>(memory);
+}
+
+// Bytes between the block of a userdata without user values and what it holds.
+std::ptrdiff_t head_of_userdata(lua_State* L) {
+  const bool collects = lua_gc(L, LUA_GCISRUNNING) != 0;
+  lua_gc(L, LUA_GCSTOP);
+  const char* held = static_cast<const char*>(lua_newuserdatauv(L, 1, 0));
+  const auto head = held - static_cast<const char*>(memory_of(L).newest());
+  lua_pop(L, 1);
+  if (collects) lua_gc(L, LUA_GCRESTART);
+  return head;
+}
+
 }  // namespace
 
 LuaState::LuaState(std::size_t most_memory)
@@ -32,13 +49,18 @@ LuaState::~LuaState() {
 }
 
 Error out_of_memory(lua_State* L) {
-  void* memory = nullptr;
-  lua_getallocf(L, &memory);
   constexpr std::size_t bytes_a_megabyte = 1U << 20U;
   return {ErrorKind::script,
           fmt::format("not enough memory: the script's Lua values exceed {} MB",
-                      static_cast<LuaMemory*>(memory)->limit() / bytes_a_megabyte),
+                      memory_of(L).limit() / bytes_a_megabyte),
           "--lua-memory allows more"};
+}
+
+std::uint64_t birth_of(lua_State* L, int index) {
+  const char* object = static_cast<const char*>(lua_topointer(L, index));
+  if (lua_isthread(L, index)) object -= LUA_EXTRASPACE;
+  if (lua_isuserdata(L, index)) object -= head_of_userdata(L);
+  return LuaMemory::birth_of(object);
 }
 
 // Lua keeps the size of a pointer for its host in every state; a new coroutine gets a copy of the

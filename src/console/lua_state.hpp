@@ -3,6 +3,8 @@
 // passes. They are not std::exception; catch (...) around a call of Lua would swallow them.
 #pragma once
 
+#include <cstdint>
+
 #include <lua.hpp>
 
 #include "base/error.hpp"
@@ -29,6 +31,10 @@ class LuaState {
 
 // What is said of a state that has asked for more than its limit.
 Error out_of_memory(lua_State* L);
+
+// Says which of two tables, functions, coroutines or full userdata was made first: it has the
+// lesser number. Not of functions of C without upvalues, which are not made.
+std::uint64_t birth_of(lua_State* L, int index);
 
 class Session;
 
