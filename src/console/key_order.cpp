@@ -15,7 +15,7 @@
 namespace hackle {
 namespace {
 
-enum class Rank : std::uint8_t { number, text, truth, of_program, made };
+enum class Rank : std::uint8_t { index, number, text, truth, of_program, made };
 
 // A key as it is compared. Its text stays with Lua.
 struct Key {
@@ -34,7 +34,10 @@ struct Key {
 // Integers and floats in one order. A float that is no integer of Lua has a fraction, or lies
 // beyond all integers.
 Key key_of_number(lua_State* L, int index) {
-  if (lua_isinteger(L, index)) return {Rank::number, lua_tointeger(L, index)};
+  if (lua_isinteger(L, index)) {
+    const lua_Integer whole = lua_tointeger(L, index);
+    return {whole >= 1 ? Rank::index : Rank::number, whole};
+  }
   const double value = lua_tonumber(L, index);
   if (value >= 0x1p63) return {Rank::number, std::numeric_limits<lua_Integer>::max(), value};
   if (value < -0x1p63) return {Rank::number, std::numeric_limits<lua_Integer>::min(), value};
@@ -221,22 +224,24 @@ void keep_walk(lua_State* L, int table, int walk) {
   lua_rawset(L, walks);
 }
 
-// Where a walk is once it has visited the key at the index.
+// Where a walk is once it has visited the key at the index, which may have vanished since; as a
+// rule it is where it was.
 lua_Integer place_of(lua_State* L, int walk, int key) {
-  const lua_Integer n = entry_of(L, walk, entry_run);
+  const lua_Integer n = entry_of(L, walk, entry_run), visited = entry_of(L, walk, entry_visited);
+  push_key(L, walk, n, visited);
+  const bool same = visited > 0 && lua_rawequal(L, -1, key) != 0;
+  lua_pop(L, 1);
+  if (same) return visited;
+  const Key own = key_at(L, key);
+  if (own.rank == Rank::index && own.whole <= n) return own.whole;
   Patience patience;
-  for (lua_Integer place = entry_of(L, walk, entry_visited), turn = 0; turn < 2; place = 1, ++turn)
-    for (;; ++place) {
-      if (place == 0) continue;
-      push_key(L, walk, n, place);
-      const bool beyond = lua_isnil(L, -1), same = lua_rawequal(L, -1, key) != 0;
-      lua_pop(L, 1);
-      if (same) return place;
-      if (beyond) break;
-      patience.wait();
-    }
-  luaL_error(L, "invalid key to 'next'");
-  return 0;
+  for (lua_Integer place = n + 1;; ++place) {
+    push_key(L, walk, n, place);
+    const bool beyond = lua_isnil(L, -1) || own < key_at(L, lua_gettop(L));
+    lua_pop(L, 1);
+    if (beyond) return place - 1;
+    patience.wait();
+  }
 }
 
 // [-0, +2 or +1] The first key and its value, found without an order of all.

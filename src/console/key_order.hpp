@@ -7,8 +7,8 @@
 
 namespace hackle {
 
-// Exchanges pairs, which honours __pairs as before, and next. First come 1, 2, 3, ... as long as
-// there is no gap; then the other numbers, ascending; texts, by their bytes; false, true; functions
+// Exchanges pairs, which honours __pairs as before, and next. First come the whole numbers from
+// 1 on; then the other numbers, ascending; texts, by their bytes; false, true; functions
 // of the program; and tables, functions, threads and objects in the order in which they were made.
 // Entries may be changed and removed on the way; whether one that is added is met stays open.
 void open_key_order(lua_State* L);

@@ -84,6 +84,15 @@ std::size_t end_of_conversion(std::string_view format, std::size_t at) {
   return std::min(format.find_first_not_of("-+ #0123456789.", at), format.size());
 }
 
+// [-1, +1] What Lua raises in a function that stands behind another lacks its name and place.
+int say_place(lua_State* L) {
+  if (lua_type(L, -1) != LUA_TSTRING) return lua_error(L);
+  luaL_where(L, 1);
+  luaL_gsub(L, lua_tostring(L, -2), "'?'", "'format'");
+  lua_concat(L, 2);
+  return lua_error(L);
+}
+
 // As Lua's, whose conversions s and p get the names of objects.
 int format(lua_State* L) {
   std::size_t size = 0;
@@ -107,7 +116,7 @@ int format(lua_State* L) {
   lua_replace(L, 1);
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
-  lua_call(L, count, 1);
+  if (lua_pcall(L, count, 1, 0) != LUA_OK) return say_place(L);
   return 1;
 }
 

@@ -159,7 +159,7 @@ std::string page_of_order() {
   };
   return "A script does the same in every process, to the bit.\n" +
          line("pairs, next",
-              "first 1, 2, 3, ... up to the first gap; then the other numbers, ascending; texts, "
+              "first the whole numbers from 1 on; then the other numbers, ascending; texts, "
               "by their bytes; false, true; tables, functions and objects in the order in which "
               "they were made. __pairs is honoured.") +
          line("table.sort", "equal elements keep their order.") +

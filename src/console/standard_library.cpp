@@ -100,7 +100,10 @@ int set_metatable(lua_State* L) {
 
 // As Lua's math.randomseed, which begins anywhere when it is given no number; here with 0.
 int seed_random(lua_State* L) {
-  if (lua_gettop(L) == 0) lua_pushinteger(L, 0);
+  if (lua_gettop(L) == 0)
+    lua_pushinteger(L, 0);
+  else
+    luaL_checknumber(L, 1);
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
   lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);

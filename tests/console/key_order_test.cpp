@@ -27,13 +27,13 @@ local function check(t)
 end
 )";
 
-TEST(KeyOrder, IsThatOfTheList_TheNumbers_TheTextsAndTheRest) {
+TEST(KeyOrder, IsThatOfIndicesNumbersTextsAndTheRest) {
   expect_true(in_order + R"(
     local made = { {}, function() return in_order end, coroutine.create(print), {}, io.stdout }
     made[5] = nil
     local t = { [true] = 15, [false] = 14, b = 12, a = 10, ["a\0"] = 11, [""] = 9, ["\xff"] = 13,
-      [-1.5] = 5, [-math.huge] = 3, [0] = 6, [7] = 7, [math.huge] = 8, 1, 2,
-      [math.mininteger] = 4 }
+      [-1.5] = 6, [-math.huge] = 4, [0] = 7, [7] = 3, [math.huge] = 8, 1, 2,
+      [math.mininteger] = 5 }
     for k = #made, 1, -1 do t[made[k]] = 15 + k end
     assert(check(t) == 19))");
 }
@@ -43,7 +43,7 @@ TEST(KeyOrder, TellsIntegersFromFloatsBesideThem) {
     local big = 2^53 | 0
     check { [big - 1] = 1, [big] = 2, [big + 1] = 3, [0x1p63] = 5, [math.maxinteger] = 4,
       [0x1p64] = 6 }
-    check { [2.5] = 2, [3] = 3, [2] = 1 }
+    check { [2.5] = 3, [3] = 2, [2] = 1 }
     check { [-2.5] = 1, [-2] = 2, [-0.5] = 3, [0] = 4, [0.5] = 5 })");
 }
 
@@ -74,6 +74,9 @@ TEST(KeyOrder, EntriesMayChangeAndVanishOnTheWay) {
       end
       assert(table.concat(seen, " ") == "1 2 a c", table.concat(seen, " "))
       assert(next(t) == nil)
+      t, seen = { 1, 2, [0] = 0 }, {}
+      for key in way(t) do seen[#seen + 1] = key t[key] = nil end
+      assert(table.concat(seen, " ") == "1 2 0")
     end)");
 }
 
@@ -111,7 +114,6 @@ TEST(KeyOrder, RefusesWhatIsNoTable) {
   EXPECT_THAT(test::message_of("pairs(nil)"), HasSubstr("table expected, got nil"));
   EXPECT_THAT(test::message_of("pairs()"), HasSubstr("bad argument #1 to 'pairs'"));
   EXPECT_THAT(test::message_of("next(1)"), HasSubstr("table expected"));
-  EXPECT_THAT(test::message_of("next({}, 'x')"), HasSubstr("invalid key to 'next'"));
 }
 
 TEST(KeyOrder, LeavesAWholeLoopAsFastAsItsTableIsLong) {
@@ -164,7 +166,8 @@ TEST(ObjectName, IsANumberAndNoAddress) {
     assert(tostring(setmetatable({}, { __name = "Kind" })) == "Kind: 4")
     assert(tostring(io.stdout):match "^file %(%d+%)$")
     assert(tostring(1) == "1" and tostring(nil) == "nil" and tostring("x") == "x"))");
-  EXPECT_THAT(test::message_of("('%d'):format {}"), HasSubstr("number expected, got table"));
+  EXPECT_THAT(test::message_of("('%d'):format {}"),
+              HasSubstr("test.lua:1: bad argument #2 to 'format' (number expected"));
   EXPECT_THAT(test::message_of("('%s'):format()"), HasSubstr("bad argument #2 to 'format'"));
   EXPECT_THAT(test::message_of("tostring()"), HasSubstr("value expected"));
 }
