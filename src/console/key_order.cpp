@@ -18,14 +18,14 @@ namespace {
 enum class Rank : std::uint8_t { index, number, text, truth, of_program, made };
 
 // A key as it is compared. Its text stays with Lua.
-struct Key {
+struct TableKey {
   Rank rank = Rank::number;
   lua_Integer whole = 0;  // of a number, rounded down; of others what orders them
   double rest = 0.0;      // what a number is above it
   std::string_view text;
   lua_Integer place = 0;  // in the list of keys
 
-  friend bool operator<(const Key& one, const Key& other) {
+  friend bool operator<(const TableKey& one, const TableKey& other) {
     return std::tie(one.rank, one.whole, one.rest, one.text) <
            std::tie(other.rank, other.whole, other.rest, other.text);
   }
@@ -33,7 +33,7 @@ struct Key {
 
 // Integers and floats in one order. A float that is no integer of Lua has a fraction, or lies
 // beyond all integers.
-Key key_of_number(lua_State* L, int index) {
+TableKey key_of_number(lua_State* L, int index) {
   if (lua_isinteger(L, index)) {
     const lua_Integer whole = lua_tointeger(L, index);
     return {whole >= 1 ? Rank::index : Rank::number, whole};
@@ -47,7 +47,7 @@ Key key_of_number(lua_State* L, int index) {
 
 // What has no memory of its own has no birth either: functions of C without upvalues, and light
 // userdata. One program has them at the same distances from each other in every process.
-Key key_of_object(lua_State* L, int index) {
+TableKey key_of_object(lua_State* L, int index) {
   const bool of_program = lua_islightuserdata(L, index) ||
                           (lua_iscfunction(L, index) && lua_getupvalue(L, index, 1) == nullptr);
   if (lua_iscfunction(L, index) && !of_program) lua_pop(L, 1);
@@ -58,7 +58,7 @@ Key key_of_object(lua_State* L, int index) {
   return {Rank::made, static_cast<lua_Integer>(birth_of(L, index))};
 }
 
-Key key_at(lua_State* L, int index) {
+TableKey table_key_at(lua_State* L, int index) {
   switch (lua_type(L, index)) {
     case LUA_TNUMBER:
       return key_of_number(L, index);
@@ -119,16 +119,16 @@ lua_Integer push_other_keys(lua_State* L, int table, lua_Integer n) {
 void sort_keys(lua_State* L, lua_Integer count) {
   const int list = lua_gettop(L);
   const auto size = static_cast<std::size_t>(count);
-  Key* keys = static_cast<Key*>(lua_newuserdatauv(L, size * sizeof(Key), 0));
+  TableKey* keys = static_cast<TableKey*>(lua_newuserdatauv(L, size * sizeof(TableKey), 0));
   for (lua_Integer place = 1; place <= count; ++place) {
     lua_rawgeti(L, list, place);
-    new (keys + (place - 1)) Key(key_at(L, lua_gettop(L)));
+    new (keys + (place - 1)) TableKey(table_key_at(L, lua_gettop(L)));
     keys[place - 1].place = place;
     lua_pop(L, 1);
   }
   if (!std::is_sorted(keys, keys + size)) {
     Patience patience;
-    std::sort(keys, keys + size, [&](const Key& one, const Key& other) {
+    std::sort(keys, keys + size, [&](const TableKey& one, const TableKey& other) {
       patience.wait();
       return one < other;
     });
@@ -170,7 +170,7 @@ void set_visited(lua_State* L, int walk, lua_Integer visited) {
 }
 
 // [-0, +1] Key number `place`, nil beyond the last.
-void push_key(lua_State* L, int walk, lua_Integer n, lua_Integer place) {
+void push_key_of_walk(lua_State* L, int walk, lua_Integer n, lua_Integer place) {
   if (place <= n) return lua_pushinteger(L, place);
   lua_rawgeti(L, walk, entry_keys);
   lua_rawgeti(L, -1, place - n);
@@ -178,10 +178,10 @@ void push_key(lua_State* L, int walk, lua_Integer n, lua_Integer place) {
 }
 
 // [-0, +2 or +1] The next key that is still there, and its value; or nil.
-int advance(lua_State* L, int table, int walk) {
+int advance_walk(lua_State* L, int table, int walk) {
   const lua_Integer n = entry_of(L, walk, entry_run);
   for (lua_Integer place = entry_of(L, walk, entry_visited) + 1;; ++place) {
-    push_key(L, walk, n, place);
+    push_key_of_walk(L, walk, n, place);
     if (lua_isnil(L, -1)) return 1;
     lua_pushvalue(L, -1);
     if (lua_rawget(L, table) != LUA_TNIL) {
@@ -193,12 +193,12 @@ int advance(lua_State* L, int table, int walk) {
 }
 
 // What pairs returns; with nil for a key it begins again.
-int visit(lua_State* L) {
+int visit_next(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);
   lua_pushvalue(L, lua_upvalueindex(1));
   if (lua_isnil(L, 2)) set_visited(L, 3, 0);
-  return advance(L, 1, 3);
+  return advance_walk(L, 1, 3);
 }
 
 int ordered_pairs(lua_State* L) {
@@ -210,7 +210,7 @@ int ordered_pairs(lua_State* L) {
   }
   luaL_checktype(L, 1, LUA_TTABLE);
   push_walk(L, 1);
-  lua_pushcclosure(L, visit, 1);
+  lua_pushcclosure(L, visit_next, 1);
   lua_pushvalue(L, 1);
   lua_pushnil(L);
   return 3;
@@ -228,16 +228,16 @@ void keep_walk(lua_State* L, int table, int walk) {
 // rule it is where it was.
 lua_Integer place_of(lua_State* L, int walk, int key) {
   const lua_Integer n = entry_of(L, walk, entry_run), visited = entry_of(L, walk, entry_visited);
-  push_key(L, walk, n, visited);
+  push_key_of_walk(L, walk, n, visited);
   const bool same = visited > 0 && lua_rawequal(L, -1, key) != 0;
   lua_pop(L, 1);
   if (same) return visited;
-  const Key own = key_at(L, key);
+  const TableKey own = table_key_at(L, key);
   if (own.rank == Rank::index && own.whole <= n) return own.whole;
   Patience patience;
   for (lua_Integer place = n + 1;; ++place) {
-    push_key(L, walk, n, place);
-    const bool beyond = lua_isnil(L, -1) || own < key_at(L, lua_gettop(L));
+    push_key_of_walk(L, walk, n, place);
+    const bool beyond = lua_isnil(L, -1) || own < table_key_at(L, lua_gettop(L));
     lua_pop(L, 1);
     if (beyond) return place - 1;
     patience.wait();
@@ -245,7 +245,7 @@ lua_Integer place_of(lua_State* L, int walk, int key) {
 }
 
 // [-0, +2 or +1] The first key and its value, found without an order of all.
-int first(lua_State* L, int table) {
+int first_entry(lua_State* L, int table) {
   lua_pushinteger(L, 1);
   if (lua_rawgeti(L, table, 1) != LUA_TNIL) return 2;
   lua_settop(L, 2);
@@ -253,7 +253,7 @@ int first(lua_State* L, int table) {
   Patience patience;
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
     patience.wait();
-    if (!lua_isnil(L, 3) && !(key_at(L, 4) < key_at(L, 3))) continue;
+    if (!lua_isnil(L, 3) && !(table_key_at(L, 4) < table_key_at(L, 3))) continue;
     lua_pushvalue(L, 4);
     lua_replace(L, 3);
   }
@@ -272,7 +272,7 @@ int ordered_next(lua_State* L) {
     lua_pushnil(L);
     keep_walk(L, 1, 3);
     lua_settop(L, 2);
-    return first(L, 1);
+    return first_entry(L, 1);
   }
   lua_pushvalue(L, 1);
   if (lua_rawget(L, walks) != LUA_TTABLE) {
@@ -281,7 +281,7 @@ int ordered_next(lua_State* L) {
     keep_walk(L, 1, 3);
   }
   set_visited(L, 3, place_of(L, 3, 2));
-  const int results = advance(L, 1, 3);
+  const int results = advance_walk(L, 1, 3);
   if (results == 1) keep_walk(L, 1, lua_gettop(L));
   return results;
 }

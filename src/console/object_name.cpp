@@ -21,7 +21,7 @@ bool is_addressed(lua_State* L, int index) {
   }
 }
 
-bool has_text(lua_State* L, int index) {
+bool has_own_text(lua_State* L, int index) {
   if (luaL_getmetafield(L, index, "__tostring") == LUA_TNIL) return false;
   lua_pop(L, 1);
   return true;
@@ -36,7 +36,7 @@ void push_numbers(lua_State* L) {
   lua_setmetatable(L, -2);
 }
 
-lua_Integer number_of(lua_State* L, int index) {
+lua_Integer number_of_object(lua_State* L, int index) {
   push_numbers(L);
   const int numbers = lua_gettop(L);
   lua_pushvalue(L, index);
@@ -62,7 +62,7 @@ void push_kind(lua_State* L, int index) {
   lua_pushstring(L, luaL_typename(L, index));
 }
 
-int to_text(lua_State* L) {
+int name_to_text(lua_State* L) {
   luaL_checkany(L, 1);
   push_name(L, 1);
   return 1;
@@ -75,7 +75,7 @@ int file_to_text(lua_State* L) {
   lua_pushvalue(L, 1);
   lua_call(L, 1, 1);
   if (std::string_view(lua_tostring(L, -1)) == "file (closed)") return 1;
-  lua_pushfstring(L, "file (%I)", static_cast<LUAI_UACINT>(number_of(L, 1)));
+  lua_pushfstring(L, "file (%I)", static_cast<LUAI_UACINT>(number_of_object(L, 1)));
   return 1;
 }
 
@@ -94,7 +94,7 @@ int say_place(lua_State* L) {
 }
 
 // As Lua's, whose conversions s and p get the names of objects.
-int format(lua_State* L) {
+int format_names(lua_State* L) {
   std::size_t size = 0;
   const char* given = luaL_checklstring(L, 1, &size);
   std::string text(given, size);
@@ -123,21 +123,22 @@ int format(lua_State* L) {
 }  // namespace
 
 const char* push_name(lua_State* L, int index, std::size_t* size) {
-  if (!is_addressed(L, index) || has_text(L, index)) return luaL_tolstring(L, index, size);
+  if (!is_addressed(L, index) || has_own_text(L, index)) return luaL_tolstring(L, index, size);
   index = lua_absindex(L, index);
   luaL_checkstack(L, 8, "no room for a name");
   push_kind(L, index);
-  lua_pushfstring(L, "%s: %I", lua_tostring(L, -1), static_cast<LUAI_UACINT>(number_of(L, index)));
+  lua_pushfstring(L, "%s: %I", lua_tostring(L, -1),
+                  static_cast<LUAI_UACINT>(number_of_object(L, index)));
   lua_remove(L, -2);
   return lua_tolstring(L, -1, size);
 }
 
 void open_object_names(lua_State* L) {
-  lua_pushcfunction(L, to_text);
+  lua_pushcfunction(L, name_to_text);
   lua_setglobal(L, "tostring");
   lua_getglobal(L, "string");
   lua_getfield(L, -1, "format");
-  lua_pushcclosure(L, format, 1);
+  lua_pushcclosure(L, format_names, 1);
   lua_setfield(L, -2, "format");
   luaL_getmetatable(L, LUA_FILEHANDLE);
   lua_getfield(L, -1, "__tostring");

@@ -17,7 +17,7 @@ constexpr int sorted_table = 1, order_function = 2, first_list = 3, second_list 
 
 constexpr lua_Integer between_looks = 1 << 14;
 
-struct Range {
+struct Runs {
   lua_Integer begin, middle, end;  // two sorted runs: begin <= k < middle and middle <= k < end
 };
 
@@ -39,7 +39,7 @@ bool is_less(lua_State* L, int list, lua_Integer b, lua_Integer a) {
   return less;
 }
 
-void merge(lua_State* L, int from, int to, const Range& range) {
+void merge(lua_State* L, int from, int to, const Runs& range) {
   lua_Integer left = range.begin, right = range.middle;
   for (lua_Integer k = range.begin; k < range.end; ++k) {
     const bool take_right =
@@ -62,7 +62,7 @@ int merge_all(lua_State* L, lua_Integer count) {
   return from;
 }
 
-int sort(lua_State* L) {
+int sort_table(lua_State* L) {
   if (!lua_istable(L, sorted_table) && luaL_getmetafield(L, sorted_table, "__index") == LUA_TNIL)
     luaL_checktype(L, sorted_table, LUA_TTABLE);
   const lua_Integer count = luaL_len(L, sorted_table);
@@ -88,7 +88,7 @@ int sort(lua_State* L) {
 
 void open_table_sort(lua_State* L) {
   lua_getglobal(L, "table");
-  lua_pushcfunction(L, guarded<sort>);
+  lua_pushcfunction(L, guarded<sort_table>);
   lua_setfield(L, -2, "sort");
   lua_pop(L, 1);
 }

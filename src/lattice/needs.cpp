@@ -11,7 +11,7 @@ namespace hackle {
 namespace {
 
 // Columns and rows of nodes; without limit, as a spacing may be absurd.
-Vec2 extent(const Plate& plate, const Numerics& numerics) {
+Vec2 nodes_along(const Plate& plate, const Numerics& numerics) {
   return {std::round(plate.width / numerics.spacing), std::round(plate.height / numerics.spacing)};
 }
 
@@ -122,7 +122,7 @@ Needs needs_of(const Lattice& lattice, bool heated) {
 
 Memory memory_of(const Plate& plate, const Numerics& numerics) {
   const double real = numerics.precision == Precision::f32 ? 4.0 : 8.0;
-  const Vec2 size = extent(plate, numerics);
+  const Vec2 size = nodes_along(plate, numerics);
   if (!(size.maxCoeff() <= most_columns)) return {.kept = 8.0 * real * size.prod()};
   const Needs needs = needs_of(plate, numerics);
   const Grid grid = make_grid(plate, numerics.spacing);
