@@ -42,7 +42,9 @@ int command_check(const RunRequest& request) {
     for (const Rehearsal& rehearsal : console.rehearsals())
       print_out("simulation {}\n{}\n", ++number, describe(rehearsal));
     if (number == 0) print_out("the script makes no simulation\n");
-    if (failure) print_out("then it wants results: {}\n", failure->problems().front().what);
+    if (failure)
+      print_out("then it wants results: {}\nwhat comes after that is unknown\n",
+                 failure->problems().front().what);
     return console.exit_code().value_or(0);
   });
 }

@@ -155,6 +155,7 @@ Arguments Arguments::from_table(lua_State* L, int index, const FunctionDoc& doc)
         ErrorKind::refused,
         fmt::format("{}: expected options in braces, got {}", doc.name, description(L, index)),
         fmt::format("as in {}", doc.example));
+  arguments.report_more(L, index + 1);
   arguments.require_all();
   return arguments;
 }
@@ -166,12 +167,15 @@ Arguments Arguments::from_values(lua_State* L, int index, const FunctionDoc& doc
     if (!lua_isnoneornil(L, at)) arguments.read_value(L, at, option);
     ++at;
   }
-  if (lua_gettop(L) >= at)
-    arguments.problems.add(
-        fmt::format("{}: {} is one value too many", doc.name, description(L, at)),
-        fmt::format("it is called as {}", signature(doc)));
+  arguments.report_more(L, at);
   arguments.require_all();
   return arguments;
+}
+
+void Arguments::report_more(lua_State* L, int index) {
+  if (lua_gettop(L) < index) return;
+  problems.add(fmt::format("{}: {} is one value too many", doc_->name, description(L, index)),
+               fmt::format("it is called as {}", signature(*doc_)));
 }
 
 // In the order of the options, then what is none of them by name: Lua orders its tables anew in

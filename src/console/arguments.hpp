@@ -91,6 +91,7 @@ class Arguments {
   void read_table(lua_State* L, int index);
   void read_positional(lua_State* L, int index, const Option& option);
   void report_others(lua_State* L, int index, bool first_is_known);
+  void report_more(lua_State* L, int index);  // what stands there or beyond
   void read_value(lua_State* L, int index, const Option& option);
   void require_all();
   void wrong(const Option& option, std::string what, std::string remedy = {});

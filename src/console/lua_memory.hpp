@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace hackle {
 
@@ -28,9 +29,16 @@ class LuaMemory {
   // A lua_Alloc; `memory` is a LuaMemory.
   static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t size);
 
+  // How many blocks had been made before this one. Addresses differ from process to process, the
+  // order in which a script makes things does not.
+  static std::uint64_t birth_of(const void* block);
+  const void* newest() const { return newest_; }
+
  private:
   std::size_t limit_;
   std::size_t used_ = 0;
+  std::uint64_t births_ = 0;
+  const void* newest_ = nullptr;  // block that was made last
 };
 
 }  // namespace hackle

@@ -24,6 +24,17 @@ LuaMemory& memory_of(lua_State* L) {
   return *static_cast<LuaMemory*>(memory);
 }
 
+// Bytes between the block of a userdata without user values and what it holds.
+std::ptrdiff_t head_of_userdata(lua_State* L) {
+  const bool collects = lua_gc(L, LUA_GCISRUNNING) != 0;
+  lua_gc(L, LUA_GCSTOP);
+  const char* held = static_cast<const char*>(lua_newuserdatauv(L, 1, 0));
+  const auto head = held - static_cast<const char*>(memory_of(L).newest());
+  lua_pop(L, 1);
+  if (collects) lua_gc(L, LUA_GCRESTART);
+  return head;
+}
+
 }  // namespace
 
 LuaState::LuaState(std::size_t most_memory)
@@ -53,6 +64,13 @@ void hold_memory(lua_State* L, std::size_t bytes) {
 
 void release_memory(lua_State* L, std::size_t bytes) {
   memory_of(L).release(bytes);
+}
+
+std::uint64_t birth_of(lua_State* L, int index) {
+  const char* object = static_cast<const char*>(lua_topointer(L, index));
+  if (lua_isthread(L, index)) object -= LUA_EXTRASPACE;
+  if (lua_isuserdata(L, index)) object -= head_of_userdata(L);
+  return LuaMemory::birth_of(object);
 }
 
 // Lua keeps the size of a pointer for its host in every state; a new coroutine gets a copy of the

@@ -3,6 +3,8 @@
 // passes. They are not std::exception; catch (...) around a call of Lua would swallow them.
 #pragma once
 
+#include <cstdint>
+
 #include <lua.hpp>
 
 #include "base/error.hpp"
@@ -33,6 +35,10 @@ Error out_of_memory(lua_State* L);
 // See LuaMemory::hold; collects garbage where there is no room. Throws what out_of_memory says.
 void hold_memory(lua_State* L, std::size_t bytes);
 void release_memory(lua_State* L, std::size_t bytes);
+
+// Says which of two tables, functions, coroutines or full userdata was made first: it has the
+// lesser number. Not of functions of C without upvalues, which are not made.
+std::uint64_t birth_of(lua_State* L, int index);
 
 class Session;
 

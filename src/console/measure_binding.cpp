@@ -82,7 +82,7 @@ Box area_of(Arguments& arguments) {
 }
 
 int find_cracks(lua_State* L) {
-  const Simulation& simulation = self<ScriptedRun>(L, cracks_doc).simulation();
+  const Simulation& simulation = self<ScriptedRun>(L, cracks_doc).results();
   Arguments arguments = Arguments::from_table(L, 2, cracks_doc);
   const Box area = area_of(arguments);
   arguments.problems.throw_if_any();
@@ -91,7 +91,7 @@ int find_cracks(lua_State* L) {
 }
 
 int pieces(lua_State* L) {
-  const Simulation& simulation = self<ScriptedRun>(L, pieces_doc).simulation();
+  const Simulation& simulation = self<ScriptedRun>(L, pieces_doc).results();
   Arguments::from_values(L, 2, pieces_doc).problems.throw_if_any();
   lua_newtable(L);
   lua_Integer place = 0;
@@ -112,7 +112,7 @@ int nearest(double x, int count, const char* axis) {
 }
 
 int at(lua_State* L) {
-  const Simulation& simulation = self<ScriptedRun>(L, at_doc).simulation();
+  const Simulation& simulation = self<ScriptedRun>(L, at_doc).results();
   const Arguments arguments = Arguments::from_values(L, 2, at_doc);
   arguments.problems.throw_if_any();
   const Grid& grid = simulation.lattice().grid;

@@ -6,6 +6,7 @@
 #include "base/streams.hpp"
 #include "console/guard.hpp"
 #include "console/interrupt_hook.hpp"
+#include "console/object_name.hpp"
 #include "console/session.hpp"
 
 namespace hackle {
@@ -29,7 +30,7 @@ int print(lua_State* L) {
   if (session.make_room) session.make_room();
   for (int i = 1; i <= count; ++i) {
     std::size_t size = 0;
-    const char* text = luaL_tolstring(L, i, &size);
+    const char* text = push_name(L, i, &size);
     if (i > 1) write_to(stream, "\t");
     write_to(stream, {text, size});
     lua_pop(L, 1);

@@ -153,7 +153,29 @@ std::string page_of_unit(std::string_view name) {
   return "";
 }
 
+std::string page_of_order() {
+  const auto line = [](std::string_view what, std::string_view how) {
+    return fmt::format("\n  {:<13}{}", what, hanging(how, 15, reference_width));
+  };
+  return "A script does the same in every process, to the bit.\n" +
+         line("pairs, next",
+              "first the whole numbers from 1 on; then the other numbers, ascending; texts, "
+              "by their bytes; false, true; tables, functions and objects in the order in which "
+              "they were made. __pairs is honoured.") +
+         line("table.sort", "equal elements keep their order.") +
+         line("tostring",
+              "tables, functions and the like are counted: table: 1; so by %s and %p.") +
+         line("math.random", "begins with the same number, after math.randomseed() too.") +
+         line("loads", "on one node add up alike in any order; so do temperatures and starts.") +
+         "\n\nThe order counts where things cover each other: the last inclusion holds, and of\n"
+         "supports that hold a node along one axis the last one does. Discs are numbered as they\n"
+         "were said.\n\n"
+         "Not fixed: os.time, os.date, os.clock; the length (#) of a list with gaps; the bytes\n"
+         "that collectgarbage counts, and when weak tables lose their entries.";
+}
+
 std::string page_of_list(std::string_view name) {
+  if (name == "order") return page_of_order();
   if (name == "functions") return list_of_functions();
   if (name == "fields") return list_of_fields();
   return name == "units" ? list_of_units() : "";
@@ -279,7 +301,7 @@ std::string reference_of(std::string_view name) {
 }
 
 std::vector<std::string> topics() {
-  std::set<std::string_view> names{"functions", "units", "materials", "fields"};
+  std::set<std::string_view> names{"functions", "units", "materials", "fields", "order"};
   for (const FunctionDoc* doc : all_docs()) {
     names.insert(doc->name);
     for (const Option& option : doc->options) names.insert(option.name);

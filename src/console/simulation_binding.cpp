@@ -19,6 +19,7 @@
 #include "console/show_binding.hpp"
 #include "console/simulation_docs.hpp"
 #include "console/steering_binding.hpp"
+#include "lattice/needs.hpp"
 
 namespace hackle {
 namespace {
@@ -160,7 +161,7 @@ int to_text(lua_State* L) {
                   rounded_count(simulation.lattice().bonds_born()),
                   quantity(numerics.horizon_or_default(), "m"), numerics.m(),
                   quantity(simulation.dt(), "s"), quantity(simulation.lattice().step_limit, "s"),
-                  quantity(memory_needed(simulation.plate(), numerics), "B"));
+                  quantity(memory_of(simulation.plate(), numerics).all(), "B"));
   if (simulation.state().step > 0)
     text += fmt::format("; at {}, step {}", quantity(simulation.time(), "s"),
                         grouped(simulation.state().step));
@@ -170,6 +171,10 @@ int to_text(lua_State* L) {
 
 const Simulation& simulation_of(lua_State* L) {
   return object_at<ScriptedRun>(L, 1)->simulation();
+}
+
+const Simulation& results_of(lua_State* L) {
+  return object_at<ScriptedRun>(L, 1)->results();
 }
 
 int push_time(lua_State* L) {
@@ -203,12 +208,12 @@ int push_bonds(lua_State* L) {
 }
 
 int push_hash(lua_State* L) {
-  push_text(L, simulation_of(L).state().hash());
+  push_text(L, results_of(L).state().hash());
   return 1;
 }
 
 int push_energy(lua_State* L) {
-  const Energy ledger = energy(simulation_of(L));
+  const Energy ledger = energy(results_of(L));
   lua_createtable(L, 0, 8);
   set_number(L, "kinetic", ledger.kinetic);
   set_number(L, "strain", ledger.strain);
@@ -222,7 +227,7 @@ int push_energy(lua_State* L) {
 }
 
 int push_damage(lua_State* L) {
-  const DamageCount count = count_damage(simulation_of(L));
+  const DamageCount count = count_damage(results_of(L));
   lua_createtable(L, 0, 2);
   set_integer(L, "broken_bonds", count.broken_bonds);
   set_number(L, "most", count.most);

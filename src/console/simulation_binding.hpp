@@ -25,6 +25,11 @@ class ScriptedRun {
 
   Run& run() const { return *run_; }
   const Simulation& simulation() const { return run_->simulation(); }
+  // The same, to read what was computed.
+  const Simulation& results() const {
+    run_->look();
+    return run_->simulation();
+  }
 
   std::shared_ptr<LiveView> view;  // in the terminal, or none
   // Files that movie() and record() will write.

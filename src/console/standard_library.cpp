@@ -9,8 +9,11 @@
 #include "console/file_binding.hpp"
 #include "console/guard.hpp"
 #include "console/interrupt_hook.hpp"
+#include "console/key_order.hpp"
 #include "console/module_binding.hpp"
+#include "console/object_name.hpp"
 #include "console/session.hpp"
+#include "console/table_sort.hpp"
 
 namespace hackle {
 namespace {
@@ -96,13 +99,35 @@ int set_metatable(lua_State* L) {
   return 1;
 }
 
+// As Lua's math.randomseed, which begins anywhere when it is given no number; here with 0.
+int seed_random(lua_State* L) {
+  if (lua_gettop(L) == 0)
+    lua_pushinteger(L, 0);
+  else
+    luaL_checknumber(L, 1);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
 // Lua 5.4 begins anywhere, and then a script does not do the same twice.
-void seed_random(lua_State* L) {
+void open_random(lua_State* L) {
   lua_getglobal(L, "math");
   lua_getfield(L, -1, "randomseed");
-  lua_pushinteger(L, 0);
-  lua_call(L, 1, 0);
+  lua_pushcclosure(L, seed_random, 1);
+  lua_pushvalue(L, -1);
+  lua_setfield(L, -3, "randomseed");
+  lua_call(L, 0, 0);
   lua_pop(L, 1);
+}
+
+// What differs from process to process in Lua itself.
+void fix_order(lua_State* L) {
+  open_random(L);
+  open_key_order(L);
+  open_table_sort(L);
+  open_object_names(L);
 }
 
 void guard_globals(lua_State* L) {
@@ -161,7 +186,7 @@ void hold_back(lua_State* L) {
 
 void open_standard_library(lua_State* L) {
   luaL_openlibs(L);
-  seed_random(L);
+  fix_order(L);
   open_files(L);
   open_interruptible(L);
   const ConsoleSettings& settings = session_of(L).settings;

@@ -102,6 +102,7 @@ int on(lua_State* L) {
   const Region area = region_of(arguments, scripted.simulation().plate(), "on");
   check_event(arguments, event, arguments.problems);
   arguments.problems.throw_if_any();
+  scripted.run().doubt("a function that s:on calls may change loads");
   scripted.run().watch(watcher_of(arguments, event, area, scripted.simulation()));
   return 0;
 }

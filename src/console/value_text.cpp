@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "console/object_name.hpp"
+
 namespace hackle {
 namespace {
 
@@ -19,7 +21,7 @@ std::string nested_text(lua_State* L, int index, int depth);
 
 std::string text_at(lua_State* L, int index) {
   std::size_t size = 0;
-  const char* text = luaL_tolstring(L, index, &size);
+  const char* text = push_name(L, index, &size);
   std::string copy(text, size);
   lua_pop(L, 1);
   return copy;

@@ -21,6 +21,11 @@ NodeRange nodes_near(const Box& box, const Grid& grid, int margin) {
   return {first_i, last_i, first_j, last_j};
 }
 
+NodeRange nodes_of(const Region& region, const Grid& grid) {
+  if (!region) return {0, grid.nx - 1, 0, grid.ny - 1};
+  return nodes_near(bounds(transformed(*region, grid.centre, 1.0 / grid.dx)), grid, 1);
+}
+
 std::vector<Material> distinct_materials(const Plate& plate) {
   std::vector<Material> list{plate.material};
   for (const Inclusion& inclusion : plate.inclusions)

@@ -2,6 +2,7 @@
 // Shapes on the lattice: which nodes they cover, what they take away.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,10 +19,23 @@ inline constexpr double tie = 1e-9;
 // The nodes in a box, which may reach beyond the lattice: columns first_i to last_i and so on.
 struct NodeRange {
   int first_i, last_i, first_j, last_j;
+
+  std::size_t columns() const {
+    return static_cast<std::size_t>(std::max(0, last_i - first_i + 1));
+  }
+  std::size_t rows() const { return static_cast<std::size_t>(std::max(0, last_j - first_j + 1)); }
+  std::size_t count() const { return columns() * rows(); }
+  // Of a node in the range, row by row from the lower left.
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j - first_j) * columns() +
+           static_cast<std::size_t>(i - first_i);
+  }
 };
 // Of all nodes nearer to the box than `margin` spacings; the box in units of the lattice, from its
 // centre.
 NodeRange nodes_near(const Box& box, const Grid& grid, int margin);
+// A range that holds all nodes of a region.
+NodeRange nodes_of(const Region& region, const Grid& grid);
 
 // Calls work(i, j) row by row, as everything does that sets a plate up: Ctrl-C ends it between two
 // rows. Throws Error (interrupted).

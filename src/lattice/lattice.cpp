@@ -47,23 +47,34 @@ BondBits bonds_in_zones(const std::vector<Shape>& zones, const Grid& grid, const
   return bonds;
 }
 
-std::vector<MaterialOnLattice> materials_of(const Plate& plate, const Family& family, double dx,
-                                            Constants constants) {
-  const auto on_lattice = [&](const Material& material) {
-    return MaterialOnLattice{material, calibrate(family, material, dx, constants, plate.plane)};
-  };
+}  // namespace
+
+std::vector<MaterialOnLattice> materials_of(const Plate& plate, const Family& family,
+                                            const Numerics& numerics) {
   std::vector<MaterialOnLattice> materials;
   for (const Material& material : distinct_materials(plate))
-    materials.push_back(on_lattice(material));
+    materials.push_back(
+        {material, calibrate(family, material, numerics.spacing, numerics.constants, plate.plane)});
   return materials;
 }
 
-}  // namespace
+bool differ(const std::vector<MaterialOnLattice>& materials) {
+  return std::ranges::any_of(materials, [&](const MaterialOnLattice& other) {
+    const MaterialOnLattice& own = materials.front();
+    return other.calibration.c != own.calibration.c || other.calibration.s0 != own.calibration.s0 ||
+           other.material.rho != own.material.rho || other.material.alpha != own.material.alpha;
+  });
+}
+
+bool have_history(const std::vector<MaterialOnLattice>& materials) {
+  return std::ranges::any_of(
+      materials, [](const MaterialOnLattice& entry) { return entry.material.alpha > 0.0; });
+}
 
 Lattice::Lattice(const Plate& plate, const Numerics& numerics)
     : grid(make_grid(plate, numerics.spacing)),
       family(numerics.m(), numerics.quadrature, numerics.micromodulus),
-      materials(materials_of(plate, family, grid.dx, numerics.constants)),
+      materials(materials_of(plate, family, numerics)),
       material(materials_of_nodes(plate, grid)),
       calibration(materials.front().calibration),
       rho(plate.material.rho),
@@ -84,19 +95,6 @@ double Lattice::micromodulus_at(int i, int j) const {
 double Lattice::critical_stretch_at(int i, int j) const {
   const double s0 = is_void(i, j) ? calibration.s0 : material_at(i, j).calibration.s0;
   return strength.empty() ? s0 : s0 * static_cast<double>(strength[grid.index(i, j)]);
-}
-
-bool Lattice::is_mixed() const {
-  return std::ranges::any_of(materials, [this](const MaterialOnLattice& other) {
-    const MaterialOnLattice& own = materials.front();
-    return other.calibration.c != own.calibration.c || other.calibration.s0 != own.calibration.s0 ||
-           other.material.rho != own.material.rho || other.material.alpha != own.material.alpha;
-  });
-}
-
-bool Lattice::has_history() const {
-  return std::ranges::any_of(
-      materials, [](const MaterialOnLattice& entry) { return entry.material.alpha > 0.0; });
 }
 
 double Lattice::least_stretch() const {

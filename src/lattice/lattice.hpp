@@ -18,6 +18,14 @@ struct MaterialOnLattice {
   Calibration calibration;
 };
 
+// The plate's own material first, then those of its inclusions, each once.
+std::vector<MaterialOnLattice> materials_of(const Plate& plate, const Family& family,
+                                            const Numerics& numerics);
+// Whether some differ in micromodulus, density, critical stretch or alpha.
+bool differ(const std::vector<MaterialOnLattice>& materials);
+// Whether the alpha of some is not 0.
+bool have_history(const std::vector<MaterialOnLattice>& materials);
+
 struct Lattice {
   Lattice(const Plate& plate, const Numerics& numerics);
 
@@ -49,9 +57,8 @@ struct Lattice {
   // the micromoduli of two nodes is that of their bond, the lesser critical stretch breaks it.
   double micromodulus_at(int i, int j) const;
   double critical_stretch_at(int i, int j) const;  // strength included
-  // Whether nodes differ in micromodulus, density, critical stretch or alpha.
-  bool is_mixed() const;
-  bool has_history() const;      // the alpha of some material is not 0
+  bool is_mixed() const { return differ(materials); }
+  bool has_history() const { return have_history(materials); }
   double least_stretch() const;  // the least critical stretch of all materials
   std::int64_t bonds_born() const;
 };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <optional>
 
 #include <fmt/format.h>
@@ -15,23 +14,19 @@
 namespace hackle {
 namespace {
 
-using NodeForces = std::map<std::size_t, LoadedNode>;
+using NodeForces = std::vector<LoadedNode>;
 
-// By a stress over a length, which is a force density.
+// By a stress over a length, which is a force density. No load does so to a node twice.
 void push(NodeForces& forces, const Lattice& lattice, int i, int j, const Vec2& stress,
           double length) {
   const double rho = lattice.material_at(i, j).material.rho;
-  LoadedNode& node =
-      forces.try_emplace(lattice.grid.index(i, j), LoadedNode{i, j, {0, 0}, rho / lattice.rho})
-          .first->second;
-  node.acceleration += stress / (rho * length);
+  forces.push_back({i, j, stress / (rho * length), rho / lattice.rho});
 }
 
-std::vector<LoadedNode> list_of(const NodeForces& forces) {
-  std::vector<LoadedNode> list;
-  list.reserve(forces.size());
-  for (const auto& entry : forces) list.push_back(entry.second);
-  return list;
+NodeForces in_order(NodeForces forces, const Grid& grid) {
+  const auto index = [&](const LoadedNode& node) { return grid.index(node.i, node.j); };
+  if (!std::ranges::is_sorted(forces, {}, index)) std::ranges::sort(forces, {}, index);
+  return forces;
 }
 
 // The value of a field at a node, checked.
@@ -142,14 +137,18 @@ SpreadSupport spread(const Support& support, const Lattice& lattice) {
 }
 
 SpreadHeat spread(const Heating& heating, const Lattice& lattice) {
-  SpreadHeat spread{{}, heating.course};
+  SpreadHeat spread{nodes_of(heating.region, lattice.grid), {}, heating.course};
+  spread.strain.resize(spread.range.count());
+  bool expands = false;
   for_nodes_in(heating.region, lattice.grid, [&](int i, int j) {
     if (lattice.is_void(i, j)) return;
     const double alphaT = lattice.material_at(i, j).material.alphaT;
     if (alphaT == 0.0) return;
-    spread.nodes.push_back({i, j, alphaT * value_at(heating.change, lattice, i, j, "temperature")});
+    spread.strain[spread.range.index(i, j)] =
+        alphaT * value_at(heating.change, lattice, i, j, "temperature");
+    expands = true;
   });
-  if (spread.nodes.empty())
+  if (!expands)
     throw Error(ErrorKind::refused,
                 "temperature: in its area there is no node whose material expands",
                 "give it a larger area, or a material with alphaT above 0");
@@ -161,11 +160,11 @@ SpreadHeat spread(const Heating& heating, const Lattice& lattice) {
 std::vector<SpreadForce> spread_forces(const Plate& plate, const Lattice& lattice) {
   std::vector<SpreadForce> forces;
   for (const Traction& load : plate.loads.tractions)
-    forces.push_back({list_of(spread(load, lattice)), load.course});
+    forces.push_back({in_order(spread(load, lattice), lattice.grid), load.course});
   for (const Pressure& load : plate.loads.pressures)
-    forces.push_back({list_of(spread(load, plate, lattice)), load.course});
+    forces.push_back({in_order(spread(load, plate, lattice), lattice.grid), load.course});
   for (const BodyForce& load : plate.loads.body_forces)
-    forces.push_back({list_of(spread(load, lattice)), load.course});
+    forces.push_back({in_order(spread(load, lattice), lattice.grid), load.course});
   return forces;
 }
 

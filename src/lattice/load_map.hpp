@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "lattice/carve.hpp"
 #include "lattice/lattice.hpp"
 #include "scene/loads.hpp"
 
@@ -37,14 +38,10 @@ struct SpreadSupport {
   Course course;
 };
 
-// A node that expands: alphaT of its material times the change of temperature.
-struct HeatedNode {
-  int i = 0;
-  int j = 0;
-  double strain = 0.0;
-};
+// How nodes expand: alphaT of their material times the change of temperature.
 struct SpreadHeat {
-  std::vector<HeatedNode> nodes;
+  NodeRange range;             // around the area
+  std::vector<double> strain;  // by NodeRange::index; 0 outside of the area
   Course course;
 };
 
@@ -52,7 +49,7 @@ struct SpreadHeat {
 // throw, and Error (refused) when they give no finite numbers or a load finds no node to act on.
 std::vector<SpreadForce> spread_forces(const Plate& plate, const Lattice& lattice);
 std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& lattice);
-// Temperature changes, likewise; nodes whose material does not expand are left out.
+// Temperature changes, likewise.
 std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice);
 
 // What two lists make together. All three: each node once, ordered by index.

@@ -10,7 +10,7 @@
 
 #include "base/units.hpp"
 #include "lattice/calibration.hpp"
-#include "lattice/node_layout.hpp"
+#include "lattice/needs.hpp"
 #include "lattice/symbol.hpp"
 #include "lattice/touching.hpp"
 
@@ -31,18 +31,9 @@ Extent extent(const Plate& plate, const Numerics& numerics) {
   return {std::round(plate.width / numerics.spacing), std::round(plate.height / numerics.spacing)};
 }
 
-constexpr double most_columns = 0.25 * std::numeric_limits<int>::max();
-
-// Places that a NodeLayout has: with the ghosts of every row.
-double places(const Extent& extent) {
-  if (extent.nx > most_columns) return extent.nodes();
-  const NodeLayout row{static_cast<int>(extent.nx), 1};
-  return extent.ny * static_cast<double>(row.stride()) + NodeLayout::group;
-}
-
 void check_memory(const Plate& plate, const Numerics& numerics, std::uint64_t memory,
                   Problems& problems) {
-  const double needed = memory_needed(plate, numerics), free = static_cast<double>(memory);
+  const double needed = memory_of(plate, numerics).all(), free = static_cast<double>(memory);
   const Extent size = extent(plate, numerics);
   if (needed <= free && std::max(size.nx, size.ny) <= most_columns) return;
   problems.add(fmt::format("simulate: {:.3g} nodes need {} of memory, {} are free", size.nodes(),
@@ -174,39 +165,7 @@ void check_step(const Plate& plate, const Numerics& numerics, bool has_family, P
     check_impact(plate, numerics, problems);
 }
 
-// Values that the engine keeps for every place: see memory_needed().
-double values_of_place(const Plate& plate) {
-  const bool mixed = !plate.inclusions.empty(), heated = !plate.loads.heatings.empty();
-  double values = 6.0;
-  if (most_alpha(plate) > 0.0)
-    values += mixed ? 5.0 : 4.0;
-  else if (mixed || heated)
-    values += 2.0;
-  if (mixed) values += 2.0;
-  if (heated) values += 1.0;
-  return values;
-}
-
-// And what there is of every node: bonds it was born with, its material, its thermal strain now and
-// by every change of temperature.
-double bytes_of_node(const Plate& plate) {
-  double bytes = sizeof(std::uint16_t);
-  if (!plate.inclusions.empty() || !plate.cutouts.empty()) bytes += 1.0;
-  const auto changes = static_cast<double>(plate.loads.heatings.size());
-  if (changes > 0.0) bytes += 8.0 + 16.0 * changes;
-  return bytes;
-}
-
 }  // namespace
-
-double memory_needed(const Plate& plate, const Numerics& numerics) {
-  const Extent size = extent(plate, numerics);
-  const double real = numerics.precision == Precision::f32 ? 4.0 : 8.0;
-  const double bits = 4.0 * family_of(numerics).words() * (plate.no_fail.empty() ? 2.0 : 3.0);
-  // An eighth of a value a place: what is known of a tile of 128.
-  return places(size) * (real * (values_of_place(plate) + 0.125) + bits) +
-         size.nodes() * bytes_of_node(plate);
-}
 
 void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems) {
   const bool has_family =

@@ -79,17 +79,9 @@ inline constexpr double least_m = 2.0;
 inline constexpr double most_m = 16.0;
 
 // Adds a problem for every numerical choice that cannot work on this plate, and for a lattice that
-// would need more memory than `memory` bytes. One problem does not hide another, unless the second
-// cannot be decided without the first: no limit of the step without a family, constants that apply
-// and a material.
+// would need more memory (see needs.hpp) than `memory` bytes. One problem does not hide another,
+// unless the second cannot be decided without the first: no limit of the step without a family,
+// constants that apply and a material.
 void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems);
-
-// Bytes that a simulation of the plate takes, of all that grows with it: u, the next u and v; with
-// alpha four values more, for thresholds, with inclusions or temperature changes two; two for the
-// stiffness and density of inclusions, and one for alpha; one for thermal strain; bond bits of
-// lattice and state, and of no-fail zones; the bonds that each node was born with, its material and
-// what strains it thermally. Needs a family: least_m <= m <= most_m. Tiles (up to 1 byte a node)
-// and what a run in f32 takes when it goes over to f64 are left out.
-double memory_needed(const Plate& plate, const Numerics& numerics);
 
 }  // namespace hackle

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "lattice/needs.hpp"
+
 namespace hackle {
 namespace {
 
@@ -37,17 +39,17 @@ std::vector<Stage> stages(const Simulation& simulation) {
 }
 
 std::vector<std::string> kernel_features(const Simulation& simulation) {
-  const Lattice& lattice = simulation.lattice();
   const Numerics& numerics = simulation.numerics();
+  const Needs needs = needs_of(simulation.lattice(), !simulation.thermal_strain().empty());
   std::vector<std::string> list;
   const auto add = [&](bool present, std::string name) {
     if (present) list.push_back(std::move(name));
   };
-  add(!lattice.unbreakable.empty(), "no-fail zones");
-  add(lattice.is_mixed(), fmt::format("{} materials", lattice.materials.size()));
-  add(!lattice.strength.empty(), "scatter of strength");
-  add(lattice.has_history(), "alpha");
-  add(!simulation.thermal_strain().empty(), "thermal strain");
+  add(needs.zones, "no-fail zones");
+  add(needs.mixed, fmt::format("{} materials", simulation.lattice().materials.size()));
+  add(needs.scattered, "scatter of strength");
+  add(needs.history, "alpha");
+  add(needs.heated, "thermal strain");
   add(numerics.fidelity > 0.0, fmt::format("fidelity {:g}", numerics.fidelity));
   add(numerics.fused, "fused arithmetic");
   return list;

@@ -2,10 +2,11 @@
 #include "output/rehearsal.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
-#include "lattice/numerics.hpp"
+#include "lattice/needs.hpp"
 
 namespace hackle {
 namespace {
@@ -43,23 +44,42 @@ std::string wall_time(const Rehearsal& rehearsal) {
   if (rehearsal.step_seconds <= 0.0) return "not tried";
   return fmt::format("about {:.3g} s to solve, {:.3g} ms a step",
                      rehearsal.step_seconds * static_cast<double>(rehearsal.steps),
-                     1e3 * rehearsal.step_seconds);
+                     1e3 * rehearsal.step_seconds) +
+         (rehearsal.increments > 0
+              ? fmt::format(", and slow loading in {} increments", rehearsal.increments)
+              : "");
+}
+
+// A doubt leaves what breaks for certain as it is; else nothing is certain.
+std::string verdict(const Rehearsal& rehearsal) {
+  const std::string known = describe(rehearsal.forecast);
+  if (rehearsal.doubts.empty()) return known;
+  const std::string unknown = fmt::format("unknown: {}", fmt::join(rehearsal.doubts, "; "));
+  switch (rehearsal.forecast.verdict()) {
+    case Forecast::Verdict::nothing_loads_it:
+      return unknown + "; else nothing loads it";
+    case Forecast::Verdict::breaks:
+      return fmt::format("{}\n           also {}", known, unknown);
+    default:
+      return fmt::format("{}\n           that is, of what is known; {}", known, unknown);
+  }
 }
 
 }  // namespace
 
-Rehearsal rehearse(const Simulation& simulation, std::int64_t steps) {
+Rehearsal rehearse(const Simulation& simulation, const Prospect& prospect) {
   Rehearsal found;
   found.nodes = static_cast<std::int64_t>(simulation.lattice().grid.nodes());
   found.bonds = simulation.lattice().bonds_born();
-  found.memory = memory_needed(simulation.plate(), simulation.numerics());
+  found.memory = memory_of(simulation.plate(), simulation.numerics()).all();
   found.dt = simulation.dt();
   found.dt_limit = simulation.lattice().step_limit;
-  found.steps = steps;
-  found.time = static_cast<double>(steps) * simulation.dt();
+  found.steps = prospect.steps();
+  found.increments = prospect.increments();
+  found.time = static_cast<double>(found.steps) * simulation.dt();
   found.step_seconds = try_steps(simulation);
-  found.forecast =
-      forecast(simulation.plate(), found.time, simulation.numerics().horizon_or_default());
+  found.forecast = prospect.worst(simulation);
+  found.doubts.assign(prospect.doubts().begin(), prospect.doubts().end());
   return found;
 }
 
@@ -71,7 +91,7 @@ std::string describe(const Rehearsal& rehearsal) {
       "  breaks?  {}",
       grouped(rehearsal.nodes), grouped(rehearsal.bonds), quantity(rehearsal.memory, "B"),
       quantity(rehearsal.time, "s"), grouped(rehearsal.steps), quantity(rehearsal.dt, "s"),
-      quantity(rehearsal.dt_limit, "s"), wall_time(rehearsal), describe(rehearsal.forecast));
+      quantity(rehearsal.dt_limit, "s"), wall_time(rehearsal), verdict(rehearsal));
 }
 
 }  // namespace hackle

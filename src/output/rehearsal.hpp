@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "output/prospect.hpp"
 #include "scene/forecast.hpp"
 #include "solver/simulation.hpp"
 
@@ -20,11 +22,13 @@ struct Rehearsal {
   double time = 0.0;          // to be simulated, s
   double step_seconds = 0.0;  // wall time of a step as tried on a plate that moves and is whole; 0:
                               // too large to be tried
-  Forecast forecast;
+  int increments = 0;         // of slow loading, whose wall time is not known beforehand
+  Forecast forecast;          // of the moment at which most may break
+  std::vector<std::string> doubts;  // what cannot be judged without computing
 };
 
-// Of a simulation in which nothing has been computed, for so many steps.
-Rehearsal rehearse(const Simulation& simulation, std::int64_t steps);
+// Of a simulation in which nothing has been computed.
+Rehearsal rehearse(const Simulation& simulation, const Prospect& prospect);
 
 // Several lines.
 std::string describe(const Rehearsal& rehearsal);

@@ -49,7 +49,10 @@ struct Run::Parts {
         simulation(std::move(plate), numerics, execution),
         setup_seconds(life.seconds()) {}
   explicit Parts(const Parts& other)
-      : talk(other.talk), origin(other.origin), simulation(other.simulation) {
+      : talk(other.talk),
+        origin(other.origin),
+        simulation(other.simulation),
+        prospect(other.prospect) {
     outputs.limit(other.outputs.limit());
   }
 
@@ -70,7 +73,7 @@ struct Run::Parts {
   std::vector<std::string> notes;
   std::int64_t judged_step = 0;
   bool rehearsing = false;
-  std::int64_t rehearsed_steps = 0;
+  Prospect prospect;
 
   // What is new of these.
   void say(const std::vector<std::string>& remarks) {
@@ -84,14 +87,21 @@ struct Run::Parts {
   // Time passes, and nothing else does.
   void arrive() {
     State state = simulation.state();
-    const std::int64_t end = simulation.last_step();
-    rehearsed_steps += end - state.step;
-    if (rehearsed_steps > most_rehearsed)
+    state.step = simulation.last_step();
+    prospect.run(simulation, simulation.time_at(state.step));
+    if (prospect.steps() > most_rehearsed)
       throw Error(ErrorKind::refused,
                   fmt::format("check: more than {} steps are asked for and there is no end",
                               grouped(most_rehearsed)),
                   "the script may wait for what only happens when it is run");
-    state.step = end;
+    simulation.restore(std::move(state));
+  }
+
+  // The same for slow loading, which takes no step.
+  void load_slowly(double duration, int increments) {
+    State state = simulation.state();
+    state.clock = {simulation.time() + duration, state.step};
+    prospect.load_slowly(simulation, state.clock.moment, increments);
     simulation.restore(std::move(state));
   }
 
@@ -176,6 +186,7 @@ void Run::set_loads(Loads loads) {
   if (parts_->activity != Activity::watched) parts_->refuse_while_running();
   const Mark busy(parts_->activity, Activity::stepping);  // functions of place are asked now
   const std::vector<double> strain = parts_->simulation.thermal_strain();
+  if (parts_->rehearsing) parts_->prospect.exchange_loads(parts_->simulation, loads);
   parts_->simulation.set_loads(std::move(loads));
   parts_->say(shock_remarks(parts_->simulation, strain));
 }
@@ -208,7 +219,9 @@ void Run::rewind(const Run& other) {
   if (!parts_->outputs.empty() && !parts_->outputs.closed())
     throw Error(ErrorKind::refused, "rewind: its movies and records would go back in time",
                 "complete them with s:close(), or go on with the other simulation");
-  if (&other != this) parts_->simulation = other.simulation();
+  if (&other == this) return;
+  parts_->simulation = other.simulation();
+  parts_->prospect = other.parts_->prospect;
 }
 
 void Run::check_open(const char* who) const {
@@ -307,7 +320,10 @@ void Run::step(std::int64_t count) {
 RelaxResult Run::relax(double tolerance) {
   check_open("relax");
   check_arrived("relax");
-  if (parts_->rehearsing) return {};
+  if (parts_->rehearsing) {
+    parts_->prospect.relax(parts_->simulation);
+    return {};
+  }
   const Mark busy(parts_->activity, Activity::stepping);
   Progress progress(parts_->talk);
   return parts_->simulation.relax(
@@ -322,7 +338,10 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
   check_open("quasistatic");
   check_arrived("quasistatic");
   parts_->outputs.check_room(parts_->simulation, duration, increments + 1LL);
-  if (parts_->rehearsing) return {};
+  if (parts_->rehearsing) {
+    parts_->load_slowly(duration, increments);
+    return {};
+  }
   std::vector<Observer*> observers = parts_->outputs.observers();
   std::deque<Watched> watched;
   for (const auto& watcher : parts_->watchers)
@@ -356,8 +375,16 @@ void Run::rehearse() {
   parts_->rehearsing = true;
 }
 
+void Run::look() {
+  parts_->prospect.look();
+}
+
+void Run::doubt(std::string why) {
+  if (parts_->rehearsing) parts_->prospect.doubt(std::move(why));
+}
+
 Rehearsal Run::rehearsal() const {
-  return hackle::rehearse(parts_->simulation, parts_->rehearsed_steps);
+  return hackle::rehearse(parts_->simulation, parts_->prospect);
 }
 
 const Simulation& Run::simulation() const {

@@ -109,6 +109,10 @@ class Run {
   // arrive at once, with the plate as it was. rehearsal() says what they would take.
   void rehearse();
   Rehearsal rehearsal() const;
+  // The script looks at results.
+  void look();
+  // What the script does here cannot be judged in a rehearsal, as a half-sentence.
+  void doubt(std::string why);
 
   // Says on stderr when the ledger does not close (see ledger_remark), once for every state; done
   // by close(), too.

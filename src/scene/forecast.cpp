@@ -14,16 +14,6 @@ namespace {
 
 constexpr int places = 21;    // along x and y
 constexpr int moments = 101;  // of the duration
-constexpr double overshoot = 2.0;
-
-double largest(const Course& course, double duration) {
-  double most = 0.0;
-  for (int k = 0; k < moments; ++k)
-    most = std::max(most, std::abs(course.at(duration * k / (moments - 1))));
-  for (const Vec2& point : course.points())
-    if (point.x() <= duration) most = std::max(most, std::abs(point.y()));
-  return most;
-}
 
 double size_of(double value) {
   return std::abs(value);
@@ -32,17 +22,35 @@ double size_of(const Vec2& value) {
   return value.norm();
 }
 
-template <class T>
-double largest(const FieldOfPlace<T>& field, const Plate& plate) {
-  if (field.is_constant()) return size_of(field.constant());
-  double most = 0.0;
-  for (int j = 0; j < places; ++j)
-    for (int i = 0; i < places; ++i)
-      most = std::max(
-          most,
-          size_of(field.at({plate.width * i / (places - 1), plate.height * j / (places - 1)})));
-  return most;
-}
+// Asks quantities for the most that they are.
+struct Sampler {
+  const Plate& plate;
+  double begin, end;
+  bool sampled = false;
+
+  double largest(const Course& course) {
+    sampled = sampled || course.is_function();
+    double most = 0.0;
+    for (int k = 0; k < moments; ++k)
+      most = std::max(most, std::abs(course.at(begin + (end - begin) * k / (moments - 1))));
+    for (const Vec2& point : course.points())
+      if (point.x() >= begin && point.x() <= end) most = std::max(most, std::abs(point.y()));
+    return most;
+  }
+
+  template <class T>
+  double largest(const FieldOfPlace<T>& field) {
+    if (field.is_constant()) return size_of(field.constant());
+    sampled = true;
+    double most = 0.0;
+    for (int j = 0; j < places; ++j)
+      for (int i = 0; i < places; ++i)
+        most = std::max(
+            most,
+            size_of(field.at({plate.width * i / (places - 1), plate.height * j / (places - 1)})));
+    return most;
+  }
+};
 
 // What a motion of the rim does: at once, as a wave of sigma = rho c v, and in time, as a strain.
 struct Stiffness {
@@ -56,38 +64,47 @@ struct Stiffness {
   double E, impedance, span;
 };
 
-double stress_of(const Support& support, const Plate& plate, double duration) {
-  const Stiffness stiffness(plate);
-  const double value = largest(support.value, plate) * largest(support.course, duration);
+// Waves of a velocity go out from where it acts; led so slowly that there are none, it strains.
+double stress_of(const Support& support, const Episode& episode, Sampler& sampler) {
+  const Stiffness stiffness(sampler.plate);
+  const double value = sampler.largest(support.value) * sampler.largest(support.course);
   if (support.kind == Support::Kind::displacement) return stiffness.of_displacement(value);
-  return std::max(stiffness.of_velocity(value), stiffness.of_displacement(value * duration));
+  const double led = stiffness.of_displacement(value * (episode.end - episode.since));
+  return episode.slow ? led : std::max(stiffness.of_velocity(value), led);
 }
 
-double stress_of(const Loads& loads, const Plate& plate, double duration) {
-  const Stiffness stiffness(plate);
+// Of what expands most, were it held.
+double stress_of_heat(const Plate& plate, double change) {
+  double most = plate.material.E * plate.material.alphaT;
+  for (const Inclusion& inclusion : plate.inclusions)
+    most = std::max(most, inclusion.material.E * inclusion.material.alphaT);
+  return most * change;
+}
+
+double stress_of(const Loads& loads, const Episode& episode, Sampler& sampler) {
+  const Plate& plate = sampler.plate;
   double sum = 0.0;
   for (const Traction& load : loads.tractions)
-    sum = std::max(sum, largest(load.stress, plate) * largest(load.course, duration));
+    sum = std::max(sum, sampler.largest(load.stress) * sampler.largest(load.course));
   for (const Pressure& load : loads.pressures)
-    sum += std::abs(load.pressure) * largest(load.course, duration);
+    sum += std::abs(load.pressure) * sampler.largest(load.course);
   for (const BodyForce& load : loads.body_forces)
-    sum += largest(load.force, plate) * largest(load.course, duration) *
+    sum += sampler.largest(load.force) * sampler.largest(load.course) *
            std::max(plate.width, plate.height);
-  for (const Support& support : loads.supports) sum += stress_of(support, plate, duration);
+  for (const Support& support : loads.supports) sum += stress_of(support, episode, sampler);
   for (const Heating& load : loads.heatings)
-    sum += stiffness.E * plate.material.alphaT * largest(load.change, plate) *
-           largest(load.course, duration);
+    sum += stress_of_heat(plate, sampler.largest(load.change) * sampler.largest(load.course));
   for (const Impactor& impactor : loads.impactors)
-    sum += stiffness.of_velocity(impactor.velocity.norm());
+    sum += Stiffness(plate).of_velocity(impactor.velocity.norm());
   return sum;
 }
 
-double stress_of(const std::vector<Start>& starts, const Plate& plate) {
-  const Stiffness stiffness(plate);
+double stress_of(const std::vector<Start>& starts, Sampler& sampler) {
+  const Stiffness stiffness(sampler.plate);
   double sum = 0.0;
   for (const Start& start : starts)
-    sum += stiffness.of_velocity(largest(start.velocity, plate)) +
-           stiffness.of_displacement(largest(start.displacement, plate));
+    sum += stiffness.of_velocity(sampler.largest(start.velocity)) +
+           stiffness.of_displacement(sampler.largest(start.displacement));
   return sum;
 }
 
@@ -118,10 +135,13 @@ double toughness_of(const Material& material, double least_flaw) {
 
 }  // namespace
 
-Forecast forecast(const Plate& plate, double duration, double least_flaw) {
+Forecast forecast(const Plate& plate, const Episode& episode, double least_flaw) {
   Forecast found;
-  found.stress =
-      overshoot * (stress_of(plate.loads, plate, duration) + stress_of(plate.starts, plate));
+  Sampler sampler{plate, episode.begin, episode.end};
+  double stress = stress_of(plate.loads, episode, sampler);
+  if (episode.begin == 0.0) stress += stress_of(plate.starts, sampler);
+  found.stress = std::max((episode.slow ? 1.0 : overshoot) * stress, episode.stored);
+  found.sampled = sampler.sampled;
   found.flaw = std::max(largest_flaw(plate), least_flaw);
   found.release_rate =
       found.stress * found.stress * std::numbers::pi * found.flaw / plate.material.E;
@@ -142,7 +162,9 @@ std::string describe(const Forecast& forecast) {
   constexpr std::array words{"nothing can break", "nothing should break", "it may break",
                              "it should break"};
   if (forecast.verdict() == Forecast::Verdict::nothing_loads_it)
-    return "nothing loads it: nothing can break";
+    return forecast.sampled
+               ? "unknown: its loads are 0 wherever and whenever their functions were asked"
+               : "nothing loads it: nothing can break";
   return fmt::format("a flaw of {} under up to {} releases up to {}, G0 is {}: {}",
                      quantity(forecast.flaw, "m"), quantity(forecast.stress, "Pa"),
                      quantity(forecast.release_rate, "J/m2"), quantity(forecast.toughness, "J/m2"),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 #include <vector>
 
 #include "lattice/lattice.hpp"
@@ -30,40 +31,52 @@ inline double stretch(const Vec2& xi, double per_length2, const Vec2& h, double 
   return e / (1.0 + std::sqrt(std::max(1.0 + e, 0.0)));
 }
 
-// What the bonds of a node have from it, by Grid::index.
-struct NodeShares {
-  std::vector<double> c, s0, heat;
-  std::vector<Vec2> u;  // in units of dx
-};
-NodeShares node_shares(const Lattice& lattice, const State& state, const std::vector<double>& heat);
-
 // Calls visit(const VisitedBond&) for every bond the plate was born with, each once, in a fixed
-// order. `heat` is the thermal strain by Grid::index; empty means 0.
+// order. `heat` is the thermal strain by Grid::index; empty means 0. Takes no memory that grows
+// with the plate.
 template <class Visit>
 void visit_bonds(const Lattice& lattice, const State& state, const std::vector<double>& heat,
                  Visit visit) {
-  const NodeShares nodes = node_shares(lattice, state, heat);
-  lattice.family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int bit) {
+  const bool alike = lattice.material.empty(), even = alike && lattice.strength.empty();
+  const auto heat_of = [&](std::size_t node) { return heat.empty() ? 0.0 : heat[node]; };
+  const auto with = [&](const auto& motion, int a, int b, const Vec2& xi, double weight, int bit) {
+    const auto u = [&](std::ptrdiff_t at) {
+      const auto place = static_cast<std::size_t>(at);
+      return Vec2(motion.ux[place], motion.uy[place]);
+    };
+    const std::ptrdiff_t way = b * state.layout.stride() + a;
+    const double per_length2 = 1.0 / xi.squaredNorm();
     VisitedBond bond;
     bond.xi = xi;
     bond.length = xi.norm();
-    const double per_length2 = 1.0 / xi.squaredNorm();
     bond.weight = weight;
+    bond.c = lattice.calibration.c;
+    bond.s0 = lattice.calibration.s0;
     for (int j = 0; j < lattice.grid.ny; ++j)
       for (int i = 0; i < lattice.grid.nx; ++i) {
         const std::ptrdiff_t at = state.layout.at(i, j);
         if (!lattice.bonds.holds(at, bit)) continue;
         bond.one = lattice.grid.index(i, j);
         bond.other = lattice.grid.index(i + a, j + b);
-        bond.c = 0.5 * (nodes.c[bond.one] + nodes.c[bond.other]);
-        bond.s0 = std::min(nodes.s0[bond.one], nodes.s0[bond.other]);
+        if (!alike)
+          bond.c = 0.5 * (lattice.micromodulus_at(i, j) + lattice.micromodulus_at(i + a, j + b));
+        if (!even)
+          bond.s0 = std::min(lattice.critical_stretch_at(i, j),
+                             lattice.critical_stretch_at(i + a, j + b));
         bond.holds = state.bonds.holds(at, bit);
-        bond.s = bond.holds ? stretch(xi, per_length2, nodes.u[bond.other] - nodes.u[bond.one],
-                                      nodes.heat[bond.one] + nodes.heat[bond.other])
+        bond.s = bond.holds ? stretch(xi, per_length2, u(at + way) - u(at),
+                                      heat_of(bond.one) + heat_of(bond.other))
                             : 0.0;
         visit(static_cast<const VisitedBond&>(bond));
       }
-  });
+  };
+  std::visit(
+      [&](const auto& motion) {
+        lattice.family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int bit) {
+          with(motion, a, b, xi, weight, bit);
+        });
+      },
+      state.motion);
 }
 
 }  // namespace hackle

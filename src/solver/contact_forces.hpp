@@ -38,6 +38,8 @@ class ContactForces {
   const std::vector<LoadedNode>& forces() const { return forces_; }
   // Stored in contacts, in units of rho dx^4/dt^2.
   double energy() const { return energy_; }
+  // Of what grows with the plate, and not with what is broken of it.
+  std::size_t bytes() const { return place_.size() * sizeof(int); }
 
  private:
   // A node that lacks a bond.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lattice/carve.hpp"
+#include "lattice/needs.hpp"
 #include "solver/bond_net.hpp"
 #include "solver/kernel_tables.hpp"
 
@@ -15,13 +16,12 @@ namespace hackle {
 namespace {
 
 // See KernelFeatures.
-KernelFeatures features_for(const Lattice& lattice, bool heated) {
-  const bool mixed = lattice.is_mixed(), history = lattice.has_history();
-  return {.guarded = mixed || heated || !lattice.unbreakable.empty(),
-          .varied = mixed || heated || history || !lattice.strength.empty(),
-          .history = history,
-          .mixed = mixed,
-          .heated = heated};
+KernelFeatures features_for(const Needs& needs) {
+  return {.guarded = needs.guarded(),
+          .varied = needs.varied(),
+          .history = needs.history,
+          .mixed = needs.mixed,
+          .heated = needs.heated};
 }
 
 // The stencil of linearised forces is that of one cold material.
@@ -56,7 +56,7 @@ std::vector<Rows> share_out(const std::vector<int>& first_rows, int threads) {
 
 template <class Real>
 Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threads threads)
-    : features_(features_for(lattice, options.heated)),
+    : features_(features_for(needs_of(lattice, options.heated))),
       layout_(lattice.grid.layout()),
       reach_(lattice.family.reach()),
       classes_(bond_classes<Real>(lattice, options.dt, features_.varied)),
@@ -359,7 +359,7 @@ template <class Real>
 std::size_t Engine<Real>::bytes() const {
   std::size_t sum = 0;
   for (const auto* values : {&s00_, &threshold_, &next_ux_, &next_uy_, &next_threshold_,
-                             &half_stiffness_, &inverse_inertia_, &alphas_, &heat_})
+                             &half_stiffness_, &inverse_inertia_, &alphas_, &heat_, &tile_heat_})
     sum += values->size() * sizeof(Real);
   return sum + 2 * range_.size() * sizeof(TileRange<Real>) + 3 * intact_.size();
 }

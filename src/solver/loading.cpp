@@ -2,34 +2,39 @@
 #include "solver/loading.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
+#include "solver/exact_sum.hpp"
 
 namespace hackle {
 namespace {
 
-// Places of nodes in a list ordered by index, for all nodes of several lists.
+// All nodes of several lists, each once, by index.
 template <class Lists>
-std::map<std::size_t, std::size_t> places(const Lists& lists, const Grid& grid) {
-  std::map<std::size_t, std::size_t> place;
+std::vector<std::size_t> union_of(const Lists& lists, const Grid& grid) {
+  std::vector<std::size_t> all;
   for (const auto& list : lists)
-    for (const auto& node : list.nodes) place[grid.index(node.i, node.j)] = 0;
-  std::size_t next = 0;
-  for (auto& entry : place) entry.second = next++;
-  return place;
+    for (const auto& node : list.nodes) all.push_back(grid.index(node.i, node.j));
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
+  return all;
 }
 
+// Where the nodes of a list stand among all; both are ordered.
 template <class Nodes>
 std::vector<std::size_t> places_of(const Nodes& nodes, const Grid& grid,
-                                   const std::map<std::size_t, std::size_t>& place) {
+                                   const std::vector<std::size_t>& all) {
   std::vector<std::size_t> at;
   at.reserve(nodes.size());
-  for (const auto& node : nodes) at.push_back(place.at(grid.index(node.i, node.j)));
+  std::size_t place = 0;
+  for (const auto& node : nodes) {
+    while (all[place] != grid.index(node.i, node.j)) ++place;
+    at.push_back(place);
+  }
   return at;
 }
 
@@ -75,26 +80,33 @@ Loading::Loading(const Plate& plate, const Lattice& lattice, double dt)
 }
 
 void Loading::add(const std::vector<SpreadForce>& forces, const Grid& grid) {
-  const auto place = places(forces, grid);
-  forces_.resize(place.size());
+  const std::vector<std::size_t> all = union_of(forces, grid);
+  forces_.resize(all.size());
   for (const SpreadForce& force : forces) {
-    Force part{places_of(force.nodes, grid, place), {}, Amplitude(force.course, 0.0)};
+    Force part{places_of(force.nodes, grid, all), {}, Amplitude(force.course, 0.0)};
     for (std::size_t k = 0; k < force.nodes.size(); ++k) {
       forces_[part.at[k]] = force.nodes[k];
       part.acceleration.push_back(force.nodes[k].acceleration);
     }
     parts_.push_back(std::move(part));
   }
+  find_crowds();
+}
+
+void Loading::find_crowds() {
+  std::vector<const std::vector<std::size_t>*> lists;
+  for (const Force& part : parts_) lists.push_back(&part.at);
+  crowds_ = find_meetings(lists, forces_.size());
 }
 
 void Loading::add(const std::vector<SpreadSupport>& supports, const Lattice& lattice) {
   const Grid& grid = lattice.grid;
-  const auto place = places(supports, grid);
-  led_.assign(place.size(), LedNode{0, 0, {0, 0}, false, false, 1.0});
+  const std::vector<std::size_t> all = union_of(supports, grid);
+  led_.assign(all.size(), LedNode{0, 0, {0, 0}, false, false, 1.0});
   for (const SpreadSupport& support : supports) {
     const bool velocity = support.kind == Support::Kind::velocity;
     const double unit = (velocity ? dt_ : 1.0) / grid.dx;
-    Lead part{places_of(support.nodes, grid, place),
+    Lead part{places_of(support.nodes, grid, all),
               {},
               false,
               false,
@@ -192,10 +204,17 @@ void Loading::halt(const State& state, double passed) {
 template <class Factor>
 void Loading::sum_forces(const Factor& factor_of) {
   for (LoadedNode& node : forces_) node.acceleration = {0, 0};
+  std::vector<double> factors;
   for (const Force& part : parts_) {
-    const double factor = factor_of(part);
+    const double factor = factors.emplace_back(factor_of(part));
     for (std::size_t k = 0; k < part.at.size(); ++k)
       forces_[part.at[k]].acceleration += factor * part.acceleration[k];
+  }
+  for (const Meeting& crowd : crowds_) {
+    ExactVectorSum sum;
+    for (const auto& [part, entry] : crowd.entries)
+      sum.add(factors[part] * parts_[part].acceleration[entry]);
+    forces_[crowd.place].acceleration = sum.value();
   }
 }
 

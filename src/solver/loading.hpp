@@ -11,6 +11,7 @@
 #include "lattice/load_map.hpp"
 #include "solver/contact_forces.hpp"
 #include "solver/impact.hpp"
+#include "solver/meetings.hpp"
 #include "solver/state.hpp"
 
 namespace hackle {
@@ -92,6 +93,8 @@ class Loading {
   void add_work(const Lattice& lattice, const State& state, double& work) const;
   // What is stored in contacts at the time of update(). Both in units of rho dx^4/dt^2.
   double contact_energy() const { return contact_ ? contact_->energy() : 0.0; }
+  // Of all that grows with the plate, whatever acts on it.
+  std::size_t bytes() const { return contact_ ? contact_->bytes() : 0; }
 
  private:
   // What one load adds to the entries of forces_ or led_.
@@ -109,6 +112,7 @@ class Loading {
   };
 
   void add(const std::vector<SpreadForce>& forces, const Grid& grid);
+  void find_crowds();
   void add(const std::vector<SpreadSupport>& supports, const Lattice& lattice);
   template <class Factor>
   void sum_forces(const Factor& factor);
@@ -118,6 +122,7 @@ class Loading {
 
   double dt_;
   std::vector<Force> parts_;
+  std::vector<Meeting> crowds_;  // entries of forces_ with three parts or more
   std::vector<Lead> leads_;
   std::vector<LoadedNode> forces_;  // of the loads alone
   std::vector<LoadedNode> all_;

@@ -17,7 +17,9 @@
 #include "lattice/touching.hpp"
 #include "solver/bond_energy.hpp"
 #include "solver/damping.hpp"
+#include "solver/exact_sum.hpp"
 #include "solver/heat_work.hpp"
+#include "solver/meetings.hpp"
 #include "solver/rigid_motion.hpp"
 
 namespace hackle {
@@ -50,15 +52,56 @@ Lattice with_strength(Lattice lattice, std::vector<float> strength) {
   return lattice;
 }
 
+// What a start gives to its nodes, in lattice units.
+struct SpreadStart {
+  std::vector<std::size_t> at;  // Grid::index
+  std::vector<Vec2> u, v;
+};
+
+SpreadStart spread(const Start& start, const Lattice& lattice, double dt) {
+  SpreadStart spread;
+  for_nodes_in(start.region, lattice.grid, [&](int i, int j) {
+    if (lattice.is_void(i, j)) return;
+    const Vec2 place = lattice.grid.position(i, j);
+    spread.at.push_back(lattice.grid.index(i, j));
+    spread.u.push_back(start.displacement.at(place) / lattice.grid.dx);
+    spread.v.push_back(start.velocity.at(place) * (dt / lattice.grid.dx));
+  });
+  return spread;
+}
+
+// The sum of one quantity over all starts, by Grid::index.
+std::vector<Vec2> sum_of(const std::vector<SpreadStart>& starts,
+                         std::vector<Vec2> SpreadStart::*quantity,
+                         const std::vector<Meeting>& crowds, const Grid& grid) {
+  std::vector<Vec2> sum(grid.nodes(), Vec2(0, 0));
+  for (const SpreadStart& start : starts)
+    for (std::size_t k = 0; k < start.at.size(); ++k) sum[start.at[k]] += (start.*quantity)[k];
+  for (const Meeting& crowd : crowds) {
+    ExactVectorSum exact;
+    for (const auto& [start, entry] : crowd.entries) exact.add((starts[start].*quantity)[entry]);
+    sum[crowd.place] = exact.value();
+  }
+  return sum;
+}
+
+// Rounded once to the precision of the state, in whatever order the starts were said.
 void set_in_motion(const std::vector<Start>& starts, const Lattice& lattice, double dt,
                    State& state) {
-  for (const Start& start : starts)
-    for_nodes_in(start.region, lattice.grid, [&](int i, int j) {
-      if (lattice.is_void(i, j)) return;
-      const Vec2 place = lattice.grid.position(i, j);
-      state.set_u(i, j, state.u(i, j) + start.displacement.at(place) / lattice.grid.dx);
-      state.set_v(i, j, state.v(i, j) + start.velocity.at(place) * (dt / lattice.grid.dx));
-    });
+  if (starts.empty()) return;
+  const Grid& grid = lattice.grid;
+  std::vector<SpreadStart> spreads;
+  for (const Start& start : starts) spreads.push_back(spread(start, lattice, dt));
+  std::vector<const std::vector<std::size_t>*> lists;
+  for (const SpreadStart& start : spreads) lists.push_back(&start.at);
+  const std::vector<Meeting> crowds = find_meetings(lists, grid.nodes());
+  const std::vector<Vec2> u = sum_of(spreads, &SpreadStart::u, crowds, grid),
+                          v = sum_of(spreads, &SpreadStart::v, crowds, grid);
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      state.set_u(i, j, u[grid.index(i, j)]);
+      state.set_v(i, j, v[grid.index(i, j)]);
+    }
 }
 
 // To three digits.
@@ -538,7 +581,8 @@ std::size_t Simulation::bytes() const {
   const std::size_t engine = std::visit([](const auto& e) { return e.bytes(); }, engine_);
   return motion + engine + bytes_of(state_.bonds.words()) + bytes_of(lattice_.bonds.words()) +
          bytes_of(lattice_.unbreakable.words()) + bytes_of(lattice_.born) +
-         bytes_of(lattice_.strength) + bytes_of(lattice_.material) + heat_.bytes();
+         bytes_of(lattice_.strength) + bytes_of(lattice_.material) + heat_.bytes() +
+         loading_.bytes();
 }
 
 }  // namespace hackle

@@ -7,12 +7,54 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "solver/exact_sum.hpp"
 
 namespace hackle {
+namespace {
+
+// Calls work(place in the range, node) in order.
+template <class Work>
+void for_places(const NodeRange& range, const Grid& grid, const Work& work) {
+  std::size_t place = 0;
+  for (int j = range.first_j; j <= range.last_j; ++j)
+    for (int i = range.first_i; i <= range.last_i; ++i) work(place++, grid.index(i, j));
+}
+
+// Of nodes that lie in three areas or more, by Grid::index.
+std::vector<Meeting> crowds_of(const std::vector<SpreadHeat>& heat, const Grid& grid) {
+  std::vector<std::vector<std::size_t>> places;
+  for (const SpreadHeat& part : heat) {
+    std::vector<std::size_t>& at = places.emplace_back();
+    at.reserve(part.strain.size());
+    for_places(part.range, grid, [&](std::size_t, std::size_t node) { at.push_back(node); });
+  }
+  std::vector<const std::vector<std::size_t>*> lists;
+  for (const auto& list : places) lists.push_back(&list);
+  return find_meetings(lists, grid.nodes());
+}
+
+void check(const std::vector<double>& strain, const Grid& grid) {
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const double own = strain[grid.index(i, j)];
+      if (std::abs(own) <= most_thermal_strain) continue;
+      const Vec2 place = grid.position(i, j);
+      throw Error(
+          ErrorKind::refused,
+          fmt::format("temperature: it strains the material by {:.3g} at x = {}, y = {}: "
+                      "alphaT times the change must lie within +-{:g}",
+                      own, quantity(place.x(), "m"), quantity(place.y(), "m"), most_thermal_strain),
+          "take a smaller change of temperature; alphaT of glass is about 3e-6 to 9e-6/K");
+    }
+}
+
+}  // namespace
 
 ThermalStrain::ThermalStrain(const Plate& plate, const Lattice& lattice, double dt) : dt_(dt) {
-  for (SpreadHeat& heat : spread_heat(plate, lattice))
-    parts_.push_back({std::move(heat.nodes), Amplitude(heat.course, 0.0)});
+  std::vector<SpreadHeat> heat = spread_heat(plate, lattice);
+  if (heat.size() > 2) crowds_ = crowds_of(heat, lattice.grid);
+  for (SpreadHeat& part : heat)
+    parts_.push_back({part.range, std::move(part.strain), Amplitude(part.course, 0.0)});
 }
 
 void ThermalStrain::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end) {
@@ -66,7 +108,7 @@ bool ThermalStrain::changes_until(const State& state) const {
 
 std::size_t ThermalStrain::bytes() const {
   std::size_t sum = values_.size() * sizeof(double);
-  for (const Part& part : parts_) sum += part.nodes.size() * sizeof(HeatedNode);
+  for (const Part& part : parts_) sum += part.strain.size() * sizeof(double);
   return sum;
 }
 
@@ -74,18 +116,16 @@ std::vector<double> ThermalStrain::sum(const Lattice& lattice,
                                        const std::vector<double>& factors) const {
   std::vector<double> strain(lattice.grid.nodes());
   for (std::size_t k = 0; k < parts_.size(); ++k)
-    for (const HeatedNode& node : parts_[k].nodes) {
-      double& own = strain[lattice.grid.index(node.i, node.j)];
-      own += factors[k] * node.strain;
-      if (std::abs(own) <= most_thermal_strain) continue;
-      const Vec2 place = lattice.grid.position(node.i, node.j);
-      throw Error(
-          ErrorKind::refused,
-          fmt::format("temperature: it strains the material by {:.3g} at x = {}, y = {}: "
-                      "alphaT times the change must lie within +-{:g}",
-                      own, quantity(place.x(), "m"), quantity(place.y(), "m"), most_thermal_strain),
-          "take a smaller change of temperature; alphaT of glass is about 3e-6 to 9e-6/K");
-    }
+    for_places(parts_[k].range, lattice.grid, [&](std::size_t place, std::size_t node) {
+      strain[node] += factors[k] * parts_[k].strain[place];
+    });
+  for (const Meeting& crowd : crowds_) {
+    ExactSum sum;
+    for (const auto& [part, entry] : crowd.entries)
+      sum.add(factors[part] * parts_[part].strain[entry]);
+    strain[crowd.place] = sum.value();
+  }
+  check(strain, lattice.grid);
   return strain;
 }
 

@@ -8,6 +8,7 @@
 
 #include "lattice/load_map.hpp"
 #include "solver/loading.hpp"
+#include "solver/meetings.hpp"
 
 namespace hackle {
 
@@ -48,7 +49,8 @@ class ThermalStrain {
 
  private:
   struct Part {
-    std::vector<HeatedNode> nodes;
+    NodeRange range;
+    std::vector<double> strain;
     Amplitude amplitude;
   };
   using Factors = std::vector<double>;                               // by part
@@ -60,7 +62,8 @@ class ThermalStrain {
 
   double dt_;
   std::vector<Part> parts_;
-  Factors factors_;  // of values_; empty before the first update
+  std::vector<Meeting> crowds_;  // nodes, by Grid::index, with three parts or more
+  Factors factors_;              // of values_; empty before the first update
   std::vector<double> values_;
 };
 

@@ -40,6 +40,38 @@ TEST_F(CheckTest, TellsWhatAScriptTakesAndWritesNothing) {
   EXPECT_FALSE(fs::exists(folder_.path / "out"));
 }
 
+// Loads that were taken off again, slow loading, functions that may change everything.
+TEST_F(CheckTest, JudgesTheWholeScript) {
+  const auto verdict = [&](const std::string& more) {
+    const auto ended = run("check", R"(
+      local p = plate { width = 100*mm, height = 40*mm, material = "duran50" }
+      p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }
+      local s = simulate(p, { spacing = 2*mm })
+      local function pull(stress, time)
+        s:traction { edge = "top", stress = {0, stress}, time = time }
+        s:traction { edge = "bottom", stress = {0, -stress}, time = time }
+      end
+      )" + more);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.out;
+  };
+  EXPECT_THAT(verdict("s:run(10*us)"), HasSubstr("nothing can break"));
+  EXPECT_THAT(verdict("pull(24*MPa) s:run(30*us) pull(0) s:run(1*us)"), HasSubstr("should break"));
+  EXPECT_THAT(verdict("pull(24*MPa, ramp(1)) s:quasistatic { duration = 1, increments = 4 }"),
+              testing::AllOf(HasSubstr("should break"), HasSubstr("slow loading in 4 increments")));
+  EXPECT_THAT(verdict("pull(6*MPa) s:relax() pull(0) s:run(10*us)"), HasSubstr("may break"));
+  EXPECT_THAT(verdict("s:move { edge = 'top', depth = 4*mm, velocity = {0, 1} } s:run(1*ms)"),
+              HasSubstr("should break"));
+  EXPECT_THAT(verdict("s:run(5*us) t = s:fork() pull(24*MPa) s:run(9*us)"),
+              testing::ContainsRegex("should break(.|\n)*simulation 2(.|\n)*nothing can break"));
+  const std::string called =
+      verdict("s:on { 'every', every = 1*us, call = function() pull(24*MPa) end } s:run(10*us)");
+  EXPECT_THAT(called, HasSubstr("unknown: a function that s:on calls may change loads"));
+  EXPECT_THAT(called, Not(HasSubstr("nothing can break")));
+  EXPECT_THAT(verdict("s:run(1*us) if s.damage.broken_bonds > 0 then pull(24*MPa) end s:run(1*us)"),
+              HasSubstr("unknown: what the script does after it has looked at results"));
+}
+
 TEST_F(CheckTest, TellsOfEverySimulation) {
   const auto ended = run("check", test::scene + "t = s:fork() s:run(1*us) t:start(2*us)");
   EXPECT_THAT(ended.out, testing::ContainsRegex("simulation 1(.|\n)*in 2 steps(.|\n)*"

@@ -136,45 +136,6 @@ TEST(Numerics, ABadMaterialHasNoStepLimit) {
   EXPECT_EQ(problems_of(plate, numerics), "");  // check(plate) refuses it
 }
 
-// 200 x 80 nodes: a row of a NodeLayout has 240 places, and the last row 16 after it.
-constexpr double places = 80.0 * 240.0 + 16.0;
-constexpr double born = 2.0 * 16000.0;
-
-TEST(Numerics, MemoryIsThatOfTheArrays) {
-  // u, the next u and v; 24 kept bonds in a word of lattice and state, and of the no-fail zones.
-  Numerics numerics = test::numerics();
-  Plate plate = test::edge_crack(0.0);
-  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (49.0 + 3.0 * 4.0) + born);
-  plate.no_fail.clear();
-  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (49.0 + 2.0 * 4.0) + born);
-  numerics.precision = Precision::f32;
-  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (24.5 + 2.0 * 4.0) + born);
-  plate.material.alpha = 0.02;
-  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (40.5 + 2.0 * 4.0) + born);
-}
-
-TEST(Numerics, MemoryCountsTheWordsOfTheFamily) {
-  Numerics numerics = test::numerics();
-  numerics.quadrature = Quadrature::area;  // 34 kept bonds
-  Plate plate = test::edge_crack(0.0);
-  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), places * (49.0 + 3.0 * 8.0) + born);
-}
-
-TEST(Numerics, MemoryOfInclusionsAndTemperatureIsThatOfTheirArrays) {
-  const Numerics numerics = test::numerics();
-  Plate plate = test::edge_crack(0.0);
-  plate.no_fail.clear();
-  const double plain = memory_needed(plate, numerics);
-  plate.loads.heatings.push_back({});
-  // Thresholds, two values, and thermal strain; of nodes that strain and that of the one change.
-  const double heated = plain + places * 3.0 * 8.0 + 16000.0 * (8.0 + 16.0);
-  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), heated);
-  plate.inclusions.push_back({rectangle({0.0, 0.0}, {0.01, 0.01}), test::duran50()});
-  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), heated + places * 2.0 * 8.0 + 16000.0);
-  plate.inclusions.front().material.alpha = 0.25;
-  EXPECT_DOUBLE_EQ(memory_needed(plate, numerics), heated + places * 5.0 * 8.0 + 16000.0);
-}
-
 TEST(Numerics, TheStepLimitIsThatOfTheStiffestAndTheLightestMaterial) {
   Plate plate = test::edge_crack(12e6);
   Numerics numerics = test::numerics();

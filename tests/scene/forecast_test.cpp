@@ -31,7 +31,7 @@ Plate pulled(double stress) {
 }
 
 Forecast of(const Plate& plate, double duration = 32e-6) {
-  return forecast(plate, duration, horizon);
+  return forecast(plate, {.end = duration}, horizon);
 }
 
 TEST(Forecast, OfAPulledCrackIsGriffiths) {

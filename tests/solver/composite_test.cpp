@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "lattice/needs.hpp"
 #include "measure/energy.hpp"
 #include "support/mirror.hpp"
 #include "support/reference.hpp"
@@ -235,9 +236,8 @@ TEST_P(CompositeWithoutHistory, TheLedgerClosesWithTheSquareOfTheStep) {
 
 TEST_P(Composite, MemoryIsWhatWasSaid) {
   const Simulation simulation(torn(400, 300), in(Precision::f64), {1});
-  const double needed = memory_needed(simulation.plate(), simulation.numerics());
-  EXPECT_LE(static_cast<double>(simulation.bytes()), needed);
-  EXPECT_GT(static_cast<double>(simulation.bytes()), 0.9 * needed);
+  EXPECT_EQ(static_cast<double>(simulation.bytes()),
+            memory_of(simulation.plate(), simulation.numerics()).kept);
 }
 
 std::string name_of(const Mixture& mixture) {

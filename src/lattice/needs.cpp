@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/needs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lattice/carve.hpp"
+#include "lattice/load_map.hpp"
+
+namespace hackle {
+namespace {
+
+// Columns and rows of nodes; without limit, as a spacing may be absurd.
+Vec2 nodes_along(const Plate& plate, const Numerics& numerics) {
+  return {std::round(plate.width / numerics.spacing), std::round(plate.height / numerics.spacing)};
+}
+
+// Values of the engine and of the motion at every place.
+double values_of_place(const Needs& needs) {
+  double values = 6.0;                // u, the next u and v
+  if (needs.varied()) values += 2.0;  // critical stretch, threshold
+  if (needs.history) values += 2.0;   // thresholds of this step and of the next
+  if (needs.mixed) values += 2.0;     // stiffness, inertia
+  if (needs.mixed && needs.history) values += 1.0;
+  if (needs.heated) values += 1.0;
+  return values;
+}
+
+// As tile_rows() has them, which needs no list here.
+double rows_of_tiles(int ny, int reach) {
+  const int height = reach <= 8 ? 8 : 16;
+  const int each_side = std::max(0, (ny / height - 1) / 2);
+  const int left = ny - 2 * each_side * height;
+  return 2.0 * each_side + (left >= 2 * height && left % 2 == 0 ? 2.0 : 1.0);
+}
+
+// Two ranges, which are four values and four bytes, and three flags.
+double bytes_of_tile(const Needs& needs, double real) {
+  const double range = real == 4.0 ? 20.0 : 40.0;
+  return 2.0 * range + 3.0 + (needs.heated ? real : 0.0);
+}
+
+double bytes_of_node(const Plate& plate, const Needs& needs) {
+  double bytes = sizeof(std::uint16_t);  // bonds it was born with
+  if (needs.kinds) bytes += sizeof(std::uint8_t);
+  if (needs.scattered) bytes += sizeof(float);
+  if (needs.heated) bytes += sizeof(double);
+  if (plate.contact) bytes += sizeof(int);
+  return bytes;
+}
+
+double nodes_around(const Region& region, const Grid& grid) {
+  return static_cast<double>(nodes_of(region, grid).count());
+}
+
+double kept(const Plate& plate, const Grid& grid, const Family& family, const Needs& needs,
+            double real) {
+  const NodeLayout layout = grid.layout();
+  const double bits = 4.0 * family.words() * (needs.zones ? 3.0 : 2.0);
+  double bytes =
+      static_cast<double>(layout.size()) * (real * values_of_place(needs) + bits) +
+      rows_of_tiles(grid.ny, family.reach()) * layout.groups() * bytes_of_tile(needs, real) +
+      static_cast<double>(grid.nodes()) * bytes_of_node(plate, needs);
+  for (const Heating& heating : plate.loads.heatings)
+    bytes += sizeof(double) * nodes_around(heating.region, grid);
+  return bytes;
+}
+
+double nodes_of_edge(const Traction& traction, const Grid& grid) {
+  const bool along_x = traction.edge == Edge::top || traction.edge == Edge::bottom;
+  const double layers = std::max(1.0, std::round(traction.depth / grid.dx));
+  return along_x ? grid.nx * std::min<double>(layers, grid.ny)
+                 : grid.ny * std::min<double>(layers, grid.nx);
+}
+
+// A node in a list of forces: what acts by each load and in all, twice, and what the kernel reads.
+double loads(const Plate& plate, const Grid& grid, double real) {
+  const double force = 3.0 * sizeof(LoadedNode) + 24.0 + 3.0 * real;
+  const double lead = sizeof(HeldNode) + 80.0 + 4.0 * real;
+  double bytes = 0.0;
+  for (const Traction& load : plate.loads.tractions) bytes += force * nodes_of_edge(load, grid);
+  for (const BodyForce& load : plate.loads.body_forces)
+    bytes += force * nodes_around(load.region, grid);
+  for (const Support& support : plate.loads.supports)
+    bytes += lead * nodes_around(support.region, grid);
+  return bytes;
+}
+
+// Starts: what each gives, twice two components and a place, and their sums. Changes of heat: the
+// strain before and after, twice, and the stiffness. The summary: accelerations of all
+// places, and velocities.
+double passing(const Plate& plate, const Grid& grid, const Needs& needs, double real) {
+  const auto nodes = static_cast<double>(grid.nodes());
+  double starts = plate.starts.empty() ? 0.0 : 32.0 * nodes;
+  for (const Start& start : plate.starts) starts += 40.0 * nodes_around(start.region, grid);
+  const double heat = needs.heated ? 40.0 * nodes : 0.0;
+  const double summary = 16.0 * nodes + 2.0 * real * static_cast<double>(grid.layout().size());
+  return std::max({starts, heat, summary});
+}
+
+}  // namespace
+
+Needs needs_of(const Plate& plate, const Numerics& numerics) {
+  const Family family(numerics.m(), numerics.quadrature, numerics.micromodulus);
+  const auto materials = materials_of(plate, family, numerics);
+  return {.kinds = !plate.inclusions.empty() || !plate.cutouts.empty(),
+          .mixed = differ(materials),
+          .history = have_history(materials),
+          .heated = !plate.loads.heatings.empty(),
+          .zones = !plate.no_fail.empty(),
+          .scattered = plate.scatter.has_value()};
+}
+
+Needs needs_of(const Lattice& lattice, bool heated) {
+  return {.kinds = !lattice.material.empty(),
+          .mixed = lattice.is_mixed(),
+          .history = lattice.has_history(),
+          .heated = heated,
+          .zones = !lattice.unbreakable.empty(),
+          .scattered = !lattice.strength.empty()};
+}
+
+Memory memory_of(const Plate& plate, const Numerics& numerics) {
+  const double real = numerics.precision == Precision::f32 ? 4.0 : 8.0;
+  const Vec2 size = nodes_along(plate, numerics);
+  if (!(size.maxCoeff() <= most_columns)) return {.kept = 8.0 * real * size.prod()};
+  const Needs needs = needs_of(plate, numerics);
+  const Grid grid = make_grid(plate, numerics.spacing);
+  const Family family(numerics.m(), numerics.quadrature, numerics.micromodulus);
+  return {.kept = kept(plate, grid, family, needs, real),
+          .loads = loads(plate, grid, real),
+          .passing = passing(plate, grid, needs, real)};
+}
+
+}  // namespace hackle

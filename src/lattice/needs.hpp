@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What a scene needs beyond bonds of one cold material, and the memory that takes: one rule, by
+// which the estimate before a run, the engine and the report go.
+#pragma once
+
+#include <limits>
+
+#include "lattice/lattice.hpp"
+#include "lattice/numerics.hpp"
+
+namespace hackle {
+
+struct Needs {
+  bool kinds = false;      // every node has a material of its own: there are inclusions or cut-outs
+  bool mixed = false;      // materials differ in what bonds have of them
+  bool history = false;    // the alpha of some material is not 0
+  bool heated = false;     // the temperature changes
+  bool zones = false;      // some bonds never break
+  bool scattered = false;  // strength differs from node to node
+
+  // What a kernel has to look at: bits of bonds that never break, thresholds by node.
+  bool guarded() const { return mixed || heated || zones; }
+  bool varied() const { return mixed || heated || history || scattered; }
+};
+
+// Before there is a lattice. Needs a family: least_m <= m <= most_m.
+Needs needs_of(const Plate& plate, const Numerics& numerics);
+// The same of a lattice that has been built.
+Needs needs_of(const Lattice& lattice, bool heated);
+
+// A plate of more columns or rows has no lattice.
+inline constexpr double most_columns = 0.25 * std::numeric_limits<int>::max();
+
+struct Memory {
+  double kept = 0.0;     // bytes that state, lattice and engine hold: Simulation::bytes()
+  double loads = 0.0;    // at most; lists of the nodes on which something acts
+  double passing = 0.0;  // the most that is held for a while, by the set-up and by the summary
+  double all() const { return kept + loads + passing; }
+};
+
+// Of all that grows with the plate. Left out are what a run in f32 takes when it goes over to f64,
+// nodes in contact, static solutions, pictures and files. Needs a family.
+Memory memory_of(const Plate& plate, const Numerics& numerics);
+
+}  // namespace hackle

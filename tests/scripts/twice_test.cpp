@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Every ready script does the same in two processes: the same states and the same files, to the
+// bit. Scenes are solved on lattices twice as coarse as they were made for.
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <regex>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/program.hpp"
+#include "base/files.hpp"
+
+namespace hackle {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path scripts = fs::path(HACKLE_SOURCE_FOLDER) / "scripts";
+
+// A sheet of what other scripts have left behind.
+bool stands_alone(const fs::path& script) {
+  return script.filename() != "contact_sheet.lua";
+}
+
+std::vector<fs::path> ready_scripts() {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::recursive_directory_iterator(scripts))
+    if (entry.path().extension() == ".lua" && stands_alone(entry.path()))
+      found.push_back(entry.path());
+  std::ranges::sort(found);
+  return found;
+}
+
+// Spacing and horizon that a script declares, doubled: "--set", "spacing=0.001", ...
+std::vector<std::string> coarser(const std::string& help) {
+  std::vector<std::string> words;
+  for (const char* option : {"spacing", "horizon"}) {
+    std::smatch match;
+    const std::regex line(fmt::format("\\n  {} = ([0-9.e-]+)", option));
+    if (!std::regex_search(help, match, line)) continue;
+    words.insert(words.end(),
+                 {"--set", fmt::format("{}={:.17g}", option, 2.0 * std::stod(match[1]))});
+  }
+  return words;
+}
+
+struct Left {
+  std::vector<std::string> hashes;           // of the states
+  std::map<std::string, std::string> files;  // name to content
+};
+
+Left run(const fs::path& script) {
+  const test::Folder folder;
+  const test::Program program(folder);
+  std::vector<std::string> words{"run", script.string(), "--json", "-q", "-o", "out"};
+  for (const std::string& word : coarser(program.run({"run", script.string(), "--help"}).out))
+    words.push_back(word);
+  const test::Ended ended = program.run(words);
+  EXPECT_EQ(ended.code, 0) << script << "\n" << ended.err;
+  Left left;
+  const auto json = nlohmann::json::parse(ended.out);
+  const auto all = json.contains("simulations") ? json["simulations"] : nlohmann::json{json};
+  for (const auto& summary : all) left.hashes.push_back(summary.at("hash"));
+  if (fs::exists(folder.path / "out"))
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path / "out"))
+      if (entry.is_regular_file())
+        left.files[fs::relative(entry.path(), folder.path).string()] = read_text(entry.path());
+  return left;
+}
+
+class EveryScript : public testing::TestWithParam<fs::path> {};
+
+TEST_P(EveryScript, DoesTheSameTwice) {
+  const Left one = run(GetParam()), other = run(GetParam());
+  EXPECT_EQ(one.hashes, other.hashes);
+  ASSERT_EQ(one.files.size(), other.files.size());
+  for (const auto& [name, content] : one.files) {
+    ASSERT_TRUE(other.files.contains(name)) << name;
+    EXPECT_TRUE(content == other.files.at(name)) << name << " differs";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scripts, EveryScript, testing::ValuesIn(ready_scripts()),
+                         [](const auto& given) { return given.param.stem().string(); });
+
+// `pairs` over texts, and loads that it puts on one node in its order.
+TEST(Pairs, GiveOneHashInEveryProcess) {
+  const test::Folder folder;
+  const test::Program program(folder);
+  write_text(folder.path / "a.lua", R"(
+local p = plate { width = 20*mm, height = 10*mm, material = "duran50" }
+local loads = { alpha = 1.1*MPa, beta = 2.3*MPa, gamma = 0.7*MPa, delta = 3.1*MPa, eps = 0.9*MPa }
+for name, v in pairs(loads) do p:traction { edge = "top", stress = {v/3, v} } end
+p:clamp { edge = "bottom", depth = 1*mm }
+local s = simulate(p, { spacing = 0.5*mm })
+s:run(5*us)
+local names = {}
+for name in next, loads do names[#names + 1] = name end
+print(table.concat(names, " "), tostring(loads), s.hash))");
+  const std::string first = program.run({"run", "a.lua", "-q"}).out;
+  EXPECT_EQ(first.substr(0, first.find('\t')), "alpha beta delta eps gamma");
+  for (int k = 1; k < 8; ++k) EXPECT_EQ(program.run({"run", "a.lua", "-q"}).out, first);
+}
+
+}  // namespace
+}  // namespace hackle
