@@ -10,8 +10,8 @@
 #include "base/interrupt.hpp"
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
+#include "measure/cracks.hpp"
 #include "measure/energy.hpp"
-#include "measure/fork.hpp"
 
 namespace hackle {
 namespace {
@@ -93,15 +93,12 @@ void compare(const Simulation& simulation, TradeResult& result) {
 }
 
 void look(const Simulation& simulation, TradeResult& result) {
-  const Field now = damage(simulation);
-  const Grid& grid = simulation.lattice().grid;
-  result.tip_place = tip_place(now, grid);
+  result.tip_place = tip_place(nodes_on_crack(damage(simulation)), simulation.lattice().grid);
   const auto broken = simulation.lattice().bonds.count() - simulation.state().bonds.count();
   if (broken > 0 && !result.first_bond) result.first_bond = simulation.time();
-  if (!result.fork_time && most_bands(now, grid) >= 2) {
-    result.fork_time = simulation.time();
-    result.fork_place = fork_place(now, grid);
-  }
+  if (result.fork_time) return;
+  result.fork_place = cracks(simulation).fork;
+  if (result.fork_place) result.fork_time = simulation.time();
 }
 
 }  // namespace

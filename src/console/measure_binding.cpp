@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -31,7 +30,8 @@ constexpr FunctionDoc cracks_doc{
     .owner = "s",
     .sentence =
         "Where nodes have lost more than 0.35 of their bonds: nodes, left, right, bottom, top, "
-        "bands (the most side by side above each other), fork (the first x with two, or nil).",
+        "bands (the most above each other, a horizon apart), fork (the x where the middle lines of "
+        "two branches meet, the first from the left, or nil).",
     .options = cracks_options,
     .example = "tip = s:cracks { from = {0, 10*mm}, to = {100*mm, 30*mm} }.right"};
 
@@ -73,8 +73,7 @@ void push_cracks(lua_State* L, const Cracks& found) {
 Box area_of(Arguments& arguments) {
   if (arguments.has("from") != arguments.has("to"))
     arguments.problems.add("cracks: from and to are given together or not at all");
-  constexpr double all = std::numeric_limits<double>::infinity();
-  if (!arguments.has("from") || !arguments.has("to")) return {{-all, -all}, {all, all}};
+  if (!arguments.has("from") || !arguments.has("to")) return everywhere();
   Box area{arguments.point("from"), arguments.point("to")};
   if ((area.least.array() >= area.most.array()).any())
     arguments.problems.add("cracks: the area is empty", "from is its lower left corner");
@@ -86,7 +85,7 @@ int find_cracks(lua_State* L) {
   Arguments arguments = Arguments::from_table(L, 2, cracks_doc);
   const Box area = area_of(arguments);
   arguments.problems.throw_if_any();
-  push_cracks(L, cracks(damage(simulation), simulation.lattice().grid, area));
+  push_cracks(L, cracks(simulation, area));
   return 1;
 }
 

@@ -22,19 +22,31 @@ void widen(Cracks& found, const Vec2& place) {
 
 }  // namespace
 
-Cracks cracks(Field damage, const Grid& grid, const Box& area) {
+Box everywhere() {
+  constexpr double all = std::numeric_limits<double>::infinity();
+  return {{-all, -all}, {all, all}};
+}
+
+Cracks cracks(const Simulation& simulation, const Box& area) {
+  const Lattice& lattice = simulation.lattice();
+  return cracks(nodes_on_crack(damage(simulation)), nodes_on_crack(damage_at_start(simulation)),
+                lattice.grid, lattice.family.m(), area);
+}
+
+Cracks cracks(Nodes nodes, Nodes at_start, const Grid& grid, double m, const Box& area) {
   Cracks found;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const Vec2 place = grid.position(i, j);
-      float& value = damage.values[grid.index(i, j)];
+      const std::size_t node = grid.index(i, j);
       if (!holds(area, place))
-        value = 0.0F;
-      else if (value > on_crack)
+        nodes[node] = at_start[node] = 0;
+      else if (nodes[node])
         widen(found, place);
     }
-  found.bands = most_bands(damage, grid);
-  found.fork = fork_place(damage, grid);
+  found.bands = most_bands(close_gaps(nodes, grid, m), grid);
+  const std::vector<Vec2> places = forks(nodes, at_start, grid, m);
+  if (!places.empty()) found.fork = places.front().x();
   return found;
 }
 

@@ -8,18 +8,26 @@
 
 #include "measure/fork.hpp"
 #include "scene/shape.hpp"
+#include "solver/simulation.hpp"
 
 namespace hackle {
+
+Box everywhere();
 
 // The nodes on a crack that lie in an area.
 struct Cracks {
   std::int64_t nodes = 0;
   Box box{};                   // m, from the least of their places to the largest; when nodes > 0
-  int bands = 0;               // the most cracks side by side in one column of nodes
-  std::optional<double> fork;  // m, the first column from the left with two or more
+  int bands = 0;               // the most cracks side by side in one column of nodes, those apart
+                               // that lie more than about a horizon from each other
+  std::optional<double> fork;  // m, the first place from the left where one forks (fork.hpp)
 };
 
-Cracks cracks(Field damage, const Grid& grid, const Box& area);
+// Of the whole plate, without an area.
+Cracks cracks(const Simulation& simulation, const Box& area = everywhere());
+// Of these nodes, of which `at_start` lay on a crack before anything broke; the horizon is m
+// spacings.
+Cracks cracks(Nodes nodes, Nodes at_start, const Grid& grid, double m, const Box& area);
 
 // The place, m, of the node on a crack that lies farthest along `direction`; of several, within
 // half a spacing, their middle. Nothing when there is none.

@@ -19,11 +19,9 @@ Field vector_field(const Simulation& simulation, const char* name, const char* u
   return field;
 }
 
-}  // namespace
-
-Field damage(const Simulation& simulation) {
-  const Lattice& lattice = simulation.lattice();
-  const auto left = degrees(lattice.grid, lattice.family, simulation.state().bonds);
+// By the bonds that are left.
+Field damage_by(const BondBits& bonds, const Lattice& lattice) {
+  const auto left = degrees(lattice.grid, lattice.family, bonds);
   Field field{"damage", "", 1, std::vector<float>(lattice.grid.nodes())};
   for (std::size_t node = 0; node < field.values.size(); ++node) {
     const int born = lattice.born[node];
@@ -31,6 +29,16 @@ Field damage(const Simulation& simulation) {
         born == 0 ? 0.0F : static_cast<float>(born - left[node]) / static_cast<float>(born);
   }
   return field;
+}
+
+}  // namespace
+
+Field damage(const Simulation& simulation) {
+  return damage_by(simulation.state().bonds, simulation.lattice());
+}
+
+Field damage_at_start(const Simulation& simulation) {
+  return damage_by(simulation.lattice().bonds, simulation.lattice());
 }
 
 double damage_of(const Simulation& simulation, int i, int j) {

@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Where a crack that runs along x has come to, and where it forks.
+// Where cracks fork, whichever way they run.
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "lattice/grid.hpp"
-#include "measure/field.hpp"
+#include "measure/crack_bands.hpp"
 
 namespace hackle {
 
-// Damage above which a node lies on a crack: a straight crack has 0.4 to 0.5 on its sides.
-inline constexpr float on_crack = 0.35F;
-
-// Separate runs of nodes on a crack in one column of nodes.
-int bands(const Field& damage, const Grid& grid, int column);
-
-// The most bands in any column.
-int most_bands(const Field& damage, const Grid& grid);
-
-// The place, in m, of the first column from the left with two bands or more.
-std::optional<double> fork_place(const Field& damage, const Grid& grid);
-
-// The farthest place on a crack, in m; 0 when there is none.
-double tip_place(const Field& damage, const Grid& grid);
+// Where a band of a crack splits into branches that are each longer than two horizons from where
+// they lie a horizon apart, and do not meet again: the places, m, where the middle lines of two
+// branches meet, from left to right. `nodes` lie on a crack, `at_start` did so before anything
+// broke: branches lead away from there, or, in a crack that has begun elsewhere, from one of its
+// ends. `m` is the horizon in spacings. Cracks that cross or touch each other at the start do not
+// fork there.
+std::vector<Vec2> forks(const Nodes& nodes, const Nodes& at_start, const Grid& grid, double m);
 
 }  // namespace hackle

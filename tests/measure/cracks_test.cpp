@@ -11,37 +11,53 @@ namespace {
 // Nodes at (0.5, 0.5), (1.5, 0.5), ... m.
 constexpr int nx = 8, ny = 6;
 const Grid grid{nx, ny, 1.0, {4.0, 3.0}};
-const Box everywhere{{0, 0}, {8, 6}};
 
 Field none() {
   return {"damage", "", 1, std::vector<float>(grid.nodes())};
 }
 
+Nodes no_nodes() {
+  return Nodes(grid.nodes());
+}
+
 TEST(Cracks, AnIntactPlateHasNone) {
   Field damage = none();
   damage.values[grid.index(3, 3)] = on_crack;
-  const Cracks found = cracks(damage, grid, everywhere);
+  EXPECT_EQ(nodes_on_crack(damage), no_nodes());
+  const Cracks found = cracks(no_nodes(), no_nodes(), grid, 1.0, everywhere());
   EXPECT_EQ(found.nodes, 0);
   EXPECT_EQ(found.bands, 0);
   EXPECT_FALSE(found.fork);
 }
 
-TEST(Cracks, BoxBandsAndForkAreThoseOfTheArea) {
-  Field damage = none();
-  for (int i = 1; i <= 5; ++i) damage.values[grid.index(i, 1)] = 0.5F;
-  for (int i = 4; i <= 6; ++i) damage.values[grid.index(i, 4)] = 0.5F;
-  const Cracks all = cracks(damage, grid, everywhere);
+TEST(Cracks, BoxAndBandsAreThoseOfTheArea) {
+  Nodes nodes = no_nodes();
+  for (int i = 1; i <= 5; ++i) nodes[grid.index(i, 1)] = 1;
+  for (int i = 4; i <= 6; ++i) nodes[grid.index(i, 4)] = 1;
+  const Cracks all = cracks(nodes, no_nodes(), grid, 1.0, everywhere());
   EXPECT_EQ(all.nodes, 8);
   EXPECT_EQ(all.box.least, Vec2(1.5, 1.5));
   EXPECT_EQ(all.box.most, Vec2(6.5, 4.5));
   EXPECT_EQ(all.bands, 2);
-  EXPECT_DOUBLE_EQ(all.fork.value(), 4.5);
-  const Cracks lower = cracks(damage, grid, {{2, 0}, {8, 3}});
+  EXPECT_FALSE(all.fork);
+  EXPECT_EQ(cracks(nodes, no_nodes(), grid, 3.0, everywhere()).bands, 1) << "nearer than a horizon";
+  const Cracks lower = cracks(nodes, no_nodes(), grid, 1.0, {{2, 0}, {8, 3}});
   EXPECT_EQ(lower.nodes, 4);
   EXPECT_EQ(lower.box.least, Vec2(2.5, 1.5));
   EXPECT_EQ(lower.box.most, Vec2(5.5, 1.5));
   EXPECT_EQ(lower.bands, 1);
-  EXPECT_FALSE(lower.fork);
+}
+
+TEST(Cracks, TheTipIsTheFarthestNode) {
+  Nodes nodes = no_nodes();
+  EXPECT_EQ(tip_place(nodes, grid), 0.0);
+  for (int i = 1; i <= 5; ++i) nodes[grid.index(i, 2)] = 1;
+  EXPECT_DOUBLE_EQ(tip_place(nodes, grid), 5.5);
+  Plate plate = test::bare_plate(100, 40);
+  plate.cracks.push_back({{10e-3, 10e-3}, {30e-3, 10e-3}});
+  const Simulation simulation(plate, test::numerics(), {1});
+  EXPECT_NEAR(tip_place(nodes_on_crack(damage(simulation)), simulation.lattice().grid), 30e-3,
+              2e-3);  // a horizon: there nodes have lost less
 }
 
 TEST(Pieces, AreListedTheLargestFirst) {

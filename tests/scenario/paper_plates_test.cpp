@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "measure/cracks.hpp"
 #include "measure/energy.hpp"
-#include "measure/fork.hpp"
 #include "support/mirror.hpp"
 #include "support/scenes.hpp"
 
@@ -26,7 +26,7 @@ Events watch(Simulation& simulation) {
     if (events.first_bond == 0.0 && count_damage(simulation).broken_bonds > 0)
       events.first_bond = simulation.time();
     if (events.fork != 0.0) continue;
-    const auto place = fork_place(damage(simulation), simulation.lattice().grid);
+    const auto place = cracks(simulation).fork;
     if (!place) continue;
     events.fork = simulation.time();
     events.fork_place = *place;
@@ -44,7 +44,7 @@ TEST(EdgeCrack12MPa, ForksOnceWhereAndWhenItShould) {
   EXPECT_LT(events.fork, 26e-6);
   EXPECT_GT(events.fork_place, 62e-3);
   EXPECT_LT(events.fork_place, 72e-3);
-  EXPECT_EQ(most_bands(damage(simulation), simulation.lattice().grid), 2);
+  EXPECT_EQ(cracks(simulation).bands, 2);
 }
 
 TEST(EdgeCrack12MPa, IsItsOwnMirrorImageAndClosesItsLedger) {
@@ -91,7 +91,7 @@ TEST(EdgeCrack24MPa, BranchesAgain) {
   Simulation simulation(test::edge_crack(24e6), test::numerics());
   const Events events = watch(simulation);
   EXPECT_LT(events.fork, 14e-6);
-  EXPECT_GE(most_bands(damage(simulation), simulation.lattice().grid), 4);
+  EXPECT_GE(cracks(simulation).bands, 4);
   EXPECT_EQ(test::asymmetric_nodes(simulation, true), 0);
 }
 
