@@ -12,7 +12,7 @@ target=${2:-}
 
 packages=(
   g++ cmake ninja-build pkg-config git
-  libeigen3-dev libosmesa6-dev libegl-dev liblua5.4-dev libhdf5-dev
+  libeigen3-dev libosmesa6-dev libegl-dev liblua5.4-dev libhdf5-dev zlib1g-dev
   libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libedit-dev libchafa-dev
   libcairo2-dev libpng-dev fonts-dejavu-core libgtest-dev libgmock-dev libbenchmark-dev

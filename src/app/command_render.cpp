@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "console/console.hpp"
 #include "console/reference.hpp"
+#include "movie/movie_kind.hpp"
 
 namespace hackle {
 namespace {
@@ -46,6 +47,22 @@ const FunctionDoc& doc_of(std::string_view owner, std::string_view name) {
   for (const FunctionDoc* doc : all_docs())
     if (doc->owner == owner && doc->name == name) return *doc;
   throw std::logic_error("no such function");
+}
+
+bool is_run_file(const std::string& name) {
+  return ends_in(name, ".h5") || ends_in(name, ".hdf5");
+}
+
+void check_out(const std::string& name) {
+  std::vector<std::string_view> endings{".png"};
+  for (const MovieKind& kind : movie_kinds()) endings.push_back(kind.ending);
+  if (std::ranges::any_of(endings, [&](std::string_view ending) { return ends_in(name, ending); }))
+    return;
+  const std::string ending = std::filesystem::path(name).extension().string();
+  throw Error(ErrorKind::refused,
+              fmt::format("render: '{}' is neither a picture nor a movie{}", name,
+                          did_you_mean(ending, endings)),
+              "one of " + comma_list(endings));
 }
 
 // The function that makes what is asked for.
@@ -158,7 +175,7 @@ RenderJob render_job(const std::vector<std::string>& words) {
   if (job.runs.empty())
     throw Error(ErrorKind::usage, "render: there is no run file",
                 "as in hackle render run.h5 picture.png");
-  if (job.runs.size() > 1 && !ends_in(job.runs.back(), ".h5")) {
+  if (job.runs.size() > 1 && !is_run_file(job.runs.back())) {
     job.out = job.runs.back();
     job.runs.pop_back();
   }
@@ -186,6 +203,7 @@ int command_render(const RenderRequest& request) {
       tell_what_is_there(console, job);
       return 0;
     }
+    check_out(job.out);
     check_values(console, job);
     console.evaluate(script_of(job));
     if (!request.quiet) tell_file(job.out);

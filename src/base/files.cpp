@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "base/files.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <fstream>
-#include <sstream>
 #include <vector>
 
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "base/file_lock.hpp"
 #include "base/version.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::size_t most_text = std::size_t{1} << 26U;  // bytes; a device may never end
 
 std::vector<fs::path> data_folders() {
   std::vector<fs::path> folders;
@@ -60,22 +63,24 @@ std::string read_text(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
     throw Error(ErrorKind::files, "cannot read '" + path.string() + "': " + std::strerror(errno));
-  std::ostringstream text;
-  text << file.rdbuf();
-  return std::move(text).str();
+  std::string text;
+  std::array<char, 1 << 16> piece{};
+  while (file.read(piece.data(), piece.size()) || file.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > most_text)
+      throw Error(ErrorKind::files, "'" + path.string() + "' is larger than 64 MiB: no text");
+  }
+  return text;
 }
 
 void write_text(const fs::path& path, const std::string& text) {
   const fs::path partial = partial_name(path);
+  const HeldFile held(partial, path);
   std::ofstream file(partial, std::ios::binary);
   file << text;
   file.close();
-  if (!file) {
-    const std::string reason = std::strerror(errno);
-    std::error_code ignored;
-    fs::remove(partial, ignored);
-    throw Error(ErrorKind::files, "cannot write '" + path.string() + "': " + reason);
-  }
+  if (!file)
+    throw Error(ErrorKind::files, "cannot write '" + path.string() + "': " + std::strerror(errno));
   publish(path);
 }
 

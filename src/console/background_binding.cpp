@@ -197,10 +197,11 @@ int script(lua_State* L) {
   self<ScriptedRun>(L, script_doc);
   const Arguments arguments = Arguments::from_table(L, 2, script_doc);
   arguments.problems.throw_if_any();
-  const auto path = session_of(L).output_path("script", arguments.text("file"));
-  if (session_of(L).settings.purpose != Purpose::results) return 0;
+  Session& session = session_of(L);
+  const auto path = session.claim("script", arguments.text("file"), FileKind::script);
+  if (session.settings.purpose != Purpose::results) return 0;
   make_folder_of(path);
-  write_text(path, session_of(L).script());
+  write_text(path, session.script());
   return 0;
 }
 

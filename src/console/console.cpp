@@ -149,6 +149,10 @@ struct Console::Parts {
   explicit Parts(ConsoleSettings settings)
       : session(std::move(settings)), L(session.settings.lua_memory) {
     set_session(L, &session);
+    session.names->place = [this] {
+      const std::string text = place(L, 1);
+      return text.substr(0, text.find_last_of(':'));
+    };
     protect(L, [this](lua_State*) { open(); });
   }
 

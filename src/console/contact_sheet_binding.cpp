@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
 #include "console/arguments.hpp"
 #include "console/guard.hpp"
 #include "console/picture_options.hpp"
@@ -14,7 +13,6 @@
 #include "console/session.hpp"
 #include "output/replay.hpp"
 #include "render/contact_sheet.hpp"
-#include "render/png.hpp"
 
 namespace hackle {
 namespace {
@@ -115,7 +113,7 @@ Image sheet_of_recordings(const Arguments& arguments, const Tiles& tiles,
 }
 
 int make_contact_sheet(lua_State* L) {
-  const Session& session = session_of(L);
+  Session& session = session_of(L);
   Arguments arguments = Arguments::from_table(L, 1, contact_sheet_doc);
   check_kind(arguments);
   const bool recorded = arguments.has("recordings");
@@ -125,13 +123,10 @@ int make_contact_sheet(lua_State* L) {
   SheetLayout layout;
   layout.columns = static_cast<int>(arguments.integer("columns", layout.columns));
   layout.width = static_cast<int>(arguments.integer("width", layout.width));
-  const auto path = session.output_path("contact_sheet", arguments.text("file"));
-  check_writable(path);
-  if (session.settings.purpose != Purpose::results) return 0;
-  const Image sheet =
-      recorded ? sheet_of_recordings(arguments, tiles, layout) : contact_sheet(pictures, layout);
-  make_folder_of(path);
-  write_png(sheet, path);
+  session.write_picture("contact_sheet", arguments.text("file"), [&] {
+    return recorded ? sheet_of_recordings(arguments, tiles, layout)
+                    : contact_sheet(pictures, layout);
+  });
   return 0;
 }
 

@@ -32,8 +32,10 @@ void replace_by_input(lua_State* L, const char* who) {
 
 // What a script that is only looked at writes goes nowhere.
 void replace_by_output(lua_State* L, const char* who) {
-  const auto path = session_of(L).output_path(who, name_at_1(L, who));
-  if (session_of(L).settings.purpose != Purpose::results) return replace_name(L, "/dev/null");
+  Session& session = session_of(L);
+  const auto path = session.output_path(who, name_at_1(L, who));
+  session.names->claim(who, path, FileKind::text);
+  if (session.settings.purpose != Purpose::results) return replace_name(L, "/dev/null");
   make_folder_of(path);
   replace_name(L, path);
 }

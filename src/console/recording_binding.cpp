@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
 #include "base/units.hpp"
 #include "console/arguments.hpp"
 #include "console/background_binding.hpp"
@@ -18,7 +17,6 @@
 #include "output/chart_data.hpp"
 #include "output/painting.hpp"
 #include "output/replay.hpp"
-#include "render/png.hpp"
 
 namespace hackle {
 namespace {
@@ -45,18 +43,15 @@ int frame(lua_State* L) {
   Recording& recording = *self<ScriptedRecording>(L, recorded_frame_doc).recording;
   const Arguments arguments = Arguments::from_table(L, 2, recorded_frame_doc);
   arguments.problems.throw_if_any();
-  const Session& session = session_of(L);
+  Session& session = session_of(L);
   const PictureOptions options = sized_picture_of(arguments);
   check("frame", options, recording.simulation().lattice().grid);
   check_recorded("frame", options);
   check_alone("frame", options);
-  const auto path = session.output_path("frame", arguments.text("file"));
-  check_writable(path);
-  if (session.settings.purpose != Purpose::results) return 0;
-  recording.go_to(recording.nearest(arguments.number("time", recording.times().back())));
-  const Image image = paint(recording.simulation(), options);
-  make_folder_of(path);
-  write_png(image, path);
+  session.write_picture("frame", arguments.text("file"), [&] {
+    recording.go_to(recording.nearest(arguments.number("time", recording.times().back())));
+    return paint(recording.simulation(), options);
+  });
   return 0;
 }
 
@@ -69,15 +64,22 @@ Moments moments_of(const Arguments& arguments) {
           optional_number(arguments, "every")};
 }
 
+// Under the ending that it is going to have.
+std::filesystem::path claim_movie(Session& session, const char* who, const Arguments& arguments) {
+  const bool fallback = arguments.flag("fallback");
+  return session.claim(who, makeable(arguments.text("file"), fallback).path, FileKind::movie);
+}
+
 int movie(lua_State* L) {
   const auto recording = self<ScriptedRecording>(L, recorded_movie_doc).recording;
   const Arguments arguments = Arguments::from_table(L, 2, recorded_movie_doc);
   arguments.problems.throw_if_any();
-  const Session& session = session_of(L);
-  const auto path = session.output_path("movie", arguments.text("file"));
-  check_writable(path);
+  Session& session = session_of(L);
+  const auto path = claim_movie(session, "movie", arguments);
   if (session.settings.purpose != Purpose::results) return 0;
-  film(recording, path, movie_of(arguments), moments_of(arguments), session.settings.talk);
+  film(recording, path, movie_of(arguments), moments_of(arguments), session.settings.talk,
+       session.names);
+  session.names->complete(path);
   return 0;
 }
 
@@ -85,14 +87,15 @@ int side_by_side(lua_State* L) {
   Arguments arguments = Arguments::from_table(L, 1, side_by_side_doc);
   const Tiles tiles = tiles_of(arguments, "side_by_side");
   arguments.problems.throw_if_any();
-  const Session& session = session_of(L);
-  const auto path = session.output_path("side_by_side", arguments.text("file"));
-  check_writable(path);
+  Session& session = session_of(L);
+  const auto path = claim_movie(session, "side_by_side", arguments);
   if (session.settings.purpose != Purpose::results) return 0;
   MovieOptions options = movie_of(arguments);
   options.picture.width = static_cast<int>(arguments.integer("width", 640));
   film_side_by_side(tiles, path, options, moments_of(arguments),
-                    static_cast<int>(arguments.integer("columns", 2)), session.settings.talk);
+                    static_cast<int>(arguments.integer("columns", 2)), session.settings.talk,
+                    *session.names);
+  session.names->complete(path);
   return 0;
 }
 
@@ -108,7 +111,7 @@ int to_text(lua_State* L) {
                   grouped(static_cast<std::int64_t>(recording.times().size())),
                   quantity(recording.times().front(), "s"), quantity(recording.times().back(), "s"),
                   grouped(static_cast<std::int64_t>(recording.simulation().lattice().grid.nodes())),
-                  describe(recording.simulation().plate())));
+                  describe(recording.plate())));
   return 1;
 }
 

@@ -11,6 +11,7 @@
 #include "base/machine.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
+#include "render/png.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -24,6 +25,7 @@ bool works(const std::shared_ptr<Run>& run) {
 
 Session::Session(ConsoleSettings with)
     : settings(std::move(with)), memory_at_start_(available_memory()) {
+  names->rehearses = settings.purpose != Purpose::results;
 }
 
 Session::~Session() = default;
@@ -51,6 +53,24 @@ fs::path Session::written_path(const std::string& who, const fs::path& name) con
   return path;
 }
 
+fs::path Session::claim(const std::string& who, const fs::path& name, FileKind kind) {
+  fs::path path = output_path(who, name);
+  check_ending(who, path, kind);
+  check_writable(path);
+  names->claim(who, path, kind);
+  return path;
+}
+
+fs::path Session::write_picture(const std::string& who, const fs::path& name,
+                                const std::function<Image()>& make) {
+  fs::path path = claim(who, name, FileKind::picture);
+  if (settings.purpose != Purpose::results) return path;
+  const Image image = make();
+  make_folder_of(path);
+  write_png(image, path);
+  return path;
+}
+
 fs::path Session::script_folder() const {
   return fs::path(origin.script_name).parent_path();
 }
@@ -66,6 +86,7 @@ std::shared_ptr<Run> Session::simulate(Plate plate, Numerics numerics) {
   auto run =
       std::make_shared<Run>(std::move(plate), numerics, settings.execution, settings.talk, origin);
   run->limit_output(settings.output_limit);
+  run->share_names(names);
   return adopt(std::move(run));
 }
 
@@ -150,6 +171,7 @@ void Session::pause_work() {
 
 void Session::begin_line(const Transcript::Chunk& chunk) {
   has_prompt_ = true;
+  names->replaces_complete = true;
   ++said;
   for (Entry& entry : entries_) {
     if (!entry.run) continue;

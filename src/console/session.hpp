@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/image.hpp"
 #include "base/progress.hpp"
 #include "console/idle.hpp"
 #include "console/lua_memory.hpp"
@@ -17,6 +19,7 @@
 #include "console/plate_memory.hpp"
 #include "console/sandbox.hpp"
 #include "console/transcript.hpp"
+#include "output/output_names.hpp"
 #include "output/run.hpp"
 #include "store/recording.hpp"
 
@@ -55,6 +58,13 @@ class Session {
   // The same for a file that the script has written before: in the output folder.
   std::filesystem::path written_path(const std::string& who,
                                      const std::filesystem::path& name) const;
+  // The same as output_path(), for a file that `who` is going to write now: refuses a wrong ending,
+  // what cannot be written, and what somebody else writes.
+  std::filesystem::path claim(const std::string& who, const std::filesystem::path& name,
+                              FileKind kind);
+  // Writes a picture that is made last, unless the script is only checked. Returns where.
+  std::filesystem::path write_picture(const std::string& who, const std::filesystem::path& name,
+                                      const std::function<Image()>& make);
   // Of the script, or "" at the prompt: the current one.
   std::filesystem::path script_folder() const;
   Sandbox sandbox() const;
@@ -112,6 +122,7 @@ class Session {
   std::map<std::string, std::string> declared_options;  // and their defaults, by options { ... }
   std::optional<int> exit_code;                         // asked for with os.exit
   MakeRoom make_room;                                   // before anything is printed, or none
+  std::shared_ptr<OutputNames> names = std::make_shared<OutputNames>();  // of what is written
   std::int64_t said = 0;   // lines of the prompt and of the script so far
   int pictures_shown = 0;  // in files, by show(s)
   std::unordered_map<const Plate*, PlateMemory> plates;  // what those of the script take

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "base/files.hpp"
 #include "base/streams.hpp"
 #include "console/arguments.hpp"
 #include "console/guard.hpp"
@@ -18,7 +17,6 @@
 #include "console/simulation_binding.hpp"
 #include "output/chart_data.hpp"
 #include "output/painting.hpp"
-#include "render/png.hpp"
 
 namespace hackle {
 namespace {
@@ -108,15 +106,12 @@ void show_in_terminal(const Session& session, const Simulation& simulation,
 // A run keeps account of the pictures that were made of it; a recording has none.
 void show_in_file(Session& session, Run* run, const Simulation& simulation,
                   const PictureOptions& options) {
-  const auto path =
-      session.output_path("show", fmt::format("show_{}.png", ++session.pictures_shown));
-  if (run != nullptr) {
+  const std::string name = fmt::format("show_{}.png", ++session.pictures_shown);
+  const auto path = session.output_path("show", name);
+  if (run != nullptr)
     run->frame(path, options);
-  } else if (session.settings.purpose == Purpose::results) {
-    check_writable(path);
-    make_folder_of(path);
-    write_png(paint(simulation, options), path);
-  }
+  else
+    session.write_picture("show", name, [&] { return paint(simulation, options); });
   std::FILE* file = session.settings.print_to_stderr ? stderr : stdout;
   write_to(file, fmt::format("{}: {}\n", caption(simulation, options), path.string()));
   flush(file);

@@ -15,10 +15,10 @@ extern "C" {
 
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "base/partial_file.hpp"
 #include "base/stopwatch.hpp"
 #include "base/worker.hpp"
 #include "movie/film.hpp"
-#include "movie/partial_file.hpp"
 
 namespace hackle {
 namespace {
@@ -28,12 +28,16 @@ constexpr std::size_t waiting_frames = 4;
 }  // namespace
 
 struct Encoder::Parts {
-  Parts(const std::filesystem::path& path_, const MovieFormat& format_)
-      : path(path_), format(format_), partial(path_), film(make_film(path_, format_)) {}
+  Parts(const std::filesystem::path& path_, const MovieFormat& format_,
+        std::unique_ptr<PartialFile> held)
+      : path(path_),
+        format(format_),
+        partial(held ? std::move(held) : std::make_unique<PartialFile>(path_)),
+        film(make_film(path_, format_)) {}
 
   std::filesystem::path path;
   MovieFormat format;
-  PartialFile partial;
+  std::unique_ptr<PartialFile> partial;
   std::unique_ptr<Film> film;
   std::optional<Image> last;  // to be held
   std::atomic<double> seconds = 0.0;
@@ -59,9 +63,10 @@ struct Encoder::Parts {
   }
 };
 
-Encoder::Encoder(const std::filesystem::path& path, const MovieFormat& format) {
+Encoder::Encoder(const std::filesystem::path& path, const MovieFormat& format,
+                 std::unique_ptr<PartialFile> held) {
   check(path, format);
-  parts_ = std::make_unique<Parts>(path, format);
+  parts_ = std::make_unique<Parts>(path, format, std::move(held));
 }
 
 Encoder::~Encoder() = default;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/image.hpp"
+#include "base/partial_file.hpp"
 #include "movie/movie_format.hpp"
 
 namespace hackle {
@@ -18,8 +19,10 @@ class Encoder {
  public:
   // Opens the file, over what is under its partial name. Throws Error (files) when it cannot be
   // written or is being filmed by another run, Error (run_failed) when FFmpeg lacks the encoder
-  // (names the package), Error (refused) for impossible formats, all problems at once.
-  Encoder(const std::filesystem::path& path, const MovieFormat& format);
+  // (names the package), Error (refused) for impossible formats, all problems at once. The partial
+  // file may be `held` already.
+  Encoder(const std::filesystem::path& path, const MovieFormat& format,
+          std::unique_ptr<PartialFile> held = nullptr);
   // Removes the partial file unless finish() has completed it. A file of the same name from an
   // earlier run stays as it is until then.
   ~Encoder();

@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "movie/rescue.hpp"
 
-#include <string>
 #include <system_error>
-
-#include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "base/partial_file.hpp"
 #include "movie/movie_kind.hpp"
-#include "movie/partial_file.hpp"
 #include "movie/webp_film.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
 namespace {
-
-fs::path free_name(const fs::path& path) {
-  for (int number = 1;; ++number) {
-    const std::string which = number == 1 ? "" : fmt::format("_{}", number);
-    fs::path name = path.parent_path() / fmt::format("{}.cut_off{}{}", path.stem().string(), which,
-                                                     path.extension().string());
-    std::error_code ignored;
-    if (!fs::exists(name, ignored)) return name;
-  }
-}
 
 // Into the partial file of `name`.
 FilmLength complete(const fs::path& partial, const fs::path& name) {
@@ -42,13 +29,15 @@ FilmLength complete(const fs::path& partial, const fs::path& name) {
 
 }  // namespace
 
-std::optional<Rescued> rescue(const fs::path& path) {
+std::optional<Rescued> rescue(const fs::path& path,
+                              const std::function<bool(const fs::path&)>& taken) {
   const fs::path partial = partial_name(path);
   std::error_code ignored;
   if (!fs::is_regular_file(fs::symlink_status(partial, ignored))) return std::nullopt;
   const FileLock lock(partial, false);
   if (lock.is_foreign()) return std::nullopt;
-  const fs::path name = free_name(path);
+  const fs::path name = cut_off_name(
+      path, [&](const fs::path& other) { return taken(other) || is_locked(partial_name(other)); });
   const PartialFile copy(name);
   const FilmLength length = complete(partial, name);
   if (length.frames == 0) return std::nullopt;

@@ -79,8 +79,12 @@ double MovieFile::expected_bytes(std::int64_t frames, double pixels) const {
   return static_cast<double>(frames) * pixels * movie_kind(path_).bytes_a_pixel;
 }
 
-void MovieFile::begin() const {
-  const std::optional<Rescued> rescued = rescue(path_);
+void MovieFile::begin(const std::function<bool(const std::filesystem::path&)>& taken) {
+  if (begun_) return;
+  make_folder_of(path_);
+  const std::optional<Rescued> rescued = rescue(path_, taken);
+  held_ = std::make_unique<PartialFile>(path_);
+  begun_ = true;
   if (!rescued) return;
   tell(fmt::format(
       "an earlier run was cut off while it filmed '{}': its {} frames, {:.3g} s, are "
@@ -90,10 +94,9 @@ void MovieFile::begin() const {
 
 void MovieFile::add(Image frame) {
   if (!encoder_) {
-    make_folder_of(path_);
     format_.width = frame.width;
     format_.height = frame.height;
-    encoder_ = std::make_unique<Encoder>(path_, format_);
+    encoder_ = std::make_unique<Encoder>(path_, format_, std::move(held_));
   }
   encoder_->add(std::move(frame));
   seconds_ = encoder_->seconds();
@@ -103,6 +106,7 @@ void MovieFile::finish() {
   if (!encoder_) return;
   encoder_->finish();
   seconds_ = encoder_->seconds();
+  encoder_.reset();
 }
 
 }  // namespace hackle

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -24,10 +25,10 @@ class MovieFile {
   // About how many bytes so many frames of so many px each take.
   double expected_bytes(std::int64_t frames, double pixels) const;
 
-  // Before the first frame, on the thread that made it: an earlier run that was killed while it
-  // filmed has left frames that would be written over; they are kept under another name, and it
-  // says so.
-  void begin() const;
+  // Before the first frame, on the thread that made it: holds the file, so that nobody else films
+  // there. An earlier run that was killed while it filmed has left frames that would be written
+  // over; they are kept under another name, none that is `taken`, and it says so. Once is enough.
+  void begin(const std::function<bool(const std::filesystem::path&)>& taken);
   // Frames follow one another evenly, all of the same even size. Throws what Encoder throws.
   void add(Image frame);
   // Completes the file, unless there was no frame. Once only.
@@ -41,8 +42,10 @@ class MovieFile {
   std::filesystem::path path_;
   MovieFormat format_;  // its size comes with the first frame
   Talk talk_;
+  std::unique_ptr<PartialFile> held_;  // from begin() on, until the encoder has it
   std::unique_ptr<Encoder> encoder_;
   std::atomic<double> seconds_ = 0.0;
+  bool begun_ = false;
 };
 
 }  // namespace hackle

@@ -13,17 +13,23 @@ constexpr std::size_t waiting_shots = 4;
 }  // namespace
 
 MovieOutput::MovieOutput(const std::filesystem::path& path, const MovieOptions& options,
-                         const Simulation& simulation, const Origin& origin, Talk talk)
+                         const Simulation& simulation, const Origin& origin, Talk talk,
+                         std::shared_ptr<const OutputNames> names)
     : options_(options),
       style_(style_of(options.picture, simulation)),
       schedule_("movie", options.every, simulation),
-      file_(path, options, origin, simulation.threads(), talk) {
+      file_(path, options, origin, simulation.threads(), talk),
+      names_(std::move(names)) {
   style_.slow_motion = slow_motion_of(options);
+}
+
+void MovieOutput::reserve() {
+  file_.begin([&](const std::filesystem::path& path) { return names_->is_claimed(path); });
 }
 
 void MovieOutput::observe(const Simulation& simulation) {
   if (!painting_) {
-    file_.begin();
+    reserve();
     painting_ = std::make_unique<Worker<Work>>(waiting_shots, [this](const Work& w) { paint(w); });
   }
   schedule_.advance(simulation);

@@ -10,6 +10,7 @@
 #include "base/worker.hpp"
 #include "output/movie_file.hpp"
 #include "output/output.hpp"
+#include "output/output_names.hpp"
 #include "output/painting.hpp"
 #include "output/run.hpp"
 #include "output/schedule.hpp"
@@ -20,12 +21,14 @@ class MovieOutput : public Output {
  public:
   // Says what it falls back to, unless it is to be quiet. Throws as Run::movie does.
   MovieOutput(const std::filesystem::path& path, const MovieOptions& options,
-              const Simulation& simulation, const Origin& origin, Talk talk);
+              const Simulation& simulation, const Origin& origin, Talk talk,
+              std::shared_ptr<const OutputNames> names);
 
   const std::filesystem::path& path() const { return file_.path(); }
 
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override;
+  void reserve() override;
   void close() override;
   Expected expected(double until, std::int64_t most_looks) const override;
   std::vector<std::filesystem::path> files() const override;
@@ -41,6 +44,7 @@ class MovieOutput : public Output {
   PictureStyle style_;
   Schedule schedule_;
   MovieFile file_;
+  std::shared_ptr<const OutputNames> names_;
   bool failed_ = false;
   bool complete_ = false;
   std::atomic<double> render_seconds_ = 0.0;

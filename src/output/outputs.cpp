@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/outputs.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,18 +11,19 @@
 
 namespace hackle {
 
-void Outputs::add(const char* who, const std::filesystem::path& path,
+void Outputs::add(const char* who, const std::filesystem::path& path, FileKind kind,
                   std::unique_ptr<Output> output) {
   if (closed_)
     throw Error(ErrorKind::refused, fmt::format("{}: the simulation is closed", who),
                 "ask for outputs before s:close()");
-  if (std::ranges::find(paths_, path) != paths_.end())
-    throw Error(ErrorKind::refused,
-                fmt::format("{}: '{}' is already written by this simulation", who, path.string()),
-                "choose another file name");
   check_writable(path);
+  names_->claim(who, path, kind);
   paths_.push_back(path);
   all_.push_back(std::move(output));
+}
+
+void Outputs::reserve() {
+  for (const auto& output : all_) output->reserve();
 }
 
 void Outputs::check_room(const Simulation& simulation, double duration,
@@ -63,6 +63,7 @@ void Outputs::close() {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     }
   }
+  for (const std::filesystem::path& path : paths_) names_->complete(path);
   if (!problems.empty()) throw Error(kind, std::move(problems));
 }
 

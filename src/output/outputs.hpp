@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/output.hpp"
+#include "output/output_names.hpp"
 #include "solver/simulation.hpp"
 
 namespace hackle {
@@ -17,9 +18,17 @@ class Outputs {
   void limit(double bytes) { limit_ = bytes; }
   double limit() const { return limit_; }
 
+  // The files of all that share them are written once; a registry of its own at first.
+  void share(std::shared_ptr<OutputNames> names) { names_ = std::move(names); }
+  const std::shared_ptr<OutputNames>& names() const { return names_; }
+
   // Takes one on that is going to write `path`; `who` names the call. Throws Error (refused) when
-  // they are closed or another of them writes it, Error (files) when it cannot be written.
-  void add(const char* who, const std::filesystem::path& path, std::unique_ptr<Output> output);
+  // they are closed or somebody else writes it, Error (files) when it cannot be written.
+  void add(const char* who, const std::filesystem::path& path, FileKind kind,
+           std::unique_ptr<Output> output);
+
+  // Makes sure that all of them can begin, before one does. Throws Error (files).
+  void reserve();
 
   bool empty() const { return all_.empty(); }
   bool closed() const { return closed_; }
@@ -39,6 +48,7 @@ class Outputs {
  private:
   std::vector<std::unique_ptr<Output>> all_;
   std::vector<std::filesystem::path> paths_;
+  std::shared_ptr<OutputNames> names_ = std::make_shared<OutputNames>();
   double limit_;
   bool closed_ = false;
 };

@@ -1,29 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "output/record_output.hpp"
 
+#include <cstdio>
+#include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/files.hpp"
+#include "base/partial_file.hpp"
 #include "base/stopwatch.hpp"
+#include "store/run_rescue.hpp"
+#include "store/xdmf.hpp"
 
 namespace hackle {
 
 RecordOutput::RecordOutput(std::filesystem::path path, const RecordOptions& options,
-                           const Simulation& simulation, Origin origin)
+                           const Simulation& simulation, Origin origin, Talk talk,
+                           std::shared_ptr<const OutputNames> names)
     : path_(std::move(path)),
       schedule_("record", options.every, simulation),
       nodes_(simulation.lattice().grid.nodes()),
-      origin_(std::move(origin)) {
+      origin_(std::move(origin)),
+      talk_(talk),
+      names_(std::move(names)) {
+  check_name(path_);
+}
+
+void RecordOutput::reserve() {
+  if (lock_) return;
+  make_folder_of(path_);
+  auto lock = std::make_unique<HeldFile>(recording_lock(path_), path_);
+  const std::optional<RescuedRun> rescued = rescue_run(
+      path_, [&](const std::filesystem::path& name) { return names_->is_claimed(name); });
+  lock_ = std::move(lock);
+  if (rescued && talk_ != Talk::quiet)
+    fmt::print(stderr,
+               "note: an earlier run was cut off while it recorded '{}': its {} records are kept "
+               "as '{}'\n",
+               path_.string(), rescued->records, rescued->file.string());
 }
 
 void RecordOutput::observe(const Simulation& simulation) {
   const Stopwatch watch(store_seconds_);
   schedule_.advance(simulation);
   failed_ = true;  // unless the end of this function is reached
-  if (!file_) {
-    make_folder_of(path_);
-    file_ = std::make_unique<RunFile>(path_, simulation, origin_);
-  }
+  reserve();
+  if (!file_) file_ = std::make_unique<RunFile>(path_, simulation, origin_);
   file_->add(simulation);
   failed_ = false;
 }
@@ -38,6 +61,7 @@ void RecordOutput::close() {
   const Stopwatch watch(store_seconds_);
   failed_ = true;
   file_->finish();
+  lock_.reset();
   failed_ = false;
   complete_ = true;
 }

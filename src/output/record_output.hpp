@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A run file, written between steps.
+// A run file, written between steps. It may be read meanwhile.
 #pragma once
 
 #include <memory>
 
+#include "base/file_lock.hpp"
 #include "output/output.hpp"
+#include "output/output_names.hpp"
 #include "output/run.hpp"
 #include "output/schedule.hpp"
 
@@ -13,10 +15,12 @@ namespace hackle {
 class RecordOutput : public Output {
  public:
   RecordOutput(std::filesystem::path path, const RecordOptions& options,
-               const Simulation& simulation, Origin origin);
+               const Simulation& simulation, Origin origin, Talk talk,
+               std::shared_ptr<const OutputNames> names);
 
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override;
+  void reserve() override;
   void close() override;
   Expected expected(double until, std::int64_t most_looks) const override;
   std::vector<std::filesystem::path> files() const override;
@@ -27,7 +31,10 @@ class RecordOutput : public Output {
   Schedule schedule_;
   std::size_t nodes_;
   Origin origin_;
-  std::unique_ptr<RunFile> file_;  // created with the first record
+  Talk talk_;
+  std::shared_ptr<const OutputNames> names_;
+  std::unique_ptr<HeldFile> lock_;  // from reserve() to close()
+  std::unique_ptr<RunFile> file_;   // created with the first record
   bool failed_ = false;
   bool complete_ = false;
   double store_seconds_ = 0.0;

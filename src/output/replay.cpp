@@ -180,14 +180,15 @@ PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
 }
 
 void film(const std::shared_ptr<Recording>& recording, const fs::path& path, MovieOptions options,
-          const Moments& moments, Talk talk) {
+          const Moments& moments, Talk talk, std::shared_ptr<const OutputNames> names) {
   const Tiles tiles{{recording, ""}};
   const std::vector<double> times = frame_times("movie", tiles, moments);
   check_all("movie", tiles, options.picture);
   options.every = times.size() > 1 ? times[1] - times[0] : recording->simulation().dt();
   options.every = std::max(options.every, recording->simulation().dt());
   options.picture = with_common_range(options.picture, tiles, times);
-  MovieOutput movie(path, options, recording->simulation(), recording->origin(), talk);
+  MovieOutput movie(path, options, recording->simulation(), recording->origin(), talk,
+                    std::move(names));
   make_all(
       times, talk,
       [&](double time) {
@@ -198,7 +199,7 @@ void film(const std::shared_ptr<Recording>& recording, const fs::path& path, Mov
 }
 
 void film_side_by_side(const Tiles& tiles, const fs::path& path, MovieOptions options,
-                       const Moments& moments, int columns, Talk talk) {
+                       const Moments& moments, int columns, Talk talk, const OutputNames& names) {
   const std::vector<double> times = frame_times("side_by_side", tiles, moments);
   check_all("side_by_side", tiles, options.picture);
   options.every = times.size() > 1 ? times[1] - times[0] : 0.0;
@@ -206,7 +207,7 @@ void film_side_by_side(const Tiles& tiles, const fs::path& path, MovieOptions op
   Composition composition(tiles, options, columns);
   const Recording& first = *tiles.front().recording;
   MovieFile movie(path, options, first.origin(), first.simulation().threads(), talk);
-  movie.begin();
+  movie.begin([&](const fs::path& other) { return names.is_claimed(other); });
   make_all(
       times, talk, [&](double time) { movie.add(composition.at(time)); }, [&] { movie.finish(); });
 }

@@ -10,6 +10,7 @@
 
 #include "base/image.hpp"
 #include "base/progress.hpp"
+#include "output/output_names.hpp"
 #include "output/run.hpp"
 #include "render/contact_sheet.hpp"
 #include "store/recording.hpp"
@@ -44,12 +45,13 @@ PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
 // A movie of one run; `options.every` does not count. Throws Error (refused) for impossible
 // options, Error (interrupted) on Ctrl-C, when the movie ends there, and what MovieOutput throws.
 void film(const std::shared_ptr<Recording>& recording, const std::filesystem::path& path,
-          MovieOptions options, const Moments& moments, Talk talk);
+          MovieOptions options, const Moments& moments, Talk talk,
+          std::shared_ptr<const OutputNames> names);
 
 // A movie of several on a common clock and a common range, side by side in so many columns. The
 // width is that of each. Throws the same.
 void film_side_by_side(const Tiles& tiles, const std::filesystem::path& path, MovieOptions options,
-                       const Moments& moments, int columns, Talk talk);
+                       const Moments& moments, int columns, Talk talk, const OutputNames& names);
 
 // Each run at each of these times, with a common range: a row for each run, a column for each time;
 // one run alone, or without times all as they were in the end, in the columns of the layout. Throws

@@ -54,6 +54,7 @@ struct Run::Parts {
         simulation(other.simulation),
         prospect(other.prospect) {
     outputs.limit(other.outputs.limit());
+    outputs.share(other.outputs.names());
   }
 
   double unused = 0.0;
@@ -149,22 +150,26 @@ fs::path Run::movie(const fs::path& path, const MovieOptions& options) {
   check_opaque("movie", options.picture);
   parts_->refuse_while_running();
   auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation, parts_->origin,
-                                              parts_->talk);
+                                              parts_->talk, parts_->outputs.names());
   fs::path made = output->path();
-  parts_->outputs.add("movie", made, std::move(output));
+  parts_->outputs.add("movie", made, FileKind::movie, std::move(output));
   return made;
 }
 
 void Run::record(const fs::path& path, const RecordOptions& options) {
   parts_->refuse_while_running();
-  auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin);
-  parts_->outputs.add("record", path, std::move(output));
+  check_ending("record", path, FileKind::run_file);
+  auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin,
+                                               parts_->talk, parts_->outputs.names());
+  parts_->outputs.add("record", path, FileKind::run_file, std::move(output));
 }
 
 void Run::frame(const fs::path& path, const PictureOptions& options) {
   check("frame", options, parts_->simulation.lattice().grid);
   check_alone("frame", options);
+  check_ending("frame", path, FileKind::picture);
   check_writable(path);
+  parts_->outputs.names()->claim("frame", path, FileKind::picture);
   if (parts_->rehearsing) return;
   Image image;
   {
@@ -176,6 +181,10 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
   write_png(image, path);
   if (std::ranges::find(parts_->pictures, path) == parts_->pictures.end())
     parts_->pictures.push_back(path);
+}
+
+void Run::share_names(std::shared_ptr<OutputNames> names) {
+  parts_->outputs.share(std::move(names));
 }
 
 void Run::limit_output(double bytes) {
@@ -253,6 +262,7 @@ void Run::start(double duration) {
   check_open("run");
   parts_->outputs.check_room(parts_->simulation, duration,
                              std::numeric_limits<std::int64_t>::max());
+  if (!parts_->rehearsing) parts_->outputs.reserve();
   resume();
   const Mark busy(parts_->activity, Activity::stepping);  // functions of time are asked now
   Simulation& simulation = parts_->simulation;
@@ -342,6 +352,7 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
     parts_->load_slowly(duration, increments);
     return {};
   }
+  parts_->outputs.reserve();
   std::vector<Observer*> observers = parts_->outputs.observers();
   std::deque<Watched> watched;
   for (const auto& watcher : parts_->watchers)
@@ -373,6 +384,7 @@ void Run::judge() {
 
 void Run::rehearse() {
   parts_->rehearsing = true;
+  parts_->outputs.names()->rehearses = true;
 }
 
 void Run::look() {

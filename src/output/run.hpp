@@ -11,6 +11,7 @@
 
 #include "base/progress.hpp"
 #include "movie/movie_kind.hpp"
+#include "output/output_names.hpp"
 #include "output/picture.hpp"
 #include "output/rehearsal.hpp"
 #include "output/summary.hpp"
@@ -55,6 +56,10 @@ class Run {
   void record(const std::filesystem::path& path, const RecordOptions& options);
   // Writes a PNG of the state as it is now.
   void frame(const std::filesystem::path& path, const PictureOptions& options);
+
+  // What this run and its forks write is written by nobody else who shares the names, and the
+  // other way round. Before the first output.
+  void share_names(std::shared_ptr<OutputNames> names);
 
   // Movies and records of this run and of its forks may grow to so many bytes, by the estimate of
   // Output::expected. Afterwards run(), step() and load_slowly() throw Error (refused) before they

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "render/canvas.hpp"
+#include "render/png_reader.hpp"
 #include "render/theme.hpp"
 
 namespace hackle {
@@ -30,6 +31,7 @@ struct Measures {
 };
 
 Surface read(const std::filesystem::path& file) {
+  check_png(file);
   Surface surface(cairo_image_surface_create_from_png(file.c_str()), cairo_surface_destroy);
   const cairo_status_t status = cairo_surface_status(surface.get());
   if (status != CAIRO_STATUS_SUCCESS)

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "base/partial_file.hpp"
 
 namespace hackle {
 namespace {
@@ -20,6 +21,7 @@ bool is_opaque(const Image& image) {
 }  // namespace
 
 void write_png(const Image& image, const std::filesystem::path& path) {
+  const PartialFile partial(path);
   // Cairo only reads the pixels here, but its interface does not say so.
   auto* pixels = const_cast<std::uint8_t*>(image.pixels.data());
   const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/png_reader.hpp"
 
+#include <system_error>
+
 #include <fmt/format.h>
 #include <png.h>
 
@@ -36,29 +38,49 @@ class Reader {
  private:
   void check() {
     if (!PNG_IMAGE_FAILED(image_)) return;
-    const std::string message = image_.message;
     png_image_free(&image_);
-    throw Error(ErrorKind::files,
-                fmt::format("cannot read the picture '{}': {}", path_.string(), message),
-                "it must be a PNG; its place is relative to the folder of the script");
+    // The words of libpng may repeat what stands in the file.
+    throw Error(
+        ErrorKind::files,
+        fmt::format("cannot read the picture '{}': it is damaged or no PNG", path_.string()),
+        "it must be a PNG; its place is relative to the folder of the script");
   }
 
   std::filesystem::path path_;
   png_image image_{};
 };
 
-}  // namespace
-
-GreyImage read_png(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
+void check_is_there(const std::filesystem::path& path) {
+  const auto refuse = [&](const char* what) {
     throw Error(ErrorKind::files,
-                fmt::format("cannot read the picture '{}': it is a folder", path.string()));
-  Reader reader(path);
+                fmt::format("cannot read the picture '{}': {}", path.string(), what),
+                "it must be a PNG; its place is relative to the folder of the script");
+  };
+  std::error_code failure;
+  if (!std::filesystem::exists(path, failure)) refuse("No such file");
+  if (std::filesystem::is_directory(path, failure)) refuse("it is a folder");
+  if (!std::filesystem::is_regular_file(path, failure)) refuse("it is no plain file");
+}
+
+void check_size(const std::filesystem::path& path, const Reader& reader) {
   if (reader.width() * reader.height() > most_pixels)
     throw Error(ErrorKind::refused,
                 fmt::format("the picture '{}' has {} x {} pixels, the most is {}", path.string(),
                             reader.width(), reader.height(), most_pixels),
                 "make it smaller; a pixel need not be finer than the spacing");
+}
+
+}  // namespace
+
+void check_png(const std::filesystem::path& path) {
+  check_is_there(path);
+  check_size(path, Reader(path));
+}
+
+GreyImage read_png(const std::filesystem::path& path) {
+  check_is_there(path);
+  Reader reader(path);
+  check_size(path, reader);
   GreyImage image{static_cast<int>(reader.width()), static_cast<int>(reader.height()), {}};
   image.pixels = reader.grey();
   return image;

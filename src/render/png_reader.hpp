@@ -21,4 +21,7 @@ inline constexpr std::int64_t most_pixels = std::int64_t{1} << 24;
 // it has more than most_pixels.
 GreyImage read_png(const std::filesystem::path& path);
 
+// Throws what read_png() throws of a file that is no PNG or too large, without reading its pixels.
+void check_png(const std::filesystem::path& path);
+
 }  // namespace hackle

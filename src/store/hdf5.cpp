@@ -69,10 +69,19 @@ bool Hdf5Handle::reset() {
   return close_(std::exchange(id_, -1)) >= 0;
 }
 
+Hdf5Handle without_locks() {
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access.get(), 0, 1);
+  return access;
+}
+
 Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
-  file_ = {checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), "create"),
-           H5Fclose};
+  // Nothing that is committed depends on bytes that are still to come, so that whoever reads finds
+  // a whole file at any moment.
+  file_ = {
+      checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, without_locks().get()), "create"),
+      H5Fclose};
 }
 
 hid_t Hdf5File::checked(hid_t result, const std::string& doing) const {

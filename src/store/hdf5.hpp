@@ -45,10 +45,13 @@ struct Dataset {
 // What HDF5 says went wrong last.
 std::string cause_of_failure();
 
+// How files are opened: without the locks of the library, which keep readers and writers apart.
+Hdf5Handle without_locks();
+
 // A file being written. Every function throws Error (files) with the reason that HDF5 gives.
 class Hdf5File {
  public:
-  // Replaces a file that is there.
+  // Replaces a file that is there. It may be read while it is written.
   explicit Hdf5File(const std::filesystem::path& path);
 
   void attribute(const std::string& name, const std::string& text);

@@ -1,23 +1,66 @@
 // SPDX-License-Identifier: MIT
 #include "store/hdf5_reader.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "store/unpacked_size.hpp"
 
 namespace hackle {
 namespace {
 
-constexpr std::size_t most_text = std::size_t{1} << 26U;  // bytes
-constexpr hsize_t most_rows = 1'000'000;
+constexpr std::size_t most_text = std::size_t{1} << 26U;       // bytes
+constexpr std::size_t most_attribute = std::size_t{1} << 16U;  // bytes, as the format has it
+constexpr hsize_t most_piece = hsize_t{1} << 21U;              // bytes; ours are half of it at most
+constexpr hsize_t least_piece = 1024;                          // rows, where there are so many
+constexpr std::size_t small_piece = std::size_t{1} << 16U;     // bytes; unpacks to 66 MB at most
+constexpr hsize_t rows_at_once = hsize_t{1} << 20U;
+constexpr hsize_t most_packed = 1100;  // deflate makes nothing smaller by more than 1032 times
 constexpr std::string_view locked = "Resource temporarily unavailable";
 
 std::string extents_text(const std::vector<hsize_t>& shape) {
   return fmt::format("{}", fmt::join(shape, " x "));
+}
+
+constexpr std::array<H5Z_filter_t, 3> our_filters{H5Z_FILTER_DEFLATE, H5Z_FILTER_SHUFFLE,
+                                                  H5Z_FILTER_FLETCHER32};
+
+H5Z_filter_t filter_at(const Hdf5Handle& plan, int place) {
+  unsigned flags = 0;
+  std::size_t values = 0;
+  return H5Pget_filter2(plan.get(), static_cast<unsigned>(place), &flags, &values, nullptr, 0,
+                        nullptr, nullptr);
+}
+
+bool is_number(hid_t type) {
+  const H5T_class_t kind = H5Tget_class(type);
+  constexpr std::size_t most_size = 8;
+  return (kind == H5T_INTEGER || kind == H5T_FLOAT) && H5Tget_size(type) <= most_size;
+}
+
+// In words of our own: those of the library may repeat names that stand in the file.
+std::string plain_cause() {
+  const std::string cause = cause_of_failure();
+  for (const auto& [part, plain] : {std::pair{"signature", "it is no HDF5 file"},
+                                    {"truncated", "it is cut off"},
+                                    {"hecksum", "its checksum is wrong"},
+                                    {"fletcher32", "its checksum is wrong"},
+                                    {"locked", "it is locked"}})
+    if (cause.find(part) != std::string::npos) return plain;
+  return cause == locked || cause == std::strerror(EACCES) || cause == std::strerror(EMFILE) ||
+                 cause == std::strerror(EIO)
+             ? cause
+             : "it is damaged";
 }
 
 }  // namespace
@@ -27,9 +70,10 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path) {
   std::error_code failure;
   if (!std::filesystem::exists(path, failure)) refuse("there is no such file");
   if (std::filesystem::is_directory(path, failure)) refuse("it is a folder");
-  file_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+  if (!std::filesystem::is_regular_file(path, failure)) refuse("it is no plain file");
+  file_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, without_locks().get()), H5Fclose};
   if (file_.get() >= 0) return;
-  const std::string why = cause_of_failure();
+  const std::string why = plain_cause();
   if (H5Fis_hdf5(path.c_str()) == 0) refuse(why, "a run file is what s:record{} writes");
   refuse(why, why == locked ? "another program is writing it: wait for its end" : "");
 }
@@ -42,33 +86,38 @@ bool Hdf5Reader::has_attribute(const std::string& name) const {
   return H5Aexists(file_.get(), name.c_str()) > 0;
 }
 
-std::int64_t Hdf5Reader::integer(const std::string& name) const {
-  const Hdf5Handle attribute(H5Aopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+Hdf5Handle Hdf5Reader::open_attribute(const std::string& name) const {
+  Hdf5Handle attribute(H5Aopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
   const Hdf5Handle space(H5Aget_space(attribute.get()), H5Sclose);
+  if (H5Sget_simple_extent_npoints(space.get()) != 1)
+    refuse(fmt::format("its {} is missing or damaged", name));
+  return attribute;
+}
+
+std::int64_t Hdf5Reader::integer(const std::string& name) const {
+  const Hdf5Handle attribute = open_attribute(name);
+  const Hdf5Handle type(H5Aget_type(attribute.get()), H5Tclose);
   std::int64_t value = 0;
-  if (H5Sget_simple_extent_npoints(space.get()) != 1 ||
-      H5Aread(attribute.get(), H5T_NATIVE_INT64, &value) < 0)
+  if (!is_number(type.get()) || H5Aread(attribute.get(), H5T_NATIVE_INT64, &value) < 0)
     refuse(fmt::format("its {} is missing or damaged", name));
   return value;
 }
 
 // A text of the length that its type says.
-std::string Hdf5Reader::text_of(hid_t type, const std::string& name, const auto& read) const {
+std::string Hdf5Reader::text_of(hid_t type, const std::string& name, std::size_t most,
+                                const auto& read) const {
   const bool fixed = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
   const std::size_t size = fixed ? H5Tget_size(type) : 0;
-  std::string value(size <= most_text ? size : 0, '\0');
+  std::string value(size <= most ? size : 0, '\0');
   if (value.empty() || read(value.data()) < 0)
     refuse(fmt::format("its {} is missing or damaged", name));
   return value.substr(0, value.find('\0'));
 }
 
 std::string Hdf5Reader::attribute(const std::string& name) const {
-  const Hdf5Handle attribute(H5Aopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle attribute = open_attribute(name);
   const Hdf5Handle type(H5Aget_type(attribute.get()), H5Tclose);
-  const Hdf5Handle space(H5Aget_space(attribute.get()), H5Sclose);
-  if (H5Sget_simple_extent_npoints(space.get()) != 1)
-    refuse(fmt::format("its {} is missing or damaged", name));
-  return text_of(type.get(), name,
+  return text_of(type.get(), name, most_attribute,
                  [&](char* text) { return H5Aread(attribute.get(), type.get(), text); });
 }
 
@@ -76,19 +125,104 @@ std::string Hdf5Reader::text(const std::string& name) const {
   const Hdf5Handle dataset = open(name);
   const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
   if (!shape_of(dataset, name).empty()) refuse(fmt::format("its {} is no text", name));
-  return text_of(type.get(), name, [&](char* text) {
+  // It is written as it is: a text that is longer than its place in the file was not.
+  if (H5Dget_storage_size(dataset.get()) < H5Tget_size(type.get()))
+    refuse(fmt::format("its {} is missing or damaged", name));
+  stop_if_interrupted();
+  return text_of(type.get(), name, most_text, [&](char* text) {
     return H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
   });
 }
 
+// The last part of a path whose other parts are plain.
+void Hdf5Reader::check_link(const std::string& name) const {
+  H5L_info_t link{};
+  if (H5Lget_info(file_.get(), name.c_str(), &link, H5P_DEFAULT) < 0)
+    refuse(fmt::format("its {} is missing or damaged", name));
+  if (link.type == H5L_TYPE_HARD) return;
+  const bool leads_out = link.type == H5L_TYPE_EXTERNAL;
+  refuse(fmt::format("its {} is {}", name, leads_out ? "a link to another file" : "only a link"),
+         "a run file holds all that belongs to it");
+}
+
+// Whether there is something of this name, to be reached by plain links alone.
+bool Hdf5Reader::find(const std::string& name) const {
+  for (std::size_t end = name.find('/');; end = name.find('/', end + 1)) {
+    const std::string part = name.substr(0, end);
+    if (H5Lexists(file_.get(), part.c_str(), H5P_DEFAULT) <= 0) return false;
+    check_link(part);
+    if (end == std::string::npos) return true;
+  }
+}
+
 bool Hdf5Reader::holds(const std::string& name) const {
-  return H5Lexists(file_.get(), name.c_str(), H5P_DEFAULT) > 0;
+  return find(name);
 }
 
 Hdf5Handle Hdf5Reader::open(const std::string& name) const {
+  if (!find(name)) refuse(fmt::format("its {} is missing or damaged", name));
   Hdf5Handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
   if (dataset.get() < 0) refuse(fmt::format("its {} is missing or damaged", name));
+  check_storage(dataset, name);
   return dataset;
+}
+
+// That its data lie in this file, and are packed as we do it.
+void Hdf5Reader::check_storage(const Hdf5Handle& dataset, const std::string& name) const {
+  const Hdf5Handle plan(H5Dget_create_plist(dataset.get()), H5Pclose);
+  const H5D_layout_t layout = H5Pget_layout(plan.get());
+  if (layout == H5D_VIRTUAL || H5Pget_external_count(plan.get()) != 0)
+    refuse(fmt::format("the data of its {} lie in another file", name),
+           "a run file holds all that belongs to it");
+  if (layout < 0) refuse(fmt::format("its {} is missing or damaged", name));
+  std::array<int, 3> found{};  // how often each of ours
+  for (int k = 0; k < H5Pget_nfilters(plan.get()); ++k) {
+    const auto known = std::ranges::find(our_filters, filter_at(plan, k));
+    const auto place = static_cast<std::size_t>(known - our_filters.begin());
+    if (known == our_filters.end() || ++found.at(place) > 1)
+      refuse(fmt::format("its {} is packed in another way", name));
+  }
+  if (layout == H5D_CHUNKED) check_pieces(dataset, plan, name, found[0] > 0);
+}
+
+// That its pieces are no larger, and no smaller, than ours may be, and unpack to no more than they
+// are said to be.
+void Hdf5Reader::check_pieces(const Hdf5Handle& dataset, const Hdf5Handle& plan,
+                              const std::string& name, bool is_packed) const {
+  const std::vector<hsize_t> shape = shape_of(dataset, name);
+  std::array<hsize_t, 2> piece{1, 1};
+  const int count = H5Pget_chunk(plan.get(), 2, piece.data());
+  const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
+  if (count < 1 || count > 2 || piece[0] > most_piece || piece[1] > most_piece ||
+      piece[0] * piece[1] * H5Tget_size(type.get()) > most_piece ||
+      piece[0] < std::min(shape[0], least_piece))
+    refuse(fmt::format("its {} is in pieces of another size", name));
+  if (!is_packed) return;
+  const std::size_t size = piece[0] * piece[1] * H5Tget_size(type.get());
+  for (hsize_t row = 0; row < shape[0]; row += piece[0])
+    for (hsize_t column = 0; column < (count > 1 ? shape[1] : 1); column += piece[1])
+      check_piece(dataset, {row, column}, size, name);
+}
+
+// HDF5 unpacks without a limit. Small pieces need none.
+void Hdf5Reader::check_piece(const Hdf5Handle& dataset, const std::array<hsize_t, 2>& at,
+                             std::size_t size, const std::string& name) const {
+  unsigned skipped = 0;
+  haddr_t address = 0;
+  hsize_t stored = 0;
+  constexpr std::size_t checksum = 4;
+  if (H5Dget_chunk_info_by_coord(dataset.get(), at.data(), &skipped, &address, &stored) < 0 ||
+      address == HADDR_UNDEF || stored <= small_piece)
+    return;
+  stop_if_interrupted();
+  const auto refuse_it = [&] { refuse(fmt::format("its {} is damaged", name)); };
+  if (stored > size + size / 16 + small_piece) refuse_it();
+  if (skipped != 0) return;
+  std::vector<std::uint8_t> bytes(stored);
+  std::uint32_t mask = 0;
+  if (H5Dread_chunk(dataset.get(), H5P_DEFAULT, at.data(), &mask, bytes.data()) < 0 ||
+      !unpacks_within(bytes, size + checksum))
+    refuse_it();
 }
 
 std::vector<hsize_t> Hdf5Reader::shape_of(const Hdf5Handle& dataset,
@@ -101,26 +235,39 @@ std::vector<hsize_t> Hdf5Reader::shape_of(const Hdf5Handle& dataset,
   return shape;
 }
 
-hsize_t Hdf5Reader::rows(const std::string& name, hsize_t columns) const {
-  const std::vector<hsize_t> shape = shape_of(open(name), name);
-  if (shape.size() != 2 || shape[1] != columns || shape[0] > most_rows)
-    refuse(fmt::format("its {} is {}, expected rows of {}", name, extents_text(shape), columns));
-  return shape[0];
+void Hdf5Reader::stop_if_interrupted() const {
+  if (interrupted())
+    throw Error(ErrorKind::interrupted,
+                fmt::format("interrupted while '{}' was read", path_.string()));
 }
 
+void Hdf5Reader::read_rows(const std::string& name, const Hdf5Handle& dataset,
+                           const std::vector<hsize_t>& begin, const std::vector<hsize_t>& extents,
+                           hid_t type, void* into) const {
+  const Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose);
+  const Hdf5Handle memory(
+      H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
+  H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, begin.data(), nullptr, extents.data(), nullptr);
+  if (H5Dread(dataset.get(), type, memory.get(), space.get(), H5P_DEFAULT, into) < 0)
+    refuse(fmt::format("its {} is damaged: {}", name, plain_cause()));
+}
+
+// In parts of some rows, between which Ctrl-C is heard.
 template <class Number>
 std::vector<Number> Hdf5Reader::part(const std::string& name, const Hdf5Handle& dataset,
                                      const std::vector<hsize_t>& extents, hid_t type) const {
-  const std::vector<hsize_t> begin(extents.size(), 0);
-  const int count = static_cast<int>(extents.size());
-  const Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose);
-  const Hdf5Handle memory(H5Screate_simple(count, extents.data(), nullptr), H5Sclose);
-  H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, begin.data(), nullptr, extents.data(), nullptr);
-  std::size_t size = 1;
-  for (const hsize_t extent : extents) size *= extent;
-  std::vector<Number> values(size);
-  if (H5Dread(dataset.get(), type, memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0)
-    refuse(fmt::format("its {} is damaged: {}", name, cause_of_failure()));
+  const Hdf5Handle stored(H5Dget_type(dataset.get()), H5Tclose);
+  if (!is_number(stored.get())) refuse(fmt::format("its {} holds no numbers", name));
+  std::size_t columns = 1;
+  for (std::size_t k = 1; k < extents.size(); ++k) columns *= extents[k];
+  std::vector<Number> values(columns * extents[0]);
+  std::vector<hsize_t> begin(extents.size(), 0), piece = extents;
+  for (hsize_t row = 0; row < extents[0]; row += piece[0]) {
+    stop_if_interrupted();
+    begin[0] = row;
+    piece[0] = std::min(rows_at_once, extents[0] - row);
+    read_rows(name, dataset, begin, piece, type, values.data() + columns * row);
+  }
   return values;
 }
 
@@ -140,6 +287,14 @@ Hdf5Handle Hdf5Reader::open_shaped(const std::string& name,
     refuse(
         fmt::format("its {} is {}, expected {}", name, extents_text(found), extents_text(shape)));
   return dataset;
+}
+
+void Hdf5Reader::check_shape(const std::string& name, const std::vector<hsize_t>& shape) const {
+  const Hdf5Handle dataset = open_shaped(name, shape);
+  const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
+  // What nobody wrote takes no room, and reads as 0.
+  if (H5Dget_storage_size(dataset.get()) * most_packed < shape[0] * H5Tget_size(type.get()))
+    refuse(fmt::format("its {} has more rows than it has data", name));
 }
 
 std::vector<double> Hdf5Reader::first_doubles(const std::string& name, hsize_t count) const {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A run file being read. Nothing in it is believed: a dataset must have the shape asked for.
+// A run file being read. Nothing in it is believed: a dataset must have the shape asked for, lie in
+// the file itself, and take no more memory than what is asked for.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -11,7 +13,9 @@
 
 namespace hackle {
 
-// Every function throws Error (files), naming the file and what is wrong with it.
+// Every function throws Error (files), naming the file and what is wrong with it, but nothing that
+// stands in it; those that read datasets throw Error (interrupted) on Ctrl-C. Links of any kind but
+// the plain one are refused, and so are data that lie in other files.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& path);
@@ -19,13 +23,11 @@ class Hdf5Reader {
   // Attributes of the root.
   bool has_attribute(const std::string& name) const;
   std::int64_t integer(const std::string& name) const;
-  std::string attribute(const std::string& name) const;
+  std::string attribute(const std::string& name) const;  // at most 64 KiB
 
   // Datasets.
   bool holds(const std::string& name) const;
-  std::string text(const std::string& name) const;
-  // How many rows a dataset of so many columns has; at most 1e6.
-  hsize_t rows(const std::string& name, hsize_t columns) const;
+  std::string text(const std::string& name) const;  // at most 64 MiB
   // The first of a series.
   std::vector<double> first_doubles(const std::string& name, hsize_t count) const;
   std::vector<std::int64_t> first_integers(const std::string& name, hsize_t count) const;
@@ -34,18 +36,33 @@ class Hdf5Reader {
                               hsize_t columns) const;
   std::vector<std::uint32_t> words(const std::string& name,
                                    const std::vector<hsize_t>& shape) const;
+  // Refuses a dataset of another shape, or of data that cannot be in the file, without reading it.
+  void check_shape(const std::string& name, const std::vector<hsize_t>& shape) const;
 
   [[noreturn]] void refuse(const std::string& what, const std::string& remedy = {}) const;
 
  private:
   Hdf5Handle open(const std::string& name) const;
+  bool find(const std::string& name) const;
+  void check_link(const std::string& name) const;
+  void check_storage(const Hdf5Handle& dataset, const std::string& name) const;
+  void check_pieces(const Hdf5Handle& dataset, const Hdf5Handle& plan, const std::string& name,
+                    bool is_packed) const;
+  void check_piece(const Hdf5Handle& dataset, const std::array<hsize_t, 2>& at, std::size_t size,
+                   const std::string& name) const;
+  Hdf5Handle open_attribute(const std::string& name) const;
   Hdf5Handle open_series(const std::string& name, hsize_t count) const;
   Hdf5Handle open_shaped(const std::string& name, const std::vector<hsize_t>& shape) const;
   std::vector<hsize_t> shape_of(const Hdf5Handle& dataset, const std::string& name) const;
-  std::string text_of(hid_t type, const std::string& name, const auto& read) const;
+  std::string text_of(hid_t type, const std::string& name, std::size_t most,
+                      const auto& read) const;
   template <class Number>
   std::vector<Number> part(const std::string& name, const Hdf5Handle& dataset,
                            const std::vector<hsize_t>& extents, hid_t type) const;
+  void read_rows(const std::string& name, const Hdf5Handle& dataset,
+                 const std::vector<hsize_t>& begin, const std::vector<hsize_t>& extents, hid_t type,
+                 void* into) const;
+  void stop_if_interrupted() const;
 
   std::filesystem::path path_;
   Hdf5Handle file_;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/machine.hpp"
 #include "store/hdf5_reader.hpp"
 #include "store/inputs_reader.hpp"
 #include "store/lattice_hash.hpp"
@@ -32,22 +33,54 @@ void check_format(const Hdf5Reader& file) {
                 "take the version of Hackle that wrote it");
 }
 
-// What cannot be built is a fault of the file, whatever the scene says.
-Simulation rebuilt(const Hdf5Reader& file, Execution execution) {
+// A plate that is only looked at: what acts on it is not asked.
+Plate unloaded(Plate plate) {
+  plate.loads = {};
+  plate.starts.clear();
+  plate.contact.reset();
+  return plate;
+}
+
+// As it was taken, for whatever precision a field wants.
+Numerics recorded(Numerics numerics) {
+  numerics.force_step = true;
+  numerics.precision = Precision::f64;
+  numerics.fused = false;
+  numerics.fidelity = 0.0;
+  return numerics;
+}
+
+// What cannot be built is a fault of the file, whatever the scene says. Names are left out, so that
+// no message repeats what is in it.
+void check_scene(const Hdf5Reader& file, Plate plate, const Numerics& numerics) {
+  plate.material.name.clear();
+  for (Inclusion& inclusion : plate.inclusions) inclusion.material.name.clear();
+  for (Cutout& cutout : plate.cutouts) cutout.name.clear();
+  Problems problems;
+  check(plate, problems);
+  check(plate, numerics, available_memory(), problems);
+  if (!problems.empty()) file.refuse(problems.list().front().what);
+  // Before a lattice takes memory: as many nodes as it has places of nodes.
+  const Grid grid = make_grid(plate, numerics.spacing);
+  file.check_shape("nodes", {grid.nodes(), 3});
+}
+
+Simulation rebuilt(const Hdf5Reader& file, const Inputs& inputs, Execution execution) {
+  Plate plate = unloaded(inputs.plate);
+  const Numerics numerics = recorded(inputs.numerics);
+  check_scene(file, plate, numerics);
   try {
-    Inputs inputs = read_inputs(file.text("inputs"));
-    return {std::move(inputs.plate), inputs.numerics, execution};
+    return {std::move(plate), numerics, execution};
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::files || error.kind() == ErrorKind::interrupted) throw;
-    file.refuse(error.problems().front().what);
+    file.refuse("its lattice cannot be built");
   }
 }
 
 void check_lattice(const Hdf5Reader& file, const Lattice& lattice) {
   if (file.attribute("lattice_hash") != lattice_hash(lattice))
-    file.refuse(fmt::format("its lattice cannot be built again; it was recorded by version {}",
-                            file.attribute("version")),
-                "run its script again with this version");
+    file.refuse("its lattice cannot be built again",
+                "run its script again with this version, or take the version that recorded it");
 }
 
 std::int64_t committed(const Hdf5Reader& file) {
@@ -82,7 +115,10 @@ void break_bonds(const std::vector<std::uint32_t>& broken, const Grid& grid, int
 
 struct Recording::Parts {
   Parts(const std::filesystem::path& path_, Execution execution)
-      : path(path_), file(opened(path_)), simulation(rebuilt(file, execution)) {
+      : path(path_),
+        file(opened(path_)),
+        inputs(read_inputs(file.text("inputs"))),
+        simulation(rebuilt(file, inputs, execution)) {
     check_lattice(file, simulation.lattice());
     const auto count = static_cast<hsize_t>(committed(file));
     times = file.first_doubles("time", count);
@@ -125,8 +161,8 @@ struct Recording::Parts {
   void add_discs(const std::string& name, Snapshot& snapshot) const {
     constexpr hsize_t columns = 5;
     const Grid& grid = simulation.lattice().grid;
-    const std::vector<double> values =
-        file.doubles(name, {file.rows(name, columns), columns}, columns);
+    const hsize_t count = inputs.plate.loads.impactors.size();
+    const std::vector<double> values = file.doubles(name, {count, columns}, columns);
     for (std::size_t at = 0; at < values.size(); at += columns) {
       const double* value = values.data() + at;
       const Vec2 centre(value[0], value[1]), velocity(value[2], value[3]);
@@ -138,6 +174,7 @@ struct Recording::Parts {
 
   std::filesystem::path path;
   Hdf5Reader file;
+  Inputs inputs;
   Simulation simulation;
   Origin origin;
   std::vector<double> times;
@@ -158,6 +195,10 @@ const std::filesystem::path& Recording::path() const {
 
 const Origin& Recording::origin() const {
   return parts_->origin;
+}
+
+const Plate& Recording::plate() const {
+  return parts_->inputs.plate;
 }
 
 const std::vector<double>& Recording::times() const {

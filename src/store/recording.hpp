@@ -23,7 +23,9 @@ class Recording {
   ~Recording();
 
   const std::filesystem::path& path() const;
-  const Origin& origin() const;              // the script that made the run
+  const Origin& origin() const;  // the script that made the run
+  // The plate with all that acted on it, functions apart; see Inputs.
+  const Plate& plate() const;
   const std::vector<double>& times() const;  // s, of the records, ascending; at least one
   // The record whose time is nearest; of two, the earlier one.
   std::size_t nearest(double time) const;

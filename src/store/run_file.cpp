@@ -79,10 +79,6 @@ std::vector<double> discs(const Simulation& simulation) {
 // stays linear in the number of records and a killed run leaves one that opens.
 constexpr double sidecar_growth = 1.1;
 
-std::filesystem::path sidecar_of(std::filesystem::path run_file) {
-  return run_file.replace_extension(".xdmf");
-}
-
 // Refuses a name that the sidecar takes, and removes an older run file, which a recording may still
 // have open, and its sidecar.
 const std::filesystem::path& prepared(const std::filesystem::path& path) {
@@ -91,12 +87,16 @@ const std::filesystem::path& prepared(const std::filesystem::path& path) {
                 "end its name in .h5; the .xdmf beside it is written for you");
   std::error_code ignored;
   std::filesystem::remove(sidecar_of(path), ignored);
-  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
-    std::filesystem::remove(path, ignored);
+  const std::filesystem::path real = real_path(path);
+  if (std::filesystem::is_regular_file(real, ignored)) std::filesystem::remove(real, ignored);
   return path;
 }
 
 }  // namespace
+
+std::filesystem::path sidecar_of(std::filesystem::path run_file) {
+  return run_file.replace_extension(".xdmf");
+}
 
 double run_file_bytes(std::size_t nodes, std::int64_t records) {
   constexpr double fixed = 1e5, places = 4.0, a_record = 8e3, a_node_and_record = 8.0;
@@ -165,6 +165,7 @@ struct RunFile::Parts {
   void describe(const Simulation& simulation, const Origin& origin) {
     file.attribute("format_version", run_file_format);
     file.attribute("records_committed", 0LL);
+    file.attribute("complete", 0LL);
     file.attribute("software", std::string("Hackle"));
     file.attribute("version", std::string(version()));
     file.attribute("git_hash", std::string(git_hash()));
@@ -234,6 +235,7 @@ void RunFile::add(const Simulation& simulation) {
 
 void RunFile::finish() {
   if (!parts_->times.empty()) parts_->write_sidecar();
+  parts_->file.attribute("complete", 1LL);
   parts_->time.reset();
   parts_->step.reset();
   parts_->file.close();

@@ -31,13 +31,18 @@ struct Origin {
 // Every dataset has `long_name` and, if it holds numbers, `units`; the root has format_version,
 // software, version, git_hash, compiler, created (UTC), script_name, lattice_hash (see
 // lattice_hash.hpp) and records_committed, which is written after the data of a record: readers
-// trust only so many (of /time and /step too). A run that is killed at whatever moment leaves a
-// file in which they are whole; its sidecar may lack the last tenth. Recording reads it back.
+// trust only so many (of /time and /step too), and complete, which is 1 once it is finished. A run
+// that is killed at whatever moment leaves a file in which they are whole, and whoever reads the
+// file while it is written finds it so; its sidecar may lack the last tenth. Recording reads it
+// back, and rescue_run() keeps what a killed run has left.
 inline constexpr int run_file_format = 2;
 
 // About how many bytes a run file with so many nodes and records takes, and its sidecar. What is
 // left of 32 bytes a node after compression was measured on plates that branch: 6 to 8.
 double run_file_bytes(std::size_t nodes, std::int64_t records);
+
+// "a/run.h5" -> "a/run.xdmf"
+std::filesystem::path sidecar_of(std::filesystem::path run_file);
 
 class RunFile {
  public:

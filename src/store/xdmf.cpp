@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "store/xdmf.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <iterator>
 
 #include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/utf8.hpp"
 
 namespace hackle {
 namespace {
@@ -56,6 +61,22 @@ std::string material_attribute(const Grid& grid, const std::string& file) {
 }
 
 }  // namespace
+
+void check_name(const std::filesystem::path& run_file) {
+  const std::string name = run_file.filename().string();
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ErrorKind::refused,
+                fmt::format("record: ParaView cannot open a run file whose name {}", what),
+                "letters, digits, '_', '-', '.' and blanks between them always do");
+  };
+  if (name.find_first_of(":|") != std::string::npos) refuse("holds ':' or '|'");
+  if (std::ranges::any_of(name, [](unsigned char c) { return std::iscntrl(c) != 0; }))
+    refuse("holds control characters");
+  if (!is_utf8(name)) refuse("is not in UTF-8");
+  if (name.front() == ' ') refuse("begins with a blank");
+  const std::string stem = run_file.stem().string();
+  if (stem.back() == ' ') refuse("ends in a blank");
+}
 
 std::string record_group(std::size_t record) {
   return fmt::format("records/{}/{:05}", record / records_a_group, record);

@@ -15,6 +15,11 @@ namespace hackle {
 inline constexpr std::size_t records_a_group = 1000;
 std::string record_group(std::size_t record);
 
+// Throws Error (refused) for the name of a run file that the readers of ParaView cannot follow:
+// they take what stands before a ':' for the file and join parts at '|', cut blanks off at the
+// ends, and the text must be UTF-8 without control characters.
+void check_name(const std::filesystem::path& run_file);
+
 // The XML for the records at these times (s). The nodes are the points of an image, so that
 // ParaView shows a coloured surface at once and can warp it by the displacement.
 std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,

@@ -41,6 +41,7 @@ const std::map<std::string, std::set<std::string>> rooms_of_library = {
     {"cairo", {"render"}},
     {"png.h", {"render"}},
     {"hdf5.h", {"store"}},
+    {"zlib.h", {"store"}},
     {"libav", {"movie"}},
     {"libswscale", {"movie"}},
     {"oneapi/", {"solver"}},

@@ -13,9 +13,9 @@
 
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "base/partial_file.hpp"
 #include "movie/encoder.hpp"
 #include "movie/film.hpp"
-#include "movie/partial_file.hpp"
 #include "movie/pictures.hpp"
 #include "movie/player.hpp"
 #include "support/folder.hpp"
@@ -128,7 +128,7 @@ TEST(Rescue, LeavesAMovieAloneThatIsBeingFilmed) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::files);
-    EXPECT_THAT(error.what(), HasSubstr("is being filmed by another run"));
+    EXPECT_THAT(error.what(), HasSubstr("is being written by another run"));
   }
   encoder.finish();
   EXPECT_EQ(play(path).frames.size(), 1U);

@@ -9,9 +9,9 @@
 #include "base/error.hpp"
 #include "base/files.hpp"
 #include "base/hash.hpp"
+#include "base/partial_file.hpp"
 #include "base/version.hpp"
 #include "movie/film.hpp"
-#include "movie/partial_file.hpp"
 #include "movie/remux.hpp"
 #include "support/folder.hpp"
 #include "support/scenes.hpp"
@@ -134,7 +134,8 @@ TEST(MovieOutput, EstimatesWhatItsKindTakes) {
   const test::Folder folder;
   const Simulation simulation(test::bare_plate(20, 20), test::numerics());
   const auto bytes = [&](const char* name) {
-    return MovieOutput(folder.path / name, options(), simulation, origin, Talk::quiet)
+    return MovieOutput(folder.path / name, options(), simulation, origin, Talk::quiet,
+                       std::make_shared<OutputNames>())
         .expected(100e-6, 1000)
         .bytes;
   };

@@ -42,8 +42,8 @@ std::string failure_of(const std::function<void()>& work) {
 
 Outputs two(const test::Folder& folder) {
   Outputs outputs(1e9);
-  outputs.add("movie", folder.path / "a", std::make_unique<Hopeless>("a"));
-  outputs.add("record", folder.path / "b", std::make_unique<Hopeless>("b"));
+  outputs.add("movie", folder.path / "a", FileKind::movie, std::make_unique<Hopeless>("a"));
+  outputs.add("record", folder.path / "b", FileKind::run_file, std::make_unique<Hopeless>("b"));
   return outputs;
 }
 
@@ -70,9 +70,9 @@ TEST(Outputs, OneFileIsWrittenByOneOfThem) {
   const test::Folder folder;
   Outputs outputs = two(folder);
   const auto add = [&] {
-    outputs.add("movie", folder.path / "a", std::make_unique<Hopeless>("a"));
+    outputs.add("movie", folder.path / "a", FileKind::movie, std::make_unique<Hopeless>("a"));
   };
-  EXPECT_THAT(failure_of(add), HasSubstr("already written by this simulation"));
+  EXPECT_THAT(failure_of(add), HasSubstr("already written by movie"));
 }
 
 TEST(Outputs, AddUpTheirTime) {

@@ -128,7 +128,7 @@ TEST_F(ReplayTest, FilmsOneRun) {
   options.picture.width = 320;
   options.picture.percentile = 99.0;
   options.picture.field = "speed";
-  film(a(), folder_.path / "a.mp4", options, {}, Talk::quiet);
+  film(a(), folder_.path / "a.mp4", options, {}, Talk::quiet, std::make_shared<OutputNames>());
   EXPECT_GT(fs::file_size(folder_.path / "a.mp4"), 1000U);
 }
 
@@ -136,7 +136,7 @@ TEST_F(ReplayTest, FilmsSeveralOfDifferentShapes) {
   MovieOptions options;
   options.picture.width = 320;
   film_side_by_side({{a(), "one"}, {b(), "other"}}, folder_.path / "ab.mp4", options, {}, 2,
-                    Talk::quiet);
+                    Talk::quiet, OutputNames());
   EXPECT_GT(fs::file_size(folder_.path / "ab.mp4"), 1000U);
 }
 
@@ -150,7 +150,8 @@ TEST_F(ReplayTest, AnInterruptedMovieIsComplete) {
   options.picture.width = 320;
   const Interrupted now;
   try {
-    film(recording, folder_.path / "a.mp4", options, {}, Talk::quiet);
+    film(recording, folder_.path / "a.mp4", options, {}, Talk::quiet,
+         std::make_shared<OutputNames>());
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::interrupted);

@@ -116,7 +116,7 @@ TEST(Run, RefusesImpossibleOutputs) {
               HasSubstr("fps is 0"));
   run.movie(folder / "a.mp4", {{}, 1e-6});
   EXPECT_THAT(refusal([&] { run.record(folder / "a.mp4", {1e-6}); }),
-              HasSubstr("is already written by this simulation"));
+              HasSubstr("which is no run file (one of .h5, .hdf5; movie{} makes .mp4)"));
 }
 
 TEST(Run, RefusesAFolderThatIsAFile) {

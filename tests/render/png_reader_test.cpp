@@ -133,7 +133,7 @@ TEST(PngReader, ADamagedFileIsRefused) {
 TEST(PngReader, WhatIsNoPngIsRefused) {
   const test::Folder folder;
   write_text(folder.path / "a.png", "no picture");
-  EXPECT_THAT(refusal(folder.path / "a.png"), testing::HasSubstr("Not a PNG file"));
+  EXPECT_THAT(refusal(folder.path / "a.png"), testing::HasSubstr("damaged or no PNG"));
   EXPECT_THAT(refusal(folder.path / "b.png"), testing::HasSubstr("No such file"));
   EXPECT_THAT(refusal(folder.path), testing::HasSubstr("cannot read the picture"));
 }

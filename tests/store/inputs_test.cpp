@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "store/inputs.hpp"
 
-#include <gtest/gtest.h>
+#include <algorithm>
+
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "store/inputs_reader.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
 namespace {
+
+using testing::HasSubstr;
 
 TEST(Inputs, SayEverythingThatARunWasMadeFrom) {
   const Simulation simulation(test::edge_crack(12e6), test::numerics());
@@ -54,6 +61,278 @@ TEST(Inputs, AreJsonWhateverBytesAMaterialIsCalled) {
   plate.material.name = "gl\xE4s";  // Latin-1
   const auto json = nlohmann::json::parse(inputs_of(Simulation(plate, test::numerics())));
   EXPECT_EQ(json["plate"]["material"]["name"], "gl\uFFFDs");
+}
+
+// Every member of a scene with a value of its own, none of them the default.
+Numerics every_choice() {
+  Numerics numerics;
+  numerics.spacing = 0.51e-3;
+  numerics.horizon = 1.77e-3;
+  numerics.quadrature = Quadrature::centroid;
+  numerics.micromodulus = Micromodulus::conical;
+  numerics.constants = Constants::continuum;
+  numerics.breaking = Breaking::next_step;
+  numerics.precision = Precision::f32;
+  numerics.fused = true;
+  numerics.fidelity = 0.31;
+  numerics.step = 1.23e-8;
+  numerics.force_step = true;
+  return numerics;
+}
+
+Material material_like(double seed) {
+  Material material;
+  material.name = "glass " + std::to_string(seed);
+  material.E = seed * 1e9;
+  material.rho = seed * 31.0;
+  material.nu = 0.01 * seed;
+  material.G0 = seed + 0.5;
+  material.alpha = seed * 1e-2;
+  material.alphaT = seed * 1e-7;
+  material.fringe = seed * 1e3;
+  material.s0 = seed * 1e-4;
+  return material;
+}
+
+Bitmap some_bitmap() {
+  return {{0.011, 0.012}, {0.014, 0.013}, 4, 3, {0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1, 0}};
+}
+
+Loads every_load() {
+  Loads loads;
+  const Course table({{0.0, 0.25}, {1e-6, 1.0}, {1e-6, 0.5}});
+  loads.tractions = {{Edge::left, {1e6, 2e6}, 1.1e-3, table}, {Edge::bottom, {-3e6, 4e6}, 0.0, {}}};
+  loads.pressures = {{"bore", 5e6, ramp(2e-6)}, {"slit", -6e6, {}}};
+  loads.body_forces = {{Ellipse{{0.01, 0.02}, {3e-3, 4e-3}, 0.5}, {7.0, 8.0}, step_at(3e-6)},
+                       {std::nullopt, {9.0, -9.5}, {}}};
+  loads.supports = {{rectangle({0.0, 0.001}, {0.002, 0.003}),
+                     Support::Kind::velocity,
+                     {0.1, 0.2},
+                     true,
+                     false,
+                     pulse(1e-6, 2e-6)},
+                    {std::nullopt, Support::Kind::displacement, {1e-6, 2e-6}, false, true, {}}};
+  loads.heatings = {{Capsule{{{0.01, 0.011}, {0.012, 0.013}}, 1e-3}, 40.0, table},
+                    {some_bitmap(), -50.0, {}}};
+  loads.impactors = {{{0.02, 0.06}, 2e-3, {3.0, -80.0}, 0.7}};
+  loads.damping = 1234.5;
+  return loads;
+}
+
+Plate every_member() {
+  Plate plate;
+  plate.width = 0.071;
+  plate.height = 0.053;
+  plate.material = material_like(61.0);
+  plate.plane = Plane::strain;
+  plate.cutouts = {{Ellipse{{0.03, 0.031}, {2e-3, 3e-3}, 0.3}, "bore"}, {some_bitmap(), "slit"}};
+  plate.inclusions = {{Polygon{{{0.04, 0.01}, {0.05, 0.011}, {0.045, 0.02}}}, material_like(7.0)}};
+  plate.cracks = {{{{0.0, 0.02}, {0.01, 0.021}, {0.012, 0.023}}, Born::absent},
+                  {{0.06, 0.04}, {0.07, 0.041}, Born::broken}};
+  plate.no_fail = {rectangle({0.0, 0.0}, {0.001, 0.053}),
+                   Capsule{{{0.05, 0.05}, {0.06, 0.052}}, 1.5e-3}};
+  plate.starts = {{Ellipse{{0.01, 0.01}, {1e-3, 1e-3}, 0.0}, {1e-6, 2e-6}, {3.0, 4.0}},
+                  {std::nullopt, {5e-6, 6e-6}, {7.0, 8.0}}};
+  plate.scatter = Scatter{Scatter::Kind::normal, 0.11, 1.3e-3, 99};
+  plate.contact = Contact{40.0, 0.8};
+  plate.loads = every_load();
+  return plate;
+}
+
+// Member by member. Structured bindings see to it that none is left out.
+bool same(const Numerics& one, const Numerics& other) {
+  const auto& [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11] = one;
+  const auto& [b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11] = other;
+  return std::tie(a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11) ==
+         std::tie(b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11);
+}
+
+bool same(const Course& one, const Course& other) {
+  return one.is_constant() == other.is_constant() && one.points() == other.points();
+}
+
+template <class T>
+bool same(const FieldOfPlace<T>& one, const FieldOfPlace<T>& other) {
+  return one.is_constant() && other.is_constant() && one.constant() == other.constant();
+}
+
+bool same(const Traction& one, const Traction& other) {
+  const auto& [edge, stress, depth, course] = one;
+  const auto& [other_edge, other_stress, other_depth, other_course] = other;
+  return edge == other_edge && same(stress, other_stress) && depth == other_depth &&
+         same(course, other_course);
+}
+
+bool same(const Pressure& one, const Pressure& other) {
+  const auto& [rim, pressure, course] = one;
+  const auto& [other_rim, other_pressure, other_course] = other;
+  return rim == other_rim && pressure == other_pressure && same(course, other_course);
+}
+
+bool same(const BodyForce& one, const BodyForce& other) {
+  const auto& [region, force, course] = one;
+  const auto& [other_region, other_force, other_course] = other;
+  return region == other_region && same(force, other_force) && same(course, other_course);
+}
+
+bool same(const Support& one, const Support& other) {
+  const auto& [region, kind, value, along_x, along_y, course] = one;
+  const auto& [other_region, other_kind, other_value, other_x, other_y, other_course] = other;
+  return region == other_region && kind == other_kind && same(value, other_value) &&
+         along_x == other_x && along_y == other_y && same(course, other_course);
+}
+
+bool same(const Heating& one, const Heating& other) {
+  const auto& [region, change, course] = one;
+  const auto& [other_region, other_change, other_course] = other;
+  return region == other_region && same(change, other_change) && same(course, other_course);
+}
+
+bool same(const Impactor& one, const Impactor& other) {
+  const auto& [centre, radius, velocity, mass] = one;
+  const auto& [other_centre, other_radius, other_velocity, other_mass] = other;
+  return centre == other_centre && radius == other_radius && velocity == other_velocity &&
+         mass == other_mass;
+}
+
+bool same(const Start& one, const Start& other) {
+  const auto& [region, displacement, velocity] = one;
+  const auto& [other_region, other_displacement, other_velocity] = other;
+  return region == other_region && same(displacement, other_displacement) &&
+         same(velocity, other_velocity);
+}
+
+bool same(const Cutout& one, const Cutout& other) {
+  const auto& [shape, name] = one;
+  const auto& [other_shape, other_name] = other;
+  return shape == other_shape && name == other_name;
+}
+
+bool same(const Inclusion& one, const Inclusion& other) {
+  const auto& [shape, material] = one;
+  const auto& [other_shape, other_material] = other;
+  return shape == other_shape && material == other_material;
+}
+
+bool same(const Crack& one, const Crack& other) {
+  const auto& [points, born] = one;
+  const auto& [other_points, other_born] = other;
+  return points == other_points && born == other_born;
+}
+
+bool same(const Scatter& one, const Scatter& other) {
+  const auto& [kind, spread, correlation, seed] = one;
+  const auto& [other_kind, other_spread, other_correlation, other_seed] = other;
+  return std::tie(kind, spread, correlation, seed) ==
+         std::tie(other_kind, other_spread, other_correlation, other_seed);
+}
+
+bool same(const Contact& one, const Contact& other) {
+  const auto& [stiffness, reach] = one;
+  const auto& [other_stiffness, other_reach] = other;
+  return stiffness == other_stiffness && reach == other_reach;
+}
+
+template <class T>
+void expect_same(const std::vector<T>& found, const std::vector<T>& wanted, const char* what) {
+  EXPECT_GT(wanted.size(), 0U) << what;
+  const auto equal = [](const T& one, const T& other) { return same(one, other); };
+  EXPECT_TRUE(std::ranges::equal(found, wanted, equal)) << what;
+}
+
+TEST(Inputs, KeepEveryMemberOfEveryLoad) {
+  const Loads wanted = every_load();
+  const Loads found = read_inputs(inputs_of(every_member(), every_choice())).plate.loads;
+  const auto& [tractions, pressures, body_forces, supports, heatings, impactors, damping] = found;
+  expect_same(tractions, wanted.tractions, "tractions");
+  expect_same(pressures, wanted.pressures, "pressures");
+  expect_same(body_forces, wanted.body_forces, "body forces");
+  expect_same(supports, wanted.supports, "supports");
+  expect_same(heatings, wanted.heatings, "heatings");
+  expect_same(impactors, wanted.impactors, "impactors");
+  EXPECT_EQ(damping, wanted.damping);
+}
+
+TEST(Inputs, KeepEveryMemberOfAPlate) {
+  const Plate wanted = every_member();
+  const Plate found = read_inputs(inputs_of(wanted, every_choice())).plate;
+  const auto& [width, height, material, plane, cutouts, inclusions, cracks, no_fail, starts,
+               scatter, contact, loads] = found;
+  EXPECT_EQ(width, wanted.width);
+  EXPECT_EQ(height, wanted.height);
+  EXPECT_EQ(material, wanted.material);
+  EXPECT_EQ(plane, wanted.plane);
+  expect_same(cutouts, wanted.cutouts, "cutouts");
+  expect_same(inclusions, wanted.inclusions, "inclusions");
+  expect_same(cracks, wanted.cracks, "cracks");
+  EXPECT_EQ(no_fail, wanted.no_fail);
+  expect_same(starts, wanted.starts, "starts");
+  ASSERT_TRUE(scatter && contact);
+  EXPECT_TRUE(same(*scatter, *wanted.scatter));
+  EXPECT_TRUE(same(*contact, *wanted.contact));
+  EXPECT_EQ(inputs_of(found, every_choice()), inputs_of(wanted, every_choice()));
+}
+
+TEST(Inputs, KeepEveryChoiceOfTheNumerics) {
+  EXPECT_TRUE(
+      same(read_inputs(inputs_of(every_member(), every_choice())).numerics, every_choice()));
+  const Numerics plain = test::numerics();
+  EXPECT_TRUE(same(read_inputs(inputs_of(every_member(), plain)).numerics, plain));
+}
+
+TEST(Inputs, KeepTheStepThatWasTaken) {
+  const Simulation simulation(test::bare_plate(20, 10), test::numerics());
+  EXPECT_EQ(read_inputs(inputs_of(simulation)).numerics.step, simulation.dt());
+}
+
+TEST(Inputs, OfAPlateWithoutAnythingAreEmpty) {
+  const Plate found = read_inputs(inputs_of(test::bare_plate(20, 10), test::numerics())).plate;
+  EXPECT_FALSE(found.scatter || found.contact);
+  EXPECT_EQ(describe(found), describe(test::bare_plate(20, 10)));
+}
+
+TEST(Inputs, MarkFunctionsWhichCannotBeRead) {
+  Plate plate = test::bare_plate(20, 10);
+  Traction load{Edge::top, VectorField([](const Vec2& at) { return at; }), 0.0,
+                Course([](double t) { return t; }, "a function of time")};
+  plate.loads.tractions.push_back(load);
+  const std::string text = inputs_of(plate, test::numerics());
+  EXPECT_THAT(text, HasSubstr("\"function\": \"a function of time\""));
+  const Traction found = read_inputs(text).plate.loads.tractions.at(0);
+  EXPECT_EQ(found.course.describe(), "a function of time");
+  EXPECT_THROW(found.course.at(0.0), Error);
+  EXPECT_FALSE(found.stress.is_constant());
+  EXPECT_THROW(found.stress.at({0.0, 0.0}), Error);
+}
+
+TEST(Inputs, OfAnotherFormAreRefusedWithoutBeingQuoted) {
+  const std::string good = inputs_of(every_member(), every_choice());
+  for (const auto& [from, to] : {std::pair{"\"plane\": \"strain\"", "\"plane\": \"SECRET\""},
+                                 {"\"kind\": \"ellipse\"", "\"kind\": \"SECRET\""},
+                                 {"\"edge\": \"left\"", "\"edge\": \"SECRET\""},
+                                 {"\"width_m\": ", "\"width_m\": SECRET"},
+                                 {"\"width_m\": ", "\"width_m\": \"SECRET\", \"x\": "},
+                                 {"\"run_lengths\": \"", "\"run_lengths\": \"SECRET"},
+                                 {"\"contact\": {", "\"contact\": [\"SECRET\"], \"x\": {"}}) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, std::string(from).size(), to);
+    try {
+      read_inputs(text);
+      FAIL() << to;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::files);
+      EXPECT_THAT(error.what(), testing::Not(HasSubstr("SECRET"))) << to;
+    }
+  }
+}
+
+TEST(Inputs, AreReadUntilSomebodyInterrupts) {
+  const std::string text = inputs_of(every_member(), every_choice());
+  request_interrupt();
+  EXPECT_THROW(read_inputs(text), Error);
+  clear_interrupt();
 }
 
 }  // namespace

@@ -13,7 +13,14 @@ namespace hackle::test {
 class RunFileReader {
  public:
   explicit RunFileReader(const std::filesystem::path& path)
-      : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {}
+      : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
+    if (file_ >= 0) return;
+    // One that this process could not close is open without a lock.
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    H5Pset_file_locking(access, 0, 1);
+    file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+    H5Pclose(access);
+  }
   ~RunFileReader() {
     if (file_ >= 0) H5Fclose(file_);
   }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "base/partial_file.hpp"
+
+#include <string>
+#include <system_error>
+
+#include "base/files.hpp"
+
+namespace hackle {
+namespace fs = std::filesystem;
+
+PartialFile::PartialFile(const fs::path& path) : HeldFile(partial_name(path), path) {
+}
+
+fs::path cut_off_name(const fs::path& path, const std::function<bool(const fs::path&)>& taken) {
+  for (int number = 1;; ++number) {
+    const std::string which = number == 1 ? "" : "_" + std::to_string(number);
+    fs::path name = path.parent_path() /
+                    (path.stem().string() + ".cut_off" + which + path.extension().string());
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(name, ignored)) && !taken(name)) return name;
+  }
+}
+
+fs::path recording_lock(const fs::path& run_file) {
+  return run_file.parent_path() / ("." + run_file.stem().string() + ".recording");
+}
+
+void refuse_if_written(const fs::path& path) {
+  for (const fs::path& name : {path, partial_name(path), recording_lock(path)})
+    if (is_locked(name)) refuse_locked(path, name);
+}
+
+}  // namespace hackle
