@@ -70,6 +70,8 @@ std::string read_text(const fs::path& path) {
     if (text.size() > most_text)
       throw Error(ErrorKind::files, "'" + path.string() + "' is larger than 64 MiB: no text");
   }
+  if (file.bad())
+    throw Error(ErrorKind::files, "cannot read '" + path.string() + "': " + std::strerror(errno));
   return text;
 }
 

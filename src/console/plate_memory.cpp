@@ -30,9 +30,6 @@ std::size_t beyond(const Shape& shape) {
 std::size_t beyond(const Crack& crack) {
   return bytes_of(crack.points);
 }
-std::size_t beyond(const Impactor&) {
-  return 0;
-}
 template <class Part>
 std::size_t beyond(const Part& part) {
   std::size_t bytes = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -150,6 +151,21 @@ std::string shock_text(double shrinkage, double s0) {
       shrinkage, s0);
 }
 
+// Of the first node whose bonds such jumps of temperature break at once.
+std::optional<std::string> shock_of(const SpreadHeat& heat, const Jumps& jumps,
+                                    const Lattice& lattice) {
+  const NodeRange& range = heat.range;
+  for (int j = range.first_j; j <= range.last_j; ++j)
+    for (int i = range.first_i; i <= range.last_i; ++i) {
+      const double strain = heat.strain[range.index(i, j)];
+      const double shrinkage = std::max(jumps.down * strain, -jumps.up * strain);
+      if (shrinkage <= 0.0) continue;
+      const double s0 = lattice.critical_stretch_at(i, j);
+      if (shrinkage > s0) return shock_text(shrinkage, s0);
+    }
+  return std::nullopt;
+}
+
 }  // namespace
 
 double shortest_swing(const Course& course, double begin, double end, double dt) {
@@ -179,11 +195,8 @@ std::vector<std::string> load_remarks(const Simulation& simulation, double end) 
     const Jumps jumps = jumps_of(loads.heatings[k].course, begin, end, dt);
     if (jumps.down == 0.0 && jumps.up == 0.0) continue;
     if (spread.empty()) spread = spread_heat(simulation.plate(), lattice);
-    for (const HeatedNode& node : spread[k].nodes) {
-      const double shrinkage = std::max(jumps.down * node.strain, -jumps.up * node.strain);
-      const double s0 = lattice.critical_stretch_at(node.i, node.j);
-      if (shrinkage <= s0) continue;
-      list.push_back(shock_text(shrinkage, s0));
+    if (const auto shock = shock_of(spread[k], jumps, lattice)) {
+      list.push_back(*shock);
       return list;
     }
   }

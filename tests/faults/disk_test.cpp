@@ -153,7 +153,8 @@ TEST_F(Disk, AScriptThatCannotBeReadIsSaid) {
   fs::create_symlink("nowhere.lua", folder_.path / "dangling.lua");
   fs::create_symlink("ring.lua", folder_.path / "ring.lua");
   for (const char* name :
-       {"missing.lua", "folder.lua", "dangling.lua", "ring.lua", "a.lua/b.lua", ""})
+       {"missing.lua", "folder.lua", "dangling.lua", "ring.lua", "a.lua/b.lua",
+                           "/proc/self/mem", ""})
     for (const char* command : {"run", "check"}) {
       const Ended ended = run({command, name});
       EXPECT_THAT(ended.code, testing::AnyOf(5, name[0] == '\0' ? 2 : 5)) << name << ended.err;

@@ -16,17 +16,16 @@
 namespace hackle {
 namespace {
 
-constexpr int nx = 200, ny = 160;
-const Grid grid{nx, ny, 1.0, {0.5 * nx, 0.5 * ny}};
+const Grid field{200, 160, 1.0, {100.0, 80.0}};
 
 // Nodes within half a width of a line; some are left out at random, none where `torn` is 0.
 void draw(Nodes& nodes, const Segment& line, double width, double torn = 0.0) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i)
-      if (distance(line, grid.position(i, j)) <= 0.5 * width && uniform(random) >= torn)
-        nodes[grid.index(i, j)] = 1;
+  for (int j = 0; j < field.ny; ++j)
+    for (int i = 0; i < field.nx; ++i)
+      if (distance(line, field.position(i, j)) <= 0.5 * width && uniform(random) >= torn)
+        nodes[field.index(i, j)] = 1;
 }
 
 Vec2 away(const Vec2& from, double angle, double length) {
@@ -38,10 +37,10 @@ TEST(Forks, AStraightBandHasNone) {
     for (const double angle : {0.0, 0.2, 0.5, std::numbers::pi / 4, 1.2, std::numbers::pi / 2, 2.6})
       for (const double width : {2.0, m, 2.5 * m})
         for (const double torn : {0.0, 0.5}) {
-          Nodes nodes(grid.nodes());
-          const Vec2 middle = grid.centre;
+          Nodes nodes(field.nodes());
+          const Vec2 middle = field.centre;
           draw(nodes, {away(middle, angle, -60.0), away(middle, angle, 60.0)}, width, torn);
-          EXPECT_TRUE(forks(nodes, Nodes(grid.nodes()), grid, m).empty())
+          EXPECT_TRUE(forks(nodes, Nodes(field.nodes()), field, m).empty())
               << m << " " << angle << " " << width << " " << torn;
         }
 }
@@ -53,13 +52,13 @@ TEST(Forks, LieWhereTheMiddleLinesOfTheBranchesMeet) {
   for (const double m : {3.0, 4.0, 8.0})
     for (const double angle : {0.0, std::numbers::pi / 2, std::numbers::pi, 4.0, 0.4})
       for (const bool known : {true, false}) {
-        Nodes nodes(grid.nodes()), start(grid.nodes());
-        const Vec2 fork = grid.centre, root = away(fork, angle, -60.0);
+        Nodes nodes(field.nodes()), start(field.nodes());
+        const Vec2 fork = field.centre, root = away(fork, angle, -60.0);
         draw(nodes, {root, fork}, 0.8 * m);
         for (const double side : {-0.45, 0.45})
           draw(nodes, {fork, away(fork, angle + side, 60.0)}, 0.8 * m);
         if (known) draw(start, {root, away(fork, angle, -40.0)}, 0.8 * m);
-        const auto found = forks(nodes, start, grid, m);
+        const auto found = forks(nodes, start, field, m);
         ASSERT_EQ(found.size(), 1U) << m << " " << angle << " " << known;
         EXPECT_LT((found.front() - fork).norm(), 0.75 * m) << m << " " << angle << " " << known;
       }
@@ -68,10 +67,10 @@ TEST(Forks, LieWhereTheMiddleLinesOfTheBranchesMeet) {
 TEST(Forks, NeedTwoLongBranchesThatStayApart) {
   constexpr double m = 4.0;
   const auto count = [](double length, double angle) {
-    Nodes nodes(grid.nodes());
+    Nodes nodes(field.nodes());
     draw(nodes, {{10.0, 80.0}, {160.0, 80.0}}, m);
     draw(nodes, {{90.0, 80.0}, away({90.0, 80.0}, angle, length)}, m);
-    return forks(nodes, Nodes(grid.nodes()), grid, m).size();
+    return forks(nodes, Nodes(field.nodes()), field, m).size();
   };
   EXPECT_EQ(count(1.5 * m, 1.2), 0U) << "a hair";
   EXPECT_EQ(count(8.0 * m, 1.2), 1U);
@@ -79,23 +78,23 @@ TEST(Forks, NeedTwoLongBranchesThatStayApart) {
 }
 
 TEST(Forks, BranchesThatMeetAgainAreAnIsland) {
-  Nodes nodes(grid.nodes()), start(grid.nodes());
+  Nodes nodes(field.nodes()), start(field.nodes());
   const std::vector<Vec2> way{{10, 80}, {60, 80}, {80, 92}, {100, 80}, {150, 80}};
   for (std::size_t k = 0; k + 1 < way.size(); ++k) draw(nodes, {way[k], way[k + 1]}, 3.0);
   draw(nodes, {{60, 80}, {80, 68}}, 3.0);
   draw(nodes, {{80, 68}, {100, 80}}, 3.0);
   draw(start, {{10, 80}, {30, 80}}, 3.0);
-  EXPECT_TRUE(forks(nodes, start, grid, 3.0).empty());
+  EXPECT_TRUE(forks(nodes, start, field, 3.0).empty());
 }
 
 TEST(Forks, OfSeveralAreNamedFromTheLeft) {
   constexpr double m = 3.0;
-  Nodes nodes(grid.nodes()), start(grid.nodes());
+  Nodes nodes(field.nodes()), start(field.nodes());
   draw(nodes, {{30, 80}, {170, 80}}, m);
   draw(nodes, {{60, 80}, {20, 110}}, m);
   draw(nodes, {{140, 80}, {180, 50}}, m);
   draw(start, {{90, 80}, {110, 80}}, m);  // it ran both ways
-  const auto found = forks(nodes, start, grid, m);
+  const auto found = forks(nodes, start, field, m);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_LT((found[0] - Vec2(60, 80)).norm(), m);
   EXPECT_LT((found[1] - Vec2(140, 80)).norm(), m);

@@ -160,7 +160,7 @@ TEST(Loads, OfOneKindKeepTheirOwnCourses) {
   EXPECT_NEAR(momentum(simulation).y(), -2e5 * width * 1e-6, 2e5 * width * 21e-9);
 }
 
-Support moved(const Shape& region, Support::Kind kind, const Vec2& value, Course course) {
+Support led(const Shape& region, Support::Kind kind, const Vec2& value, Course course) {
   Support support;
   support.region = region;
   support.kind = kind;
@@ -187,7 +187,7 @@ TEST(Supports, OnEveryMaterialDoTheWorkThatThePlateReceives) {
               return velocity ? std::sin(phase) : 0.5 - 0.5 * std::cos(phase);
             },
             "wave");
-        Support support = moved(place, kind, value, course);
+        Support support = led(place, kind, value, course);
         support.along_x = axes != 2;
         support.along_y = axes != 1;
         plate.loads.supports.push_back(support);
@@ -206,8 +206,8 @@ TEST(Supports, OnEveryMaterialDoTheWorkThatThePlateReceives) {
 TEST(Supports, OfWhichTwoHoldANodeTheLastOneDoesAlongItsAxis) {
   Plate plate = three_materials();
   const Shape all = rectangle({0, 0}, {4e-3, height}), part = rectangle({0, 0}, {4e-3, 5e-3});
-  plate.loads.supports = {moved(all, Support::Kind::displacement, {1e-6, 2e-6}, ramp(1e-6)),
-                          moved(part, Support::Kind::displacement, {3e-6, 4e-6}, ramp(1e-6))};
+  plate.loads.supports = {led(all, Support::Kind::displacement, {1e-6, 2e-6}, ramp(1e-6)),
+                          led(part, Support::Kind::displacement, {3e-6, 4e-6}, ramp(1e-6))};
   plate.loads.supports.back().along_y = false;
   Simulation simulation = simulate(plate);
   simulation.run(2e-6);
@@ -221,8 +221,8 @@ TEST(Supports, FollowTheirCourseAtItsOwnMoment) {
   Plate plate = three_materials();
   const Shape left = rectangle({0, 0}, {2e-3, height}),
               right = rectangle({27e-3, 0}, {width, height});
-  plate.loads.supports = {moved(left, Support::Kind::displacement, {1e-6, 0}, ramp(3e-6)),
-                          moved(right, Support::Kind::velocity, {0.5, 0}, ramp(3e-6))};
+  plate.loads.supports = {led(left, Support::Kind::displacement, {1e-6, 0}, ramp(3e-6)),
+                          led(right, Support::Kind::velocity, {0.5, 0}, ramp(3e-6))};
   Simulation simulation = simulate(plate);
   for (int step = 1; step <= 20; ++step) {
     simulation.step();
@@ -241,7 +241,7 @@ TEST(Supports, KnowHowFarThePlateHasFlown) {
   plate.starts.push_back({{}, Vec2(0, 0), Vec2(300.0, -200.0)});
   const Course flight([](double t) { return t; }, "flight");
   plate.loads.supports = {
-      moved(rectangle({0, 0}, {1e-3, 5e-3}), Support::Kind::displacement, {300.0, -200.0}, flight)};
+      led(rectangle({0, 0}, {1e-3, 5e-3}), Support::Kind::displacement, {300.0, -200.0}, flight)};
   Numerics numerics = test::numerics();
   numerics.precision = Precision::f32;
   Simulation simulation(plate, numerics, {1});
