@@ -23,7 +23,7 @@ class NotesTest : public testing::Test {
   // A clamped plate of 20 x 10 mm that is pulled at its top as `pull` says.
   std::string pulled(const std::string& pull, const std::string& more = "") {
     return R"(p = plate { width = 20*mm, height = 10*mm, material = "duran50" }
-              p:clamp { edge = "bottom" }
+              p:clamp { edge = "bottom", depth = 1*mm }
               p:traction { edge = "top", )" +
            pull + "}\n" + more + R"(
               s = simulate(p, { spacing = 0.5*mm })
@@ -57,7 +57,7 @@ TEST_F(NotesTest, WhatComesAndGoesBetweenStepsIsSaidBeforeTheRun) {
 
 TEST_F(NotesTest, ALedgerThatDoesNotCloseIsSaidAtTheEndAndInJson) {
   const std::string cold = R"(
-    p = plate { width = 20*mm, height = 10*mm, material = "duran50" }
+    p = plate { width = 20*mm, height = 10*mm, material = material { like = "duran50", alphaT = 3.3e-6 } }
     p:temperature { change = -1500, from = {5*mm, 2*mm}, to = {15*mm, 8*mm} }
     s = simulate(p, { spacing = 0.5*mm })
     s:run(5*us))";

@@ -18,7 +18,7 @@ TEST(Streams, NoFileTakesThePlaceOfAClosedOne) {
   const auto all_closed = [] {
     for (const int descriptor : {0, 1, 2}) close(descriptor);
     hold_standard_streams();
-    _exit(open("/dev/null", O_RDONLY) == 3 ? 0 : 1);
+    _exit(open("/dev/null", O_RDONLY) > 2 ? 0 : 1);
   };
   EXPECT_EXIT(all_closed(), testing::ExitedWithCode(0), "");
   const auto one_closed = [] {

@@ -101,7 +101,7 @@ if ! $check && $own_clone; then
   [ -d "$clone/.git" ] || git clone --quiet "$here" "$clone"
   git -C "$clone" fetch --quiet origin HEAD
   git -C "$clone" checkout --quiet --force --detach FETCH_HEAD
-  [ -f "$clone/build/release/build.ninja" ] || (cd "$clone" && cmake --preset release >/dev/null)
+  [ -f "$clone/build/release/build.ninja" ] || (cd "$clone" && cmake --preset release -DCMAKE_UNITY_BUILD=OFF >/dev/null)
 fi
 if ! $check; then
   git -C "$clone" diff --quiet -- src assets || {

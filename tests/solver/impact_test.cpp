@@ -94,7 +94,7 @@ TEST(Impact, ADiscThatMissesFliesOnAndCostsNothing) {
   Plate plate = hit({80.0, 0.0}, 0.0251);
   Simulation simulation(plate, test::numerics(), {1});
   simulation.run(50e-6);
-  EXPECT_EQ(velocity_of(simulation), Vec2(80.0, 0.0));
+  EXPECT_LT((velocity_of(simulation) - Vec2(80.0, 0.0)).norm(), 1e-13 * 80.0);
   EXPECT_EQ(simulation.external_work(), 0.0);
   EXPECT_EQ(simulation.displacement(0, 39), Vec2(0, 0));
   const Vec2 centre = simulation.state().discs.front().centre * 0.5e-3;
@@ -189,7 +189,7 @@ TEST(Impact, ADiscCrossesNoMoreThanATenthOfASpacingInAStep) {
   EXPECT_THAT(refusal([&] {
                 simulation.set_loads(hit({800.0, 0.0}).loads);
               }),
-              testing::AllOf(testing::HasSubstr("crosses 0.34 spacings"),
+              testing::AllOf(testing::HasSubstr("crosses 0.33 spacings"),
                              testing::HasSubstr("a step of 62.5 ns or less")));
   EXPECT_EQ(simulation.state().hash(), before);
   EXPECT_EQ(refusal([&] { simulation.set_loads(hit({200.0, 0.0}).loads); }), "");

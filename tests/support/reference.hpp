@@ -18,7 +18,8 @@ class Reference {
   using Real = long double;
   using Vector = Eigen::Matrix<Real, 2, 1>;
 
-  // Goes on from the state of `simulation`, in its lattice units, without a history so far.
+  // Goes on from the state of `simulation`, in its lattice units. The history of one that is at its
+  // start is what its bonds bear there; of others there is none so far.
   explicit Reference(const Simulation& simulation)
       : step_(simulation.state().step),
         nx_(simulation.lattice().grid.nx),
@@ -38,6 +39,7 @@ class Reference {
     loads_.assign(u_.size(), Vector(0, 0));
     for (const LoadedNode& load : simulation.loading().forces())
       loads_[grid.index(load.i, load.j)] = load.acceleration.cast<Real>() * dt * dt / dx;
+    if (simulation.state().is_start()) note_history();
   }
 
   // The thermal strain of the next step is what `simulation` has now.
@@ -58,28 +60,22 @@ class Reference {
 
   // Breaks what is stretched too far, and notes the least stretch of every node for the next step.
   std::vector<Vector> accelerations() {
-    constexpr Real none = std::numeric_limits<Real>::max();
     std::vector<Vector> a(u_.size(), Vector(0, 0));
-    std::vector<Real> least(u_.size(), none);
     for (Bond& bond : bonds_) {
       if (!bond.holds) continue;
-      const Vector now = bond.xi + u_[bond.to] - u_[bond.from];
+      const Vector now = deformed(bond);
       const Node &one = nodes_[bond.from], &other = nodes_[bond.to];
-      const Real length = bond.xi.norm(), ratio = now.norm() / length;
-      const Real s = std::sqrt(ratio * ratio - one.heat - other.heat) - 1;
+      const Real s = stretch(bond);
       bond.holds = bond.safe || s <= std::min(s0_[bond.from], s0_[bond.to]);
       if (!bond.holds && !late_) continue;
+      const Real length = bond.xi.norm();
       const Vector force = (one.c + other.c) / 2 * bond.unit * s / ((1 + s) * length) * now;
       a[bond.from] += force;
       a[bond.to] -= force;
-      least[bond.from] = std::min(least[bond.from], s);
-      least[bond.to] = std::min(least[bond.to], s);
     }
-    for (std::size_t node = 0; node < s0_.size(); ++node) {
-      const Node& own = nodes_[node];
-      s0_[node] = own.s00 - (least[node] == none ? Real(0) : own.alpha * least[node]);
-      a[node] = a[node] / own.rho + loads_[node];
-    }
+    note_history();
+    for (std::size_t node = 0; node < a.size(); ++node)
+      a[node] = a[node] / nodes_[node].rho + loads_[node];
     return a;
   }
 
@@ -105,6 +101,28 @@ class Reference {
     std::ptrdiff_t place = 0;  // in the engine's bond bits
     int bit = 0;
   };
+
+  Vector deformed(const Bond& bond) const { return bond.xi + u_[bond.to] - u_[bond.from]; }
+
+  Real stretch(const Bond& bond) const {
+    const Real ratio = deformed(bond).norm() / bond.xi.norm();
+    return std::sqrt(ratio * ratio - nodes_[bond.from].heat - nodes_[bond.to].heat) - 1;
+  }
+
+  // The least stretch of the bonds of a node that hold moves its threshold.
+  void note_history() {
+    constexpr Real none = std::numeric_limits<Real>::max();
+    std::vector<Real> least(u_.size(), none);
+    for (const Bond& bond : bonds_) {
+      if (!bond.holds) continue;
+      for (const std::size_t node : {bond.from, bond.to})
+        least[node] = std::min(least[node], stretch(bond));
+    }
+    for (std::size_t node = 0; node < s0_.size(); ++node) {
+      const Node& own = nodes_[node];
+      s0_[node] = own.s00 - (least[node] == none ? Real(0) : own.alpha * least[node]);
+    }
+  }
 
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j * nx_ + i); }
 
