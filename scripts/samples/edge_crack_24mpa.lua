@@ -1,7 +1,7 @@
 -- edge_crack_24mpa.lua: the paper's first plate under twice the load. The branches branch again.
 --
 -- As edge_crack.lua, with 24 MPa on both long edges (paper, Fig. 5).
--- Expected: the crack starts at 4 us and forks at 62 mm after 12 us; its branches fork again at 90 mm.
+-- Expected: the crack starts at 4 us and forks at 62 mm (seen at 13.5 us); its branches fork again at 90 mm.
 -- The plate and its load are symmetric about mid-height and stay so to the last bit; experiments do
 -- not, since real glass is not the same everywhere.
 --

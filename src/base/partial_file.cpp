@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/partial_file.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <string>
 #include <system_error>
 
@@ -8,6 +10,17 @@
 
 namespace hackle {
 namespace fs = std::filesystem;
+namespace {
+
+// Whether a recording writes files of such a name: itself or its sidecar. A picture beside it that
+// has the same stem is none of its business.
+bool is_recorded(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending == ".h5" || ending == ".hdf5" || ending == ".xdmf";
+}
+
+}  // namespace
 
 PartialFile::PartialFile(const fs::path& path) : HeldFile(partial_name(path), path) {
 }
@@ -27,8 +40,10 @@ fs::path recording_lock(const fs::path& run_file) {
 }
 
 void refuse_if_written(const fs::path& path) {
-  for (const fs::path& name : {path, partial_name(path), recording_lock(path)})
+  for (const fs::path& name : {path, partial_name(path)})
     if (is_locked(name)) refuse_locked(path, name);
+  const fs::path recording = recording_lock(path);
+  if (is_recorded(path) && is_locked(recording)) refuse_locked(path, recording);
 }
 
 }  // namespace hackle

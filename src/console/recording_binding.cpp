@@ -70,6 +70,17 @@ std::filesystem::path claim_movie(Session& session, const char* who, const Argum
   return session.claim(who, makeable(arguments.text("file"), fallback).path, FileKind::movie);
 }
 
+// Films what is claimed. A call that is refused, or breaks off, has no name any more.
+void make_claimed(OutputNames& names, const std::filesystem::path& path, const auto& make) {
+  try {
+    make();
+  } catch (...) {
+    names.take_back(path);
+    throw;
+  }
+  names.complete(path);
+}
+
 int movie(lua_State* L) {
   const auto recording = self<ScriptedRecording>(L, recorded_movie_doc).recording;
   const Arguments arguments = Arguments::from_table(L, 2, recorded_movie_doc);
@@ -77,9 +88,10 @@ int movie(lua_State* L) {
   Session& session = session_of(L);
   const auto path = claim_movie(session, "movie", arguments);
   if (session.settings.purpose != Purpose::results) return 0;
-  film(recording, path, movie_of(arguments), moments_of(arguments), session.settings.talk,
-       session.names);
-  session.names->complete(path);
+  make_claimed(*session.names, path, [&] {
+    film(recording, path, movie_of(arguments), moments_of(arguments), session.settings.talk,
+         session.names);
+  });
   return 0;
 }
 
@@ -90,12 +102,13 @@ int side_by_side(lua_State* L) {
   Session& session = session_of(L);
   const auto path = claim_movie(session, "side_by_side", arguments);
   if (session.settings.purpose != Purpose::results) return 0;
-  MovieOptions options = movie_of(arguments);
-  options.picture.width = static_cast<int>(arguments.integer("width", 640));
-  film_side_by_side(tiles, path, options, moments_of(arguments),
-                    static_cast<int>(arguments.integer("columns", 2)), session.settings.talk,
-                    *session.names);
-  session.names->complete(path);
+  make_claimed(*session.names, path, [&] {
+    MovieOptions options = movie_of(arguments);
+    options.picture.width = static_cast<int>(arguments.integer("width", 640));
+    film_side_by_side(tiles, path, options, moments_of(arguments),
+                      static_cast<int>(arguments.integer("columns", 2)), session.settings.talk,
+                      *session.names);
+  });
   return 0;
 }
 

@@ -18,7 +18,7 @@
 namespace hackle {
 namespace {
 
-constexpr double shortest_branch = 2.0;  // horizons
+constexpr double shortest_branch = 1.0;  // horizons
 constexpr double looked_at = 4.0;        // horizons of a branch, for its middle line
 
 constexpr double unreached = std::numeric_limits<double>::infinity();

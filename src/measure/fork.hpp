@@ -9,7 +9,7 @@
 
 namespace hackle {
 
-// Where a band of a crack splits into branches that are each longer than two horizons from where
+// Where a band of a crack splits into branches that are each longer than a horizon from where
 // they lie a horizon apart, and do not meet again: the places, m, where the middle lines of two
 // branches meet, from left to right. `nodes` lie on a crack, `at_start` did so before anything
 // broke: branches lead away from there, or, in a crack that has begun elsewhere, from one of its

@@ -19,6 +19,8 @@ av::Owner<AVFormatContext> container_of(const std::filesystem::path& path, const
   av::check(path, "open", avformat_alloc_output_context2(&container, nullptr, muxer, name.c_str()));
   // Whatever is complete goes to the file at once.
   container->flags |= AVFMT_FLAG_FLUSH_PACKETS;
+  // Matroska numbers tracks and segments at random unless it must not.
+  if (std::string_view(muxer) != "mp4") container->flags |= AVFMT_FLAG_BITEXACT;
   return av::Owner<AVFormatContext>(container);
 }
 

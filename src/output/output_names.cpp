@@ -67,11 +67,19 @@ void add_names(const fs::path& path, std::set<fs::path>& names) {
   names.insert(real_path(path.parent_path()) / path.filename());
 }
 
+// Of a movie; one with an index gets that in a file of its own at first.
+std::vector<fs::path> movie_companions(const fs::path& path) {
+  std::vector<fs::path> list{partial_name(path)};
+  if (ending_of(path) == ".mp4")
+    list.push_back(path.parent_path() / ("." + path.stem().string() + ".indexed.mp4"));
+  return list;
+}
+
+// Those first by which a user knows them: a refusal names the first that is taken.
 std::vector<fs::path> companions(const fs::path& path, FileKind kind) {
   switch (kind) {
     case FileKind::movie:
-      return {partial_name(path),
-              path.parent_path() / ("." + path.stem().string() + ".indexed.mp4")};
+      return movie_companions(path);
     case FileKind::run_file: {
       const fs::path sidecar = sidecar_of(path);
       return {sidecar, partial_name(sidecar), recording_lock(path)};
@@ -89,6 +97,19 @@ std::vector<fs::path> companions(const fs::path& path, FileKind kind) {
 std::optional<fs::path> common(const std::set<fs::path>& one, const std::set<fs::path>& other) {
   for (const fs::path& name : one)
     if (other.contains(name)) return name;
+  return std::nullopt;
+}
+
+// The first of what `path` would take that is in `taken`, or nothing.
+std::optional<fs::path> first_taken(const fs::path& path, FileKind kind,
+                                    const std::set<fs::path>& taken) {
+  std::vector<fs::path> wanted = companions(path, kind);
+  wanted.insert(wanted.begin(), path);
+  for (const fs::path& one : wanted) {
+    std::set<fs::path> names;
+    add_names(one, names);
+    if (auto name = common(names, taken)) return name;
+  }
   return std::nullopt;
 }
 
@@ -117,7 +138,7 @@ void OutputNames::claim(const std::string& who, const fs::path& path, FileKind k
   claim.all = claim.own;
   for (const fs::path& companion : companions(path, kind)) add_names(companion, claim.all);
   for (const Claim& former : claims_) {
-    const std::optional<fs::path> shared = common(claim.all, former.all);
+    const std::optional<fs::path> shared = first_taken(path, kind, former.all);
     if (!shared || may_replace(claim, former)) continue;
     const bool same = common(claim.own, former.own).has_value();
     const std::string what = same
@@ -126,7 +147,7 @@ void OutputNames::claim(const std::string& who, const fs::path& path, FileKind k
                                  : fmt::format("'{}' would take '{}', which goes with '{}' of {}{}",
                                                path.string(), shared->filename().string(),
                                                former.path.string(), former.who, at(former.place));
-    throw Error(ErrorKind::refused, who + ": " + what, "choose another file name");
+    throw Error(ErrorKind::refused, fmt::format("{}: {}", who, what), "choose another file name");
   }
   if (!rehearses) refuse_if_written(path);
   std::erase_if(claims_, [&](const Claim& former) { return former.own == claim.own; });
@@ -137,6 +158,10 @@ bool OutputNames::may_replace(const Claim& claim, const Claim& former) const {
   if (claim.kind != former.kind || !common(claim.own, former.own)) return false;
   const bool at_once = claim.kind != FileKind::movie && claim.kind != FileKind::run_file;
   return at_once || (replaces_complete && former.is_complete);
+}
+
+void OutputNames::take_back(const fs::path& path) {
+  std::erase_if(claims_, [&](const Claim& claim) { return claim.path == path; });
 }
 
 void OutputNames::complete(const fs::path& path) {

@@ -31,6 +31,8 @@ class OutputNames {
   // by their own kind. Throws Error (refused), naming the first writer, when any of it is somebody
   // else's, and Error (files) when another program is writing it.
   void claim(const std::string& who, const std::filesystem::path& path, FileKind kind);
+  // Gives back what was claimed last, by a call that is refused after all.
+  void take_back(const std::filesystem::path& path);
   // It is complete.
   void complete(const std::filesystem::path& path);
   bool is_claimed(const std::filesystem::path& path) const;

@@ -52,7 +52,7 @@ std::string wall_time(const Rehearsal& rehearsal) {
 
 // A doubt leaves what breaks for certain as it is; else nothing is certain.
 std::string verdict(const Rehearsal& rehearsal) {
-  const std::string known = describe(rehearsal.forecast);
+  std::string known = describe(rehearsal.forecast);
   if (rehearsal.doubts.empty()) return known;
   const std::string unknown = fmt::format("unknown: {}", fmt::join(rehearsal.doubts, "; "));
   switch (rehearsal.forecast.verdict()) {

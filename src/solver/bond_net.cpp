@@ -200,7 +200,7 @@ void BondNet::forget(const std::vector<Loss>& losses) {
     for (std::size_t k = 0; k < kept_.size(); ++k) {
       if (kept_[k].bit != bit) continue;
       for (int component = 0; component < 3; ++component) slice(j, k, component)[column] = 0.0F;
-      touched[static_cast<std::size_t>(j)] = touched[static_cast<std::size_t>(j + kept_[k].b)] = 1;
+      for (const int row : {j, j + kept_[k].b}) touched[static_cast<std::size_t>(row)] = 1;
     }
   }
   for_rows(threads_, lattice_->grid.ny, [&](int j) {

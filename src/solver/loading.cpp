@@ -20,7 +20,7 @@ std::vector<std::size_t> union_of(const Lists& lists, const Grid& grid) {
   for (const auto& list : lists)
     for (const auto& node : list.nodes) all.push_back(grid.index(node.i, node.j));
   std::ranges::sort(all);
-  all.erase(std::ranges::unique(all).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

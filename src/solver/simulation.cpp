@@ -91,8 +91,10 @@ void set_in_motion(const std::vector<Start>& starts, const Lattice& lattice, dou
   if (starts.empty()) return;
   const Grid& grid = lattice.grid;
   std::vector<SpreadStart> spreads;
+  spreads.reserve(starts.size());
   for (const Start& start : starts) spreads.push_back(spread(start, lattice, dt));
   std::vector<const std::vector<std::size_t>*> lists;
+  lists.reserve(spreads.size());
   for (const SpreadStart& start : spreads) lists.push_back(&start.at);
   const std::vector<Meeting> crowds = find_meetings(lists, grid.nodes());
   const std::vector<Vec2> u = sum_of(spreads, &SpreadStart::u, crowds, grid),
@@ -358,7 +360,8 @@ double Simulation::work_of_led_half_step() const {
   const std::vector<Vec2> a = accelerations();
   double sum = 0.0;
   for (const LedNode& node : loading_.led()) {
-    const Vec2 push = a[lattice_.grid.index(node.i, node.j)], v = state_.v(node.i, node.j);
+    const Vec2& push = a[lattice_.grid.index(node.i, node.j)];
+    const Vec2 v = state_.v(node.i, node.j);
     if (node.along_x) sum -= node.inertia * push.x() * v.x();
     if (node.along_y) sum -= node.inertia * push.y() * v.y();
   }

@@ -29,6 +29,7 @@ std::vector<Meeting> crowds_of(const std::vector<SpreadHeat>& heat, const Grid& 
     for_places(part.range, grid, [&](std::size_t, std::size_t node) { at.push_back(node); });
   }
   std::vector<const std::vector<std::size_t>*> lists;
+  lists.reserve(places.size());
   for (const auto& list : places) lists.push_back(&list);
   return find_meetings(lists, grid.nodes());
 }

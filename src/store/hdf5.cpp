@@ -79,9 +79,9 @@ Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
   // Nothing that is committed depends on bytes that are still to come, so that whoever reads finds
   // a whole file at any moment.
-  file_ = {
-      checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, without_locks().get()), "create"),
-      H5Fclose};
+  const Hdf5Handle access = without_locks();
+  file_ = {checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), "create"),
+           H5Fclose};
 }
 
 hid_t Hdf5File::checked(hid_t result, const std::string& doing) const {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,6 +29,9 @@ constexpr std::size_t small_piece = std::size_t{1} << 16U;     // bytes; unpacks
 constexpr hsize_t rows_at_once = hsize_t{1} << 20U;
 constexpr hsize_t most_packed = 1100;  // deflate makes nothing smaller by more than 1032 times
 constexpr std::string_view locked = "Resource temporarily unavailable";
+constexpr std::string_view cut_off = "it is cut off";
+constexpr int most_trials = 20;  // of opening a file that grows
+constexpr std::chrono::milliseconds between_trials{5};
 
 std::string extents_text(const std::vector<hsize_t>& shape) {
   return fmt::format("{}", fmt::join(shape, " x "));
@@ -52,7 +57,7 @@ bool is_number(hid_t type) {
 std::string plain_cause() {
   const std::string cause = cause_of_failure();
   for (const auto& [part, plain] : {std::pair{"signature", "it is no HDF5 file"},
-                                    {"truncated", "it is cut off"},
+                                    {"truncated", cut_off.data()},
                                     {"hecksum", "its checksum is wrong"},
                                     {"fletcher32", "its checksum is wrong"},
                                     {"locked", "it is locked"}})
@@ -63,6 +68,24 @@ std::string plain_cause() {
              : "it is damaged";
 }
 
+// Says why in `why` when it cannot be opened.
+Hdf5Handle opened_once(const std::filesystem::path& path, std::string& why) {
+  const Hdf5Handle access = without_locks();  // closed after the cause is known: that forgets it
+  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
+  if (file.get() < 0) why = plain_cause();
+  return file;
+}
+
+// The library asks how long a file is before it reads how long it should be. One that grew in
+// between looks cut off, but not again and again.
+Hdf5Handle opened_growing(const std::filesystem::path& path, std::string& why) {
+  for (int trial = 1;; ++trial) {
+    Hdf5Handle file = opened_once(path, why);
+    if (file.get() >= 0 || why != cut_off || trial == most_trials) return file;
+    std::this_thread::sleep_for(between_trials);
+  }
+}
+
 }  // namespace
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path) {
@@ -71,9 +94,9 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path) {
   if (!std::filesystem::exists(path, failure)) refuse("there is no such file");
   if (std::filesystem::is_directory(path, failure)) refuse("it is a folder");
   if (!std::filesystem::is_regular_file(path, failure)) refuse("it is no plain file");
-  file_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, without_locks().get()), H5Fclose};
+  std::string why;
+  file_ = opened_growing(path, why);
   if (file_.get() >= 0) return;
-  const std::string why = plain_cause();
   if (H5Fis_hdf5(path.c_str()) == 0) refuse(why, "a run file is what s:record{} writes");
   refuse(why, why == locked ? "another program is writing it: wait for its end" : "");
 }
