@@ -30,11 +30,18 @@ Hdf5Handle text_type(std::size_t size) {
   return type;
 }
 
+// Without the moment at which a dataset is written: the same run leaves the same bytes.
+Hdf5Handle timeless() {
+  Hdf5Handle plan(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(plan.get(), 0);
+  return plan;
+}
+
 // How a dataset is cut and compressed: each column by itself, in pieces of at most 512 KiB of f32.
 Hdf5Handle storage(std::vector<hsize_t> shape) {
   shape[0] = std::clamp<hsize_t>(shape[0], 1, most_chunk_values);
   if (shape.size() > 1) shape[1] = 1;
-  Hdf5Handle plan(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  Hdf5Handle plan = timeless();
   H5Pset_chunk(plan.get(), static_cast<int>(shape.size()), shape.data());
   H5Pset_shuffle(plan.get());
   H5Pset_deflate(plan.get(), deflate_level);
@@ -140,7 +147,7 @@ Hdf5Handle Hdf5File::series(const std::string& name, hid_t type, const std::stri
   const Hdf5Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
   // Not compressed: a chunk that grows under compression moves in the file, and a process killed in
   // between would leave an index that points to where it was.
-  const Hdf5Handle plan(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  const Hdf5Handle plan = timeless();
   H5Pset_chunk(plan.get(), 1, &series_chunk);
   Hdf5Handle series(checked(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT,
                                        plan.get(), H5P_DEFAULT),
@@ -185,7 +192,7 @@ void Hdf5File::write_text(const std::string& name, const std::string& text,
   const Hdf5Handle type = text_type(text.size());
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   const Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), name.c_str(), type.get(), space.get(),
-                                              H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                                              H5P_DEFAULT, timeless().get(), H5P_DEFAULT),
                                    "create " + name + " in"),
                            H5Dclose);
   checked(H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()),

@@ -48,6 +48,12 @@ std::vector<std::string> coarser(const std::string& help) {
   return words;
 }
 
+// A run file says when it was begun.
+std::string without_date(const std::string& content) {
+  static const std::regex date("20[0-9]{2}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}Z");
+  return std::regex_replace(content, date, "");
+}
+
 struct Left {
   std::vector<std::string> hashes;           // of the states
   std::map<std::string, std::string> files;  // name to content
@@ -71,7 +77,8 @@ Left run(const fs::path& script) {
   if (fs::exists(folder.path / "out"))
     for (const auto& entry : fs::recursive_directory_iterator(folder.path / "out"))
       if (entry.is_regular_file())
-        left.files[fs::relative(entry.path(), folder.path).string()] = read_text(entry.path());
+        left.files[fs::relative(entry.path(), folder.path).string()] =
+            without_date(read_text(entry.path()));
   return left;
 }
 
