@@ -44,7 +44,7 @@ int command_check(const RunRequest& request) {
     if (number == 0) print_out("the script makes no simulation\n");
     if (failure)
       print_out("then it wants results: {}\nwhat comes after that is unknown\n",
-                 failure->problems().front().what);
+                failure->problems().front().what);
     return console.exit_code().value_or(0);
   });
 }

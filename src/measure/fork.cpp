@@ -49,7 +49,8 @@ class Ways {
     }
     std::size_t last = from.empty() ? 0 : from.front();
     for (; !next.empty();) {
-      const auto [way, node] = next.top();
+      const double way = next.top().first;
+      const std::size_t node = next.top().second;
       next.pop();
       if (way > way_[node]) continue;
       last = node;
@@ -155,7 +156,7 @@ class Branches {
 
   // Where they part, if their middle lines say nothing better.
   Vec2 place_of_fork(std::size_t node, std::size_t one, std::size_t two) {
-    const Vec2 parting = place(node);
+    Vec2 parting = place(node);
     const auto first = line_through(middles(one, ways_->to(node)));
     const auto second = line_through(middles(two, ways_->to(node)));
     if (!first || !second) return parting;

@@ -152,8 +152,7 @@ TEST_F(Disk, AScriptThatCannotBeReadIsSaid) {
   fs::create_directory(folder_.path / "folder.lua");
   fs::create_symlink("nowhere.lua", folder_.path / "dangling.lua");
   fs::create_symlink("ring.lua", folder_.path / "ring.lua");
-  for (const char* name :
-       {"missing.lua", "folder.lua", "dangling.lua", "ring.lua", "a.lua/b.lua",
+  for (const char* name : {"missing.lua", "folder.lua", "dangling.lua", "ring.lua", "a.lua/b.lua",
                            "/proc/self/mem", ""})
     for (const char* command : {"run", "check"}) {
       const Ended ended = run({command, name});
