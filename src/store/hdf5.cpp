@@ -76,6 +76,11 @@ bool Hdf5Handle::reset() {
   return close_(std::exchange(id_, -1)) >= 0;
 }
 
+void begin_hdf5() {
+  [[maybe_unused]] static const herr_t once = H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
 Hdf5Handle without_locks() {
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access.get(), 0, 1);
@@ -83,7 +88,7 @@ Hdf5Handle without_locks() {
 }
 
 Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
+  begin_hdf5();
   // Nothing that is committed depends on bytes that are still to come, so that whoever reads finds
   // a whole file at any moment.
   const Hdf5Handle access = without_locks();

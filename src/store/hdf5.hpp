@@ -45,6 +45,10 @@ struct Dataset {
 // What HDF5 says went wrong last.
 std::string cause_of_failure();
 
+// Before anything else is asked of HDF5: errors are thrown, not printed. At the end of the program
+// the library leaves alone what it could not close, which it would not survive.
+void begin_hdf5();
+
 // How files are opened: without the locks of the library, which keep readers and writers apart.
 Hdf5Handle without_locks();
 

@@ -89,7 +89,7 @@ Hdf5Handle opened_growing(const std::filesystem::path& path, std::string& why) {
 }  // namespace
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
+  begin_hdf5();
   std::error_code failure;
   if (!std::filesystem::exists(path, failure)) refuse("there is no such file");
   if (std::filesystem::is_directory(path, failure)) refuse("it is a folder");

@@ -87,6 +87,18 @@ TEST_F(Disk, AFullDiskLeavesNoFileThatIsNotWhole) {
     }
 }
 
+// What could not be written stays what it is; the program ends with its code all the same.
+TEST_F(Disk, ARecordOnAFullDiskIsAnErrorOfFiles) {
+  for (const rlim_t most : {0, 512, 4096, 65536}) {
+    const Ended ended = run_script(test::scene + "s:record { 'a.h5', every = 1*us } s:run(30*us)",
+                                   {.limits = {{RLIMIT_FSIZE, most}}, .ignored = {SIGXFSZ}});
+    EXPECT_EQ(ended.code, 5) << most << ended.err;
+    // Where no file may grow at all, neither may the one that stands for stderr.
+    if (most > 0) EXPECT_THAT(ended.err, HasSubstr("a.h5"));
+    fs::remove_all(folder_.path / "out");
+  }
+}
+
 TEST_F(Disk, AFolderThatGoesAwayIsOneClearError) {
   for (const std::string& start :
        {test::scene + "s:movie { 'a.mp4', every = 1*us, width = 320 } s:run(1*us)",
