@@ -94,7 +94,9 @@ TEST_F(Disk, ARecordOnAFullDiskIsAnErrorOfFiles) {
                                    {.limits = {{RLIMIT_FSIZE, most}}, .ignored = {SIGXFSZ}});
     EXPECT_EQ(ended.code, 5) << most << ended.err;
     // Where no file may grow at all, neither may the one that stands for stderr.
-    if (most > 0) EXPECT_THAT(ended.err, HasSubstr("a.h5"));
+    if (most > 0) {
+      EXPECT_THAT(ended.err, HasSubstr("a.h5"));
+    }
     fs::remove_all(folder_.path / "out");
   }
 }
