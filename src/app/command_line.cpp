@@ -234,7 +234,7 @@ int with_output_checked(int code) {
   return code == 0 || stopped ? static_cast<int>(ErrorKind::files) : code;
 }
 
-// After the help of a command that was given a script: what else that understands.
+// `--help` with a script: also lists the script's own options.
 int tell_options(const RunRequest& request) {
   return exit_code_of([&] {
     print_out("\n{}", options_text(request));

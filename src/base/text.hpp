@@ -12,7 +12,7 @@ namespace hackle {
 
 // The candidate with the least edit distance (insert, delete, replace, swap of neighbours), or
 // nothing when even that is farther than a third of the word, at least 1: then a suggestion would
-// mislead. One that goes on where a word of four letters or more ends is one edit away.
+// mislead. A candidate that starts with the word (4 letters or more) counts as one edit away.
 std::optional<std::string_view> nearest(std::string_view word,
                                         std::span<const std::string_view> candidates);
 

@@ -43,7 +43,7 @@ double fracture_energy(const Family& family, double c, double s0, double dx, con
 
 namespace {
 
-// Factors of E/(pi delta^3) in c, and of G0/(E delta) in s0^2 (physics.md 4.1).
+// Factors of E/(pi delta^3) in c, and of G0/(E delta) in s0^2 (src/lattice/README.md 3.3).
 struct ContinuumFactors {
   double c, s0_squared;
 };

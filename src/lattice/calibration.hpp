@@ -8,7 +8,7 @@
 
 namespace hackle {
 
-// Moduli of the square lattice for a small uniform strain (physics.md 4.1 and 5.2):
+// Moduli of the square lattice for a small uniform strain (src/lattice/README.md 3.1):
 // C11 = 1/2 c V sum w x^4/r^3 and C12 = 1/2 c V sum w x^2 y^2/r^3 over the directed bonds; with
 // centroids one x (and y) of each square is that of the node.
 struct Moduli {
@@ -32,7 +32,7 @@ Moduli moduli(const Family& family, double c, double dx, Plane plane = Plane::st
 
 // Energy per area to break all bonds across a straight cut with unit normal `normal`:
 // G = 1/4 sum_p w_p c s0^2 |xi_p| |o_p . n| V over the directed bonds, o_p the offset of the
-// neighbour (physics.md 5.12). J/m2.
+// neighbour (src/lattice/README.md 3.4). J/m2.
 double fracture_energy(const Family& family, double c, double s0, double dx, const Vec2& normal);
 
 // A critical stretch that the material gives holds as it is, and G0 follows from it.

@@ -59,7 +59,7 @@ std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& gri
 
 namespace {
 
-// The bonds that a node keeps.
+// Carves the bonds that node (i, j) keeps.
 void carve_at(int i, int j, const Shape& shape, const std::vector<std::uint8_t>& material,
               const Grid& grid, const Family& family, BondBits& bonds) {
   const auto is_void = [&](int column, int row) {

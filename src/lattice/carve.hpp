@@ -25,20 +25,20 @@ struct NodeRange {
   }
   std::size_t rows() const { return static_cast<std::size_t>(std::max(0, last_j - first_j + 1)); }
   std::size_t count() const { return columns() * rows(); }
-  // Of a node in the range, row by row from the lower left.
+  // Index of a node in the range, row by row from the lower left.
   std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(j - first_j) * columns() +
            static_cast<std::size_t>(i - first_i);
   }
 };
-// Of all nodes nearer to the box than `margin` spacings; the box in units of the lattice, from its
-// centre.
+// The range of all nodes nearer to the box than `margin` spacings. The box is in lattice units,
+// from the centre of the lattice.
 NodeRange nodes_near(const Box& box, const Grid& grid, int margin);
 // A range that holds all nodes of a region.
 NodeRange nodes_of(const Region& region, const Grid& grid);
 
-// Calls work(i, j) row by row, as everything does that sets a plate up: Ctrl-C ends it between two
-// rows. Throws Error (interrupted).
+// Calls work(i, j) row by row. All loops that set up a plate use it, so Ctrl-C ends them between
+// two rows. Throws Error (interrupted).
 template <class Work>
 void for_nodes(const NodeRange& range, const Work& work) {
   for (int j = range.first_j; j <= range.last_j; ++j) {

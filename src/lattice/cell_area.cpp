@@ -63,7 +63,7 @@ CellPart cell_inside_circle(int a, int b, double radius) {
   add_rectangle(sum, left, full_until, bottom, top);
   if (until > full_until) add_cap(sum, full_until, until, bottom, radius);
   if (!(sum.area > 0.0)) return {};
-  // What rounding makes of the centroid of a sliver must not leave the cell.
+  // Rounding must not move the centroid of a sliver out of its cell.
   const double x = on_axis ? 0.0 : std::clamp(sum.x / sum.area, left, right);
   return {on_axis ? 2.0 * sum.area : sum.area, {x, std::clamp(sum.y / sum.area, bottom, top)}};
 }

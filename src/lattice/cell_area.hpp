@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a circle leaves of the cell of a lattice node.
+// The part of a lattice cell that lies inside a circle.
 #pragma once
 
 #include "scene/vec2.hpp"

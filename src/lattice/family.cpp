@@ -14,8 +14,8 @@ double whole_if_near(double m) {
   return std::abs(m - whole) <= 1e-9 * whole ? whole : m;
 }
 
-// Weights too small to count: what rounding makes of a cell that touches the horizon, or of a bond
-// that ends where a conical micromodulus does.
+// Weights up to this are rounding errors: of a cell that only touches the horizon, or of a bond
+// that is as long as a conical micromodulus reaches.
 constexpr double no_weight = 1e-12;
 
 struct Weighted {

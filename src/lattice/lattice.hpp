@@ -12,7 +12,7 @@
 
 namespace hackle {
 
-// A material as bonds between its nodes have it.
+// A material with its constants calibrated for this lattice.
 struct MaterialOnLattice {
   Material material;
   Calibration calibration;
@@ -21,9 +21,9 @@ struct MaterialOnLattice {
 // The plate's own material first, then those of its inclusions, each once.
 std::vector<MaterialOnLattice> materials_of(const Plate& plate, const Family& family,
                                             const Numerics& numerics);
-// Whether some differ in micromodulus, density, critical stretch or alpha.
+// Whether any two differ in micromodulus, density, critical stretch or alpha.
 bool differ(const std::vector<MaterialOnLattice>& materials);
-// Whether the alpha of some is not 0.
+// Whether any has an alpha above 0.
 bool have_history(const std::vector<MaterialOnLattice>& materials);
 
 struct Lattice {
@@ -40,11 +40,11 @@ struct Lattice {
   double rho;                       // kg/m3, of the plate's own material
   double step_limit;                // s, see step_limit() below, of the plate as it was described
   BondBits bonds;                   // at t = 0, after the cracks were cut
-  std::vector<std::uint16_t> born;  // per node: bonds it was born with, the base of its damage
+  std::vector<std::uint16_t> born;  // per node: initial bonds, the base of its damage
   BondBits unbreakable;             // bonds of no-fail zones; empty when there are none
   std::vector<float> strength;      // per node: its critical stretch over s0; empty when all are 1
 
-  // Of the nodes that cut-outs removed, which exist in name only: without bonds, loads and motion.
+  // Marks nodes that cut-outs removed: they have no bonds, loads or motion.
   static constexpr std::uint8_t void_node = 255;
   bool is_void(int i, int j) const {
     return !material.empty() && material[grid.index(i, j)] == void_node;
@@ -53,8 +53,8 @@ struct Lattice {
   const MaterialOnLattice& material_at(int i, int j) const {
     return material.empty() ? materials.front() : materials[material[grid.index(i, j)]];
   }
-  // What the bonds of node (i, j) would have alone: the plate's own where it is void. The mean of
-  // the micromoduli of two nodes is that of their bond, the lesser critical stretch breaks it.
+  // Constants of node (i, j); those of the plate's own material where it is void. A bond has the
+  // mean of the micromoduli of its nodes and breaks by the lesser critical stretch.
   double micromodulus_at(int i, int j) const;
   double critical_stretch_at(int i, int j) const;  // strength included
   bool is_mixed() const { return differ(materials); }
@@ -67,7 +67,7 @@ struct Lattice {
 // impacts of `plate` included. Damping does not change it (see solver/damping.hpp).
 double step_limit(const Lattice& lattice, const Plate& plate);
 
-// Bonds that each node has among `bonds`, in the order of Grid::index.
+// The number of bonds per node among `bonds`, in the order of Grid::index.
 std::vector<std::uint16_t> degrees(const Grid& grid, const Family& family, const BondBits& bonds);
 
 // Whether the bond of node (i, j) to (i + column, j + row) holds; false when there is none.

@@ -16,7 +16,8 @@ namespace {
 
 using NodeForces = std::vector<LoadedNode>;
 
-// By a stress over a length, which is a force density. No load does so to a node twice.
+// Adds the force of a stress over a length, which is a force density, on a node. No load adds to a
+// node twice.
 void push(NodeForces& forces, const Lattice& lattice, int i, int j, const Vec2& stress,
           double length) {
   const double rho = lattice.material_at(i, j).material.rho;
@@ -65,7 +66,7 @@ std::pair<int, int> node_at(const Grid& grid, Edge edge, int k, int depth) {
   return {0, 0};
 }
 
-// Where the outermost node of a line is void, there is no edge to pull at.
+// A line whose outermost node is void has no edge to pull at.
 NodeForces spread(const Traction& traction, const Lattice& lattice) {
   const Grid& grid = lattice.grid;
   const bool along_x = traction.edge == Edge::top || traction.edge == Edge::bottom;
@@ -93,8 +94,8 @@ NodeForces spread(const Traction& traction, const Lattice& lattice) {
   return forces;
 }
 
-// On the faces of cells between material and the cut-out: its resultant on any closed rim is 0, and
-// what it projects on any direction is right to a cell.
+// A pressure acts on the faces of cells between material and the cut-out. Its resultant on a closed
+// rim is 0, and its projection on any direction is right to one cell.
 NodeForces spread(const Pressure& pressure, const Plate& plate, const Lattice& lattice) {
   const Grid& grid = lattice.grid;
   std::vector<char> open(grid.nodes());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the loads of a scene act on the lattice, and how hard when their factor of time is 1.
+// Maps the loads of a scene to nodes: where they act, and how hard when their factor of time is 1.
 #pragma once
 
 #include <vector>
@@ -52,7 +52,7 @@ std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& la
 // Temperature changes, likewise.
 std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice);
 
-// What two lists make together. All three: each node once, ordered by index.
+// The sum of two lists. In all three each node occurs once, ordered by index.
 std::vector<LoadedNode> sum_of(const std::vector<LoadedNode>& one,
                                const std::vector<LoadedNode>& other, const Grid& grid);
 

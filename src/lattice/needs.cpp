@@ -15,7 +15,7 @@ Vec2 nodes_along(const Plate& plate, const Numerics& numerics) {
   return {std::round(plate.width / numerics.spacing), std::round(plate.height / numerics.spacing)};
 }
 
-// Values of the engine and of the motion at every place.
+// Values per place that the engine and the motion hold.
 double values_of_place(const Needs& needs) {
   double values = 6.0;                // u, the next u and v
   if (needs.varied()) values += 2.0;  // critical stretch, threshold
@@ -26,7 +26,7 @@ double values_of_place(const Needs& needs) {
   return values;
 }
 
-// As tile_rows() has them, which needs no list here.
+// The number of rows that tile_rows() lists, without the list.
 double rows_of_tiles(int ny, int reach) {
   const int height = reach <= 8 ? 8 : 16;
   const int each_side = std::max(0, (ny / height - 1) / 2);
@@ -34,14 +34,14 @@ double rows_of_tiles(int ny, int reach) {
   return 2.0 * each_side + (left >= 2 * height && left % 2 == 0 ? 2.0 : 1.0);
 }
 
-// Two ranges, which are four values and four bytes, and three flags.
+// Two ranges of four values and four bytes each, and three flags.
 double bytes_of_tile(const Needs& needs, double real) {
   const double range = real == 4.0 ? 20.0 : 40.0;
   return 2.0 * range + 3.0 + (needs.heated ? real : 0.0);
 }
 
 double bytes_of_node(const Plate& plate, const Needs& needs) {
-  double bytes = sizeof(std::uint16_t);  // bonds it was born with
+  double bytes = sizeof(std::uint16_t);  // initial bonds
   if (needs.kinds) bytes += sizeof(std::uint8_t);
   if (needs.scattered) bytes += sizeof(float);
   if (needs.heated) bytes += sizeof(double);

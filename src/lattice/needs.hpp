@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a scene needs beyond bonds of one cold material, and the memory that takes: one rule, by
-// which the estimate before a run, the engine and the report go.
+// What a scene needs beyond bonds of one cold material, and the memory that takes. The estimate
+// before a run, the engine and the report all use this one rule (src/lattice/README.md 8.1).
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@ namespace hackle {
 
 struct Needs {
   bool kinds = false;      // every node has a material of its own: there are inclusions or cut-outs
-  bool mixed = false;      // materials differ in what bonds have of them
+  bool mixed = false;      // materials differ in stiffness, density, s0 or alpha
   bool history = false;    // the alpha of some material is not 0
   bool heated = false;     // the temperature changes
   bool zones = false;      // some bonds never break
@@ -23,7 +23,7 @@ struct Needs {
   bool varied() const { return mixed || heated || history || scattered; }
 };
 
-// Before there is a lattice. Needs a family: least_m <= m <= most_m.
+// Before a lattice is built. Requires a family: least_m <= m <= most_m.
 Needs needs_of(const Plate& plate, const Numerics& numerics);
 // The same of a lattice that has been built.
 Needs needs_of(const Lattice& lattice, bool heated);
@@ -33,13 +33,13 @@ inline constexpr double most_columns = 0.25 * std::numeric_limits<int>::max();
 
 struct Memory {
   double kept = 0.0;     // bytes that state, lattice and engine hold: Simulation::bytes()
-  double loads = 0.0;    // at most; lists of the nodes on which something acts
-  double passing = 0.0;  // the most that is held for a while, by the set-up and by the summary
+  double loads = 0.0;    // upper bound: lists of loaded and prescribed nodes
+  double passing = 0.0;  // peak of what set-up and summary hold for a while
   double all() const { return kept + loads + passing; }
 };
 
-// Of all that grows with the plate. Left out are what a run in f32 takes when it goes over to f64,
-// nodes in contact, static solutions, pictures and files. Needs a family.
+// Covers all that grows with the plate. Left out: what an f32 run takes when it goes over to f64,
+// nodes in contact, static solutions, pictures and files. Requires a family.
 Memory memory_of(const Plate& plate, const Numerics& numerics);
 
 }  // namespace hackle

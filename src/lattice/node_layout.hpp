@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How values of the nodes lie in memory.
+// How node values lie in memory.
 #pragma once
 
 #include <cstddef>

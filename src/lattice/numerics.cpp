@@ -87,7 +87,7 @@ bool check_spacing(const Plate& plate, const Numerics& numerics, Problems& probl
   return true;
 }
 
-// Of the horizon, in spacings; true when it makes a family.
+// Checks the horizon, in spacings; true when it makes a family.
 bool check_horizon(const Numerics& numerics, Problems& problems) {
   constexpr double slack = 1e-9;
   const double m = numerics.m();
@@ -106,8 +106,8 @@ bool check_horizon(const Numerics& numerics, Problems& problems) {
   return false;
 }
 
-// Needs a family. Nothing when the material or the constants give it no stiffness, which is said
-// elsewhere, or when it is too much for numbers, which is said here.
+// Requires a family. Nothing when the material or the constants give no stiffness, which is
+// reported elsewhere, or when the numbers overflow, which is reported here.
 std::optional<double> micromodulus_of(const Material& material, const Plate& plate,
                                       const Numerics& numerics, const Family& family,
                                       Problems& problems) {

@@ -12,7 +12,7 @@
 
 namespace hackle {
 
-// How a node near the rim of the horizon is weighted (physics.md 4.3).
+// How a node near the rim of the horizon is weighted (src/lattice/README.md 2.1).
 enum class Quadrature {
   full,      // weight 1 for every node whose distance is at most the horizon (FA)
   ramp,      // LAMMPS: 1 up to horizon - dx/2, falling linearly to 1/2 at the horizon
@@ -29,9 +29,9 @@ enum class Micromodulus {
 // Where micromodulus and critical stretch come from.
 enum class Constants {
   lattice,    // E and G0 exact on the lattice in use
-  continuum,  // of an infinitely fine lattice (physics.md 4.1): c = 9 E/(pi delta^3) and
+  continuum,  // of an infinitely fine lattice (src/lattice/README.md 3.3): c = 9 E/(pi delta^3) and
               // s0 = sqrt(4 pi G0/(9 E delta)) in plane stress with a constant micromodulus
-  paper,      // the paper's Eq. 8 and Eq. 10, which do not belong together (physics.md 0)
+  paper,  // the paper's Eq. 8 and Eq. 10, which do not belong together (src/lattice/README.md 3.7)
 };
 
 // When a bond that is found stretched too far ceases to pull.

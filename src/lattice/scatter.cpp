@@ -45,13 +45,13 @@ struct Bell {
   }
 };
 
-// Rows of noise around the row of nodes at hand.
+// Rows of noise around the current row of nodes.
 class NoiseRows {
  public:
   NoiseRows(std::int64_t seed, std::int64_t first_column, std::size_t columns)
       : seed_(seed), first_column_(first_column), columns_(columns) {}
 
-  // Rows are asked for from below.
+  // Moves up only: rows must be asked for in ascending order.
   void move_to(std::int64_t first_row) {
     while (!rows_.empty() && first_row_ < first_row) {
       rows_.pop_front();
@@ -111,7 +111,8 @@ void for_independent(const Scatter& scatter, const Grid& grid, const Take& take)
   for_nodes(grid, [&](int i, int j) { take(grid.index(i, j), normal_noise(scatter.seed, i, j)); });
 }
 
-// The value of a Weibull distribution with as much below it as a normal one has below g.
+// The value of a Weibull distribution with the same probability below it as g of a standard normal
+// distribution.
 double weibull(double g, double modulus) {
   const double below = g < 0.0 ? -portable::log1p(-portable::normal_below(g))
                                : -portable::log(portable::normal_below(-g));

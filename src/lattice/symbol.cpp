@@ -50,9 +50,9 @@ double curvature_bound(const Family& family) {
   return 0.5 * (A + B) + std::max(0.5 * std::abs(A - B), std::abs(S));
 }
 
-// The largest value of the symbol for c = dx = 1, to a relative 1e-9. Its gradient vanishes where
-// that is, so that it drops by at most curvature/2 times the square of the distance, and a cell
-// whose centre lies further below the best one seen cannot hold it.
+// The largest value of the symbol for c = dx = 1, to a relative 1e-9. The gradient vanishes at the
+// peak, so the value drops by at most curvature/2 times the square of the distance from it. A cell
+// whose centre lies further below the best value seen cannot hold the peak.
 double peak(const Family& family) {
   const double curvature = curvature_bound(family);
   double half = 0.5 * pi, best = 0.0;

@@ -7,23 +7,24 @@
 
 namespace hackle {
 
-// Eigenvalues rho omega^2 of D(k) = sum_p w_p c V (xi xi^T/|xi|^3)(1 - cos k.xi), over the directed
-// bonds (physics.md 5.1), in N/m4 for rho omega^2; `k` in rad per dx. least <= most.
+// Eigenvalues rho omega^2, in N/m4, of D(k) = sum_p w_p c V (xi xi^T/|xi|^3)(1 - cos k.o) over the
+// directed bonds, o the offset of the neighbour (src/lattice/README.md 4.1). `k` in rad per dx.
+// least <= most.
 struct Branches {
   double least = 0.0;
   double most = 0.0;
 };
 Branches symbol(const Family& family, double c, double dx, const Vec2& k);
 
-// The largest angular frequency of the lattice, rad/s: the maximum of sqrt(most/rho) over all k,
-// to a relative 1e-9. It bounds every plate whose bonds have a micromodulus of at most c each and
+// The largest angular frequency of the lattice, rad/s: the maximum of sqrt(most/rho) over all k, to
+// a relative 1e-9. It bounds every plate whose bonds have a micromodulus of at most c each and
 // whose nodes a density of at least rho each: the stiffness is a sum of positive semidefinite
-// matrices, one a bond, so that free edges, cracks, broken and softer bonds only lower its
-// eigenvalues, and heavier nodes those of the motion.
+// matrices, one per bond, so free edges, cracks, broken and softer bonds only lower its
+// eigenvalues, and heavier nodes lower the frequencies (src/lattice/README.md 4.3).
 double largest_frequency(const Family& family, double c, double rho, double dx);
 
-// Velocity Verlet is stable for steps up to 2/omega_max, in s. What touches the nodes
-// (touching.hpp) adds `touching` times c dx/m to rho omega^2.
+// Velocity Verlet is stable for steps up to 2/omega_max, in s. Contacts and impacts (touching.hpp)
+// add `touching` times c dx/m to rho omega^2.
 double step_limit(const Family& family, double c, double rho, double dx, double touching = 0.0);
 
 }  // namespace hackle

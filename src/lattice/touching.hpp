@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// What contacts and impacts ask of the time step.
+// How contacts and impacts limit the time step (src/lattice/README.md 4.5).
 #pragma once
 
 #include "scene/plate.hpp"
 
 namespace hackle {
 
-// How much stiffer they make the nodes, in units of the stiffness c dx/m of a touch by the whole
-// micromodulus (see Contact): bounds what they add to rho omega^2. Of contacts a node may have one
-// straight ahead and two aslant, as much as two, and both ends move: four times their stiffness. A
-// disc adds its own to each node that it pushes, and by its recoil as much again as those nodes
-// weigh of its mass, which is more; two discs at most push one node.
+// How much stiffer they make the nodes: a bound of what they add to rho omega^2, in units of the
+// stiffness c dx/m of a contact with the whole micromodulus (see Contact). A node has at most one
+// contact straight ahead and two aslant, together as much as two, and both ends move: four times
+// their stiffness. A disc adds its own stiffness to each node that it pushes, and as much again, by
+// its recoil, as those nodes weigh over its mass; at most two discs push one node.
 double touching_stiffness(const Plate& plate, double dx);
 
-// Of a spacing, what a disc may cross in a step: nodes that it meets are then pushed several times
-// before they are far inside.
+// The share of a spacing that a disc may cross per step: it then pushes a node several times before
+// the node is far inside.
 inline constexpr double most_crossed = 0.1;
 
-// The longest step for the discs of the plate, s, which starts at rest or as one; without limit
-// when none flies.
+// The longest step for the discs of the plate, s; infinite when none flies. The plate is taken to
+// start at rest or to move as one.
 double longest_step_of_impact(const Plate& plate, double dx);
 
 }  // namespace hackle

@@ -36,7 +36,7 @@ std::vector<std::size_t> first_nodes(const Simulation& simulation) {
   return parent;
 }
 
-// Of a plate that is held from straining across its thickness.
+// zz of a plate that is held from straining across its thickness.
 void add_stress_across(const Simulation& simulation, std::vector<Stress>& stresses) {
   const Lattice& lattice = simulation.lattice();
   const std::vector<double>& heat = simulation.thermal_strain();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the bonds of each node make of it: stress, energy, closeness to breaking. Values by
-// Grid::index, 0 where no bond holds. Within a horizon of an edge or a crack a node lacks bonds, so
-// its stress is that of those it has.
+// Fields that follow from a node's bonds: stress, energy, closeness to breaking. Values are by
+// Grid::index, 0 where no bond holds. Within a horizon of an edge or a crack a node lacks bonds;
+// its stress is that of the bonds it has.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@
 
 namespace hackle {
 
-// Pa. Across the plate there is none in plane stress; in plane strain it is what Hooke's law makes
-// of those in the plate and of heat, nu (xx + yy) - E th, with the moduli of the node's material on
-// the lattice and th its thermal strain.
+// Pa. The stress across the plate, zz, is 0 in plane stress; in plane strain it is nu (xx + yy) - E
+// th by Hooke's law, with the moduli of the node's material on the lattice and th its thermal
+// strain.
 struct Stress {
   double xx = 0.0, yy = 0.0, xy = 0.0;
   double zz = 0.0;
 
   double first() const;   // the larger principal stress in the plate
   double second() const;  // the smaller
-  double shear() const;   // the most in any direction of the plate: half their difference
+  double shear() const;   // the largest in the plane: half their difference
   double von_mises() const;
 };
 
@@ -27,7 +27,7 @@ struct Stress {
 // uniform small strain; e the direction of the bond at rest.
 std::vector<Stress> stresses(const Simulation& simulation);
 
-// J/m3: half the energy of each bond goes to either end.
+// J/m3: each end of a bond has half of its energy.
 std::vector<double> energy_densities(const Simulation& simulation);
 
 // The largest s/s0 of the bonds that hold; below 0 where all are compressed.

@@ -21,7 +21,7 @@ struct NodeBlock {
   int bottom = 0, top = 0;
 };
 
-// Every bond the plate was born with that is kept by a node of the block; the broken ones last.
+// Every initial bond that a node of the block keeps; the broken ones last.
 std::vector<BondLine> bond_lines(const Simulation& simulation, const NodeBlock& block);
 
 }  // namespace hackle

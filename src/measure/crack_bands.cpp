@@ -37,7 +37,7 @@ Nodes nodes_on_crack(const Field& damage) {
   return nodes;
 }
 
-// What every disc that touches a node covers, less what a disc beside all of that covers. The
+// All that discs about the nodes cover, less all that discs outside of that cover (a closing). The
 // outside of the plate takes nothing away.
 Nodes close_gaps(const Nodes& nodes, const Grid& grid, double reach) {
   const std::vector<Offset> brush = disc(0.5 * reach);

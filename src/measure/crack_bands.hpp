@@ -19,8 +19,8 @@ using Nodes = std::vector<char>;
 
 Nodes nodes_on_crack(const Field& damage);
 
-// With all nodes between them where they are no farther apart than `reach` spacings, about: what a
-// disc of half that radius cannot enter from beside them.
+// Adds all nodes in gaps of up to about `reach` spacings: those that a disc of half that radius
+// cannot enter from outside.
 Nodes close_gaps(const Nodes& nodes, const Grid& grid, double reach);
 
 // Separate runs of nodes in one column, and the most in any.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the cracks of a plate, or of an area of it, have come to, and what still hangs together.
+// How far the cracks of a plate, or of an area of it, have come, and which parts still hang
+// together.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ Box everywhere();
 // The nodes on a crack that lie in an area.
 struct Cracks {
   std::int64_t nodes = 0;
-  Box box{};                   // m, from the least of their places to the largest; when nodes > 0
+  Box box{};                   // m, their bounding box; when nodes > 0
   int bands = 0;               // the most cracks side by side in one column of nodes, those apart
                                // that lie more than about a horizon from each other
   std::optional<double> fork;  // m, the first place from the left where one forks (fork.hpp)
@@ -25,15 +26,16 @@ struct Cracks {
 
 // Of the whole plate, without an area.
 Cracks cracks(const Simulation& simulation, const Box& area = everywhere());
-// Of these nodes, of which `at_start` lay on a crack before anything broke; the horizon is m
-// spacings.
+// The same for given nodes on cracks, of which `at_start` lay on one before anything broke. The
+// horizon is m spacings.
 Cracks cracks(Nodes nodes, Nodes at_start, const Grid& grid, double m, const Box& area);
 
-// The place, m, of the node on a crack that lies farthest along `direction`; of several, within
-// half a spacing, their middle. Nothing when there is none.
+// The place, m, of the node on a crack that lies farthest along `direction`; the middle of several
+// that lie within half a spacing. Nothing when no node lies on a crack.
 std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& direction);
 
-// Nodes of each part whose bonds hold it together, the largest first; a node without bonds is none.
+// The number of nodes of each part that bonds hold together, the largest first; a node without
+// bonds is no part.
 std::vector<int> piece_sizes(const Simulation& simulation);
 
 }  // namespace hackle

@@ -19,7 +19,7 @@ Field vector_field(const Simulation& simulation, const char* name, const char* u
   return field;
 }
 
-// By the bonds that are left.
+// From the number of bonds that are left.
 Field damage_by(const BondBits& bonds, const Lattice& lattice) {
   const auto left = degrees(lattice.grid, lattice.family, bonds);
   Field field{"damage", "", 1, std::vector<float>(lattice.grid.nodes())};

@@ -17,12 +17,12 @@ struct Field {
   std::vector<float> values;
 };
 
-// Share of the bonds that a node was born with that are broken, 0..1; a node born without bonds
-// has 0. A straight crack shows as 0.4 to 0.5 on its two sides.
+// Share of a node's initial bonds that are broken, 0..1; 0 where it has none. A straight crack
+// shows as 0.4 to 0.5 on its two sides.
 Field damage(const Simulation& simulation);
-// What the cracks of the scene left behind, before anything broke.
+// The damage that the cracks of the scene make, before anything breaks.
 Field damage_at_start(const Simulation& simulation);
-// The same of one node.
+// The damage of one node.
 double damage_of(const Simulation& simulation, int i, int j);
 Field displacement(const Simulation& simulation);  // m, components x and y; 0 where void
 Field velocity(const Simulation& simulation);      // m/s, components x and y

@@ -107,8 +107,9 @@ std::optional<Vec2> meeting(const Line& one, const Line& other) {
   return one.point + cross(other.point - one.point, other.direction) / slant * one.direction;
 }
 
-// The branches of the bands, the farthest nodes first: what is farther than some way from the start
-// falls into parts, each a branch, and two of them become one at the node where they part.
+// Finds the branches of the bands by visiting the farthest nodes first: the nodes beyond some way
+// from the start fall into parts, each a branch, and two of them become one at the node where they
+// part.
 class Branches {
  public:
   Branches(const Nodes& nodes, const Ways& ways, const Grid& grid, double m)
@@ -154,7 +155,7 @@ class Branches {
     tip_[one] = std::max(tip_[one], tip_[two]);
   }
 
-  // Where they part, if their middle lines say nothing better.
+  // Where they part, unless their middle lines tell better.
   Vec2 place_of_fork(std::size_t node, std::size_t one, std::size_t two) {
     Vec2 parting = place(node);
     const auto first = line_through(middles(one, ways_->to(node)));

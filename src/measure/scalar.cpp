@@ -15,8 +15,8 @@ namespace {
 
 using Values = std::vector<float>;
 
-// What breaks a bond of the plate's own material: its critical stretch, and the stress and the
-// speed of a uniaxial wave of that strain.
+// Scales at which a bond of the plate's own material breaks: its critical stretch, and the stress
+// and the speed of a uniaxial wave of that strain.
 double critical_stretch(const Simulation& simulation) {
   return simulation.lattice().calibration.s0;
 }
@@ -27,7 +27,7 @@ double critical_speed(const Simulation& simulation) {
   const Lattice& lattice = simulation.lattice();
   return critical_stretch(simulation) * std::sqrt(lattice.calibration.moduli.C11 / lattice.rho);
 }
-// How far an edge is from its place when the shorter side is stretched by half of that.
+// Displacement of an edge when the shorter side is stretched by half the critical stretch.
 double critical_length(const Simulation& simulation) {
   const Plate& plate = simulation.plate();
   return 0.25 * critical_stretch(simulation) * std::min(plate.width, plate.height);

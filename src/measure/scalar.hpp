@@ -19,7 +19,7 @@ struct Ends {
   double most = 1.0;
 };
 
-// What a pixel shows that covers many nodes: the largest value, so that what is one node wide stays
+// What a pixel that covers many nodes shows: the largest value, so that features one node wide stay
 // visible, or the mean.
 enum class Sampling { largest, mean };
 

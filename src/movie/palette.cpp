@@ -21,7 +21,7 @@ int distance(const Palette::Colour& one, const Palette::Colour& other) {
                    std::abs(one.blue - other.blue)});
 }
 
-// In levels, when so many places are taken: a colour so near to one of them gets none of its own.
+// Distance (levels) below which an existing entry is reused; it grows as the palette fills.
 int nearness(int taken) {
   if (taken < 128) return 3;
   if (taken < 192) return 8;

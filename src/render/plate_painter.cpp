@@ -89,7 +89,7 @@ bool needs_mesh(const PictureStyle& style) {
   return style.magnification > 0.0 || style.rotation != 0.0;
 }
 
-// How many points show so many cells on so many pixels: one a cell where cells are whole pixels.
+// Number of sample points: one per cell if cells are whole pixels, else one per pixel.
 int points_for(int cells, int pixels) {
   return pixels % cells == 0 ? cells : pixels;
 }

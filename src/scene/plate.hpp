@@ -74,7 +74,8 @@ struct Contact {
 };
 
 // Thin, free of stress across its thickness, or thick, held from straining across it. Bond-based
-// theory makes Poisson's ratio 1/3 in plane stress and 1/4 in plane strain (physics.md 4.1).
+// theory makes Poisson's ratio 1/3 in plane stress and 1/4 in plane strain
+// (src/lattice/README.md 3.2).
 enum class Plane { stress, strain };
 inline constexpr std::array<std::string_view, 2> plane_names{"stress", "strain"};
 

@@ -12,7 +12,8 @@ struct WaveSpeeds {
                               // sqrt(E (1 - nu) / (rho (1 + nu) (1 - 2 nu))) in plane strain
   double shear = 0.0;         // c_S = sqrt(E / (2 rho (1 + nu)))
   double rayleigh = 0.0;      // c_R, least root of (2 - v^2/c_S^2)^2 =
-                              // 4 sqrt(1 - v^2/c_S^2) sqrt(1 - v^2/c_L^2) (physics.md 5.7)
+                              // 4 sqrt(1 - v^2/c_S^2) sqrt(1 - v^2/c_L^2)
+                              // (src/lattice/README.md 4.6)
 };
 
 // E in Pa, rho in kg/m3, nu in (-1, 0.5).

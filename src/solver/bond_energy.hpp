@@ -15,8 +15,8 @@ struct BondEnergy {
   double broken = 0.0;  // the same at their critical stretch, over those that broke since t = 0
 };
 
-// `heat` is the thermal strain by Grid::index, which does not count: (1 + s)^2 - 1 = e - th_i -
-// th_j; empty means 0.
+// `heat` is the thermal strain by Grid::index; empty means 0. It is not part of the stretch: (1 +
+// s)^2 - 1 = e - th_i - th_j.
 BondEnergy bond_energy(const Lattice& lattice, const State& state,
                        const std::vector<double>& heat = {});
 

@@ -106,7 +106,7 @@ Stiffness BondNet::stiffness_of(const NodeVectors& u, int i, int j, const Kept& 
 }
 
 // The force on each node of row j by the bonds of one image: those that the row keeps, or those
-// that others keep to it.
+// that other rows keep to it.
 void BondNet::pull_row(const NodeVectors& u, int j, const Kept& bond, bool keeps, double* x,
                        double* y) const {
   const Grid& grid = lattice_->grid;
@@ -133,8 +133,8 @@ void BondNet::pull_row(const NodeVectors& u, int j, const Kept& bond, bool keeps
   }
 }
 
-// Images of an offset in the order of the engine: a scene that is its own mirror image has forces
-// that are, to the last bit.
+// Images of an offset are summed in the order of the engine: the forces of a scene that is its own
+// mirror image are so, too, to the last bit.
 void BondNet::forces(const NodeVectors& u, NodeVectors& force) const {
   const auto nx = static_cast<std::size_t>(lattice_->grid.nx);
   for_rows(threads_, lattice_->grid.ny, [&](int j) {
@@ -307,7 +307,7 @@ void BondNet::apply_row(const NodeVectors& p, NodeVectors& result, int j) const 
   }
 }
 
-// As the kernels do, for the step to come; where no bond holds there is no history.
+// The rule of the kernels for the next step. A node without bonds has no history.
 double BondNet::critical_stretch(const NodeVectors& u, int i, int j) const {
   const double own = lattice_->critical_stretch_at(i, j);
   if (lattice_->is_void(i, j)) return own;
@@ -332,7 +332,7 @@ std::vector<double> BondNet::critical_stretches(const NodeVectors& u) const {
   return critical;
 }
 
-// A history may leave no stretch that a bond bears; the ratio stays a number.
+// A history may lower the critical stretch to 0 and below: the ratio must stay a number.
 void BondNet::add_stretches_of_row(const NodeVectors& u, const std::vector<double>& critical, int j,
                                    Stretches& sum) const {
   constexpr double least_share = 1e-6;

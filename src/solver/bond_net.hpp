@@ -33,9 +33,9 @@ struct Overstretched {
 // In dx, without the state's origin.
 NodeVectors displacements_of(const State& state);
 
-// Compression (g < 0) takes from the stiffness across a bond, so that the exact tangent may have
-// motions of negative stiffness. Without that it is positive, and wrong by no more than the
-// stretch.
+// Compression (g < 0) reduces the stiffness across a bond, so the exact tangent may have motions of
+// negative stiffness. The positive one leaves that out and is wrong by no more than the stretch
+// (src/solver/README.md 8.1).
 enum class Tangent { exact, positive };
 
 struct Stretches {
@@ -45,8 +45,8 @@ struct Stretches {
 
 class BondNet {
  public:
-  // Of the bonds that hold in `state`, where nodes are strained by `heat` (by Grid::index; empty
-  // means 0). All must outlive it.
+  // The bonds that hold in `state`, with the thermal strain `heat` (by Grid::index; empty means 0).
+  // All must outlive it.
   BondNet(const Lattice& lattice, const State& state, Threads threads,
           std::span<const double> heat = {});
 
@@ -68,10 +68,10 @@ class BondNet {
   // The force of all bonds on every node.
   void forces(const NodeVectors& u, NodeVectors& force) const;
 
-  // Takes the tangent at u: K/L (g 1 + (1+e)^(-3/2) y y^T/L^2) of each bond, with y = xi + h. Held
-  // in single precision.
+  // Takes the tangent at u: c w/L (g 1 + (1+e)^(-3/2) y y^T/L^2) of each bond, with y = xi + h.
+  // Held in single precision.
   void linearise(const NodeVectors& u, Tangent tangent);
-  // Takes bonds that have broken since out of the tangent.
+  // Takes bonds that have broken since then out of the tangent.
   void forget(const std::vector<Loss>& losses);
   // The change of the forces when u changes by p, to first order. linearise() was called.
   void apply_row(const NodeVectors& p, NodeVectors& result, int j) const;
@@ -96,10 +96,10 @@ class BondNet {
   // The critical stretch of every node, by Grid::index: where its material has a history, moved by
   // the least stretch of its bonds at u (paper Eq. 11). A bond breaks by the lesser of its ends.
   std::vector<double> critical_stretches(const NodeVectors& u) const;
-  // How far bonds are stretched beyond that, those of no-fail zones apart.
+  // The bonds stretched beyond that, without those of no-fail zones.
   Stretches stretches(const NodeVectors& u) const;
 
-  // dx, c dx^2 in N/m3.
+  // The unit of force density, c dx^2, in N/m3.
   double unit_of_force() const { return unit_; }
 
  private:
@@ -112,7 +112,7 @@ class BondNet {
   };
 
   bool holds(int i, int j, const Kept& bond) const;
-  // Micromodulus times weight, over that of the plate's own material: of the mean of both ends.
+  // Weight times the mean of the micromoduli of both ends, over that of the plate's own material.
   double strength_of(int i, int j, const Kept& bond) const;
   double heat_of(int i, int j, const Kept& bond) const;
   double critical_stretch(const NodeVectors& u, int i, int j) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every bond that a plate was born with, with its stretch, for what looks at bonds one by one.
+// Visits every initial bond with its stretch, for per-bond diagnostics.
 #pragma once
 
 #include <algorithm>
@@ -31,9 +31,8 @@ inline double stretch(const Vec2& xi, double per_length2, const Vec2& h, double 
   return e / (1.0 + std::sqrt(std::max(1.0 + e, 0.0)));
 }
 
-// Calls visit(const VisitedBond&) for every bond the plate was born with, each once, in a fixed
-// order. `heat` is the thermal strain by Grid::index; empty means 0. Takes no memory that grows
-// with the plate.
+// Calls visit(const VisitedBond&) once for every initial bond, in a fixed order. `heat` is the
+// thermal strain by Grid::index; empty means 0. Takes no memory that grows with the plate.
 template <class Visit>
 void visit_bonds(const Lattice& lattice, const State& state, const std::vector<double>& heat,
                  Visit visit) {

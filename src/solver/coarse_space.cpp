@@ -17,7 +17,7 @@ constexpr int least_width = 3;
 // holds move as they please, and forces that do so have been taken out.
 constexpr double softness = 1e-9;
 
-// Where n nodes are cut into parts as wide as `width`, mirror-symmetric.
+// Borders of parts about `width` wide that n nodes are cut into, mirror-symmetric.
 std::vector<int> cuts(int n, int width) {
   int parts = std::max(1, (n + width / 2) / width);
   if (n % 2 == 1 && parts % 2 == 0) --parts;  // the middle node belongs to the middle part
@@ -121,7 +121,7 @@ Vec2 CoarseSpace::arm(const Block& block, int i, int j) const {
           (j - 0.5 * (block.first_j + block.end_j - 1)) / half};
 }
 
-// Within a part bonds hardly notice what is rigid.
+// Bonds within one part contribute little, since it moves as a rigid body.
 void CoarseSpace::factorise(const NodeVectors& mobile) {
   const Grid& grid = net_->lattice().grid;
   const std::size_t parts = block_of_part_.size();
@@ -212,7 +212,7 @@ bool CoarseSpace::is_symmetric(const std::vector<int>& mirror, bool left_right) 
   return !mirror.empty();
 }
 
-// Rounding in a factor has no symmetry.
+// Rounding in the factorisation is not symmetric.
 void CoarseSpace::make_symmetric(const std::vector<int>& mirror, bool left_right) {
   const std::vector<Body> before = answers_;
   for (std::size_t part = 0; part < mirror.size(); ++part) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What moves far: blocks of a plate as rigid bodies, in which the long waves that conjugate
-// gradients are slow to find cost little.
+// A coarse space for conjugate gradients: blocks of the plate as rigid bodies. It finds the long
+// waves, which conjugate gradients are slow to find (src/solver/README.md 8.2).
 #pragma once
 
 #include <array>
@@ -24,9 +24,9 @@ class CoarseSpace {
   // False where the tangent has motions of negative stiffness: then it must not be used.
   bool is_positive() const { return is_positive_; }
 
-  // Adds to z how the parts answer the forces r. Both are 0 where a node is led. The same bits for
-  // any number of threads; where the forces on the parts are their own mirror image, so is the
-  // answer, to the last bit.
+  // Adds to z the answer of the parts to the forces r. Both are 0 where a node is led. The same
+  // bits for any number of threads; where the forces on the parts are their own mirror image, so is
+  // the answer, to the last bit.
   void add_answer(const NodeVectors& r, NodeVectors& z);
 
  private:

@@ -26,7 +26,7 @@ double square_of_row(const Lattice& lattice, int j, const Motion<Real>& motion) 
   return sum;
 }
 
-// What of v is led.
+// The components of v that are prescribed.
 Vec2 led_part(const LedNode& node, const Vec2& v) {
   return {node.along_x ? v.x() : 0.0, node.along_y ? v.y() : 0.0};
 }

@@ -3,10 +3,10 @@
 //
 // A step takes v to keep v + yield a, which is the exact motion under a force that is constant
 // meanwhile: keep = exp(-x), yield = (1 - keep)/x, x = rate dt. It is of second order in the step,
-// a plate that creeps under a load does so at the right velocity for any x, and the step limit
-// stays what it is: a mode of Omega = omega dt obeys z^2 - (1 + keep - yield Omega^2) z + keep = 0,
-// whose roots lie in the unit circle for yield Omega^2 < 2 (1 + keep), that is Omega^2 < 2 x
-// coth(x/2), which is never below 4.
+// a plate creeps under a load at the right velocity for any x, and the step limit does not change:
+// a mode of Omega = omega dt obeys z^2 - (1 + keep - yield Omega^2) z + keep = 0, whose roots lie
+// in the unit circle for yield Omega^2 < 2 (1 + keep), that is Omega^2 < 2 x coth(x/2), which is
+// never below 4.
 #pragma once
 
 #include <span>
@@ -18,26 +18,26 @@
 
 namespace hackle {
 
-// What damping does in a time `x`, in units of 1/rate; nothing when that is 0.
+// The effect of damping over a time `x`, in units of 1/rate; none when that is 0.
 struct Damping {
   explicit Damping(double x);
 
   double keep = 1.0;
   double yield = 1.0;
-  // Of free_motion() over a step, what it takes: x v^2, as the power is rate v^2. So that the
-  // ledger of a plate on which no force acts is exact, less at both ends: `first` of the motion at
-  // the start, and `last` in the step that was the last one so far.
+  // What damping takes in a step, as a share of free_motion(): x, as the power is rate v^2. Less at
+  // both ends makes the ledger exact for a plate without forces: `first` of the motion at the
+  // start, and `last` in the most recent step.
   double loss = 0.0;
   double first = 0.0;
   double last = 0.0;
 };
 
-// Sum of v^2, weighed by the density over that of the plate, of everything that is not led. The
-// same bits for any number of threads.
+// Sum of v^2 over all components that are not prescribed, weighted by the density over that of the
+// plate's own material. The same bits for any number of threads.
 double free_motion(const Lattice& lattice, std::span<const LedNode> led, const Threads& threads,
                    const State& state);
 
-// Makes the velocity of everything that is not led `keep` times what it was.
+// Multiplies every velocity component that is not prescribed by `keep`.
 void damp(const Lattice& lattice, std::span<const LedNode> led, double keep, const Threads& threads,
           State& state);
 

@@ -37,8 +37,8 @@ std::vector<int> rows_to_tiles(const std::vector<int>& first_rows) {
   return tile_row;
 }
 
-// Rows of tiles in tasks: several a thread, so that a thread that loses its core does not hold up
-// the others for long, but not so many that bonds between tasks, which both compute, cost much.
+// Shares rows of tiles out in tasks: a few tasks per thread, so that a preempted thread delays the
+// step only briefly, but not so many that bonds between tasks, which both compute, cost much.
 std::vector<Rows> share_out(const std::vector<int>& first_rows, int threads) {
   constexpr int most_per_thread = 4, least_rows = 4;
   const auto rows = static_cast<int>(first_rows.size()) - 1;
@@ -323,7 +323,7 @@ void Engine<Real>::step(const Lattice& lattice, State& state, double kick) {
   std::swap(range_, next_range_);
 }
 
-// Bonds belong to the rows of their lower end, but tasks above read them too: they are broken when
+// A bond is kept in the row of its lower end, but tasks above read it too: bonds are broken when
 // all tasks are done.
 template <class Real>
 void Engine<Real>::break_bonds(BondBits& bonds) {

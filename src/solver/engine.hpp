@@ -28,28 +28,28 @@ class Engine {
  public:
   Engine(const Lattice& lattice, const EngineOptions& options, Threads threads);
 
-  // What acts from now on.
+  // Sets what acts from now on.
   void set_loads(const Loading& loading);
-  // The thermal strain of every node from now on, by Grid::index. For an engine that is heated.
+  // Sets the thermal strain of every node from now on, by Grid::index. The engine must be heated.
   void set_heat(const Lattice& lattice, const std::vector<double>& strain);
-  // The work it took to lead nodes up to the beginning of the last step, in units of
-  // rho dx^4/dt^2.
+  // Work of supports up to the beginning of the last step, in units of rho dx^4/dt^2
+  // (src/solver/README.md 3.5).
   double work_of_leads() const;
 
-  // `lattice` is the one it was made for. To be called before the first step, and whenever a state
-  // is not the one that step() left. A state at its start gets the thresholds that follow from its
-  // displacements, as if it had been there a step earlier.
+  // Must be called before the first step, and whenever a state is not the one that step() left;
+  // `lattice` is the one the engine was made for. A state at its start gets the thresholds that
+  // follow from its displacements, as if it had been there a step earlier.
   void prepare(const Lattice& lattice, State& state);
 
-  // u, v, bonds and thresholds go on by one step; the rest of the state is the caller's. An
-  // acceleration changes v by `kick` of itself.
+  // Advances u, v, bonds and thresholds by one step; the rest of the state is the caller's. v
+  // changes by `kick` times the acceleration.
   void step(const Lattice& lattice, State& state, double kick);
 
-  // Acceleration of every place at the time of u, in lattice units, as if no node were led.
+  // Acceleration of every place at the time of u, in lattice units, as if no node were prescribed.
   void accelerations(const Lattice& lattice, const State& state, Values<Real>& ax,
                      Values<Real>& ay);
 
-  // The bonds that broke in the last step, or those that broke in another way.
+  // The bonds that broke in the last step, or those given to note_losses().
   const std::vector<Loss>& losses() const { return losses_; }
   void note_losses(std::vector<Loss> losses) { losses_ = std::move(losses); }
   const PathCounts& path_counts() const { return path_counts_; }

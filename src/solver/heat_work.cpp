@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-// What a row of bonds needs, by Grid::index.
+// Values of nodes that a row of bonds needs, by Grid::index.
 struct NodeValues {
   std::vector<double> before, after;  // thermal strain
   std::vector<double> half;           // of the micromodulus, N/m6

@@ -17,16 +17,17 @@ namespace hackle {
 template <class Real>
 struct Scratch;
 
-// g(e)/e = 1/((1+e) + sqrt(1+e)) as a polynomial of e, interpolated at the Chebyshev nodes of
-// |e| <= series_range: exact to half a unit in the last place there (6.5e-8 and 4.7e-17).
+// g(e)/e = 1/((1+e) + sqrt(1+e)) as a polynomial of e, interpolated at the Chebyshev nodes of |e|
+// <= series_range: its relative error is at most 6.6e-8 (f32) and 9.4e-17 (f64) there, about half a
+// unit in the last place (src/solver/README.md 2.3).
 template <class Real>
 inline constexpr int series_terms = sizeof(Real) == 4 ? 3 : 6;
 template <class Real>
 inline constexpr Real series_range = sizeof(Real) == 4 ? Real{0.0078125} : Real{0.00390625};
 
-// The mirror images of one offset, in lattice units (kernel.md 0). With xi = (a, b), L its length
-// and h the relative displacement, E = hx (hx + 2a) + hy (hy + 2b) = L^2 e, and the acceleration is
-// K g(e) (a + hx, b + hy) with K = c w dx dt^2/(rho L).
+// The mirror images of one offset, in lattice units (src/solver/README.md 2.2). With xi = (a, b), L
+// its length and h the relative displacement, E = hx (hx + 2a) + hy (hy + 2b) = L^2 e, and the
+// acceleration is K g(e) (a + hx, b + hy) with K = c w dx dt^2/(rho L).
 template <class Real>
 struct BondClass {
   Real a{};
@@ -34,7 +35,7 @@ struct BondClass {
   std::array<Real, series_terms<Real>> series{};  // K g(e) = E (series[0] + E (series[1] + ...))
   Real range{};                                   // |E| up to which the series is exact
   Real most{};  // the bond breaks when E is above: L^2 ((1 + s0)^2 - 1)
-  Real sure{};  // |E| up to which nothing of both can happen
+  Real sure{};  // |E| up to which the bond holds and the series is exact
   Real L2{};
   Real inverse_L2{};  // 1/L^2
   Real pull{};        // K
@@ -64,7 +65,7 @@ struct LinearStencil {
 
 // |e| <= 2 (direct A + shear (B + C)) + squares (2 A^2 + B^2 + C^2) for every bond between nodes
 // whose neighbours differ by at most A (|d_x u_x|, |d_y u_y|), B (|d_y u_x|) and C (|d_x u_y|), by
-// Cauchy (kernel.md 4). 1, 1/2 and 1, unless bonds end beside their neighbour
+// Cauchy (src/solver/README.md 4.5). 1, 1/2 and 1, unless bonds end beside their neighbour
 // (Quadrature::centroid).
 template <class Real>
 struct BoundFactors {
@@ -81,7 +82,7 @@ struct NodeLoad {
   Real y{};
 };
 
-// A node that moves by x, y in this step whatever pulls at it, along one axis or both.
+// A prescribed node: it moves by x, y in this step whatever forces act, along one axis or both.
 template <class Real>
 struct NodeLead {
   int i = 0;
@@ -89,9 +90,9 @@ struct NodeLead {
   bool along_y = true;
   Real x{};
   Real y{};
-  // Written by the kernel: the work that leading takes up to the beginning of the step, for a node
-  // of mass 1: the change of its momentum that no bond and no load makes, times the mean of its
-  // velocities before and after; at the start, where there is no before, the half of it.
+  // Written by the kernel: the work of the support up to the beginning of the step, for a node of
+  // mass 1. It is the change of momentum that bonds and loads do not make, times the mean of the
+  // velocities before and after; at the start, where there is no step before, half of that.
   Real work{};
 };
 
@@ -122,7 +123,7 @@ struct KernelData {
   bool starts = false;  // u and v belong to the same time
 
   const std::uint32_t* bonds = nullptr;
-  // Read by guarded kernels only; mixed and heated ones take nothing for no zones.
+  // Read by guarded kernels only; mixed and heated ones accept nullptr where there are no zones.
   const std::uint32_t* unbreakable = nullptr;
   std::size_t plane = 0;  // words between two planes of bits
   bool late = false;      // see Breaking
@@ -189,7 +190,7 @@ enum class InstructionSet { baseline, avx2, avx512 };
 inline constexpr std::array<std::string_view, 3> instruction_set_names{"baseline", "avx2",
                                                                        "avx512"};
 
-// Whether this machine has it.
+// Whether this machine supports it.
 bool is_supported(InstructionSet set);
 InstructionSet best_instruction_set();
 
@@ -200,10 +201,10 @@ enum class Arithmetic { plain, fused };
 // Whether the instruction set has fused arithmetic.
 bool can_fuse(InstructionSet set);
 
-// What a scene needs of a kernel; the rest is compiled out. Mixed and heated kernels are guarded
-// and varied ones: what that costs is asked for only where a bond may break, and each of the two
-// asks for something in every bond. They are two flags, as most heated plates are of one material,
-// and most mixed ones are not heated; six kernels more instead of eighteen.
+// What a scene needs of a kernel; the rest is compiled out. Mixed and heated imply guarded and
+// varied: those tests cost only where a bond may break, whereas mixed and heated cost in every
+// bond. These two are separate flags, as most heated plates have one material and most mixed ones
+// are not heated. The implication makes six more kernels instead of eighteen.
 struct KernelFeatures {
   bool guarded = false;  // no-fail zones
   bool varied = false;   // the critical stretch differs from node to node

@@ -21,7 +21,8 @@ void note_losses(void* losses, std::ptrdiff_t at, int word, std::uint32_t bit) {
   note_loss(*static_cast<std::vector<Loss>*>(losses), {at, word, bit});
 }
 
-// Takes the rows of a block of columns through a step, from below to above.
+// Takes the rows of a block of columns through a step, from bottom to top
+// (src/solver/README.md 4.1).
 template <KernelFeatures features>
 class Sweep {
  public:
@@ -89,7 +90,7 @@ class Sweep {
     if constexpr (features.history) fill(sums.least + begin_, end_ - begin_);
   }
 
-  // Each tile is counted by the rows it belongs to.
+  // A tile is counted by the task that its rows belong to.
   bool counts(int tile_row) const {
     return data_.ax == nullptr && data_.tiles.first_row[tile_row] >= rows_.begin;
   }
@@ -99,7 +100,7 @@ class Sweep {
   void point_to_bits(const BondClass<Real>& k);
   void add_bonds_above(int j);
   void add_bonds_on_row(int j);
-  // What moves once is not looked at again.
+  // A tile that has moved once counts as moving for good.
   bool was_moving(int tile_row, std::ptrdiff_t q) const {
     return data_.range[data_.tiles.index(tile_row, static_cast<int>((first_ + q) >> 4))].moving !=
            0;
@@ -155,11 +156,11 @@ void Sweep<features>::begin_row(int j) {
   if constexpr (features.mixed) work_.row.half_stiffness = data_.half_stiffness + at;
   if constexpr (features.heated) work_.row.heat = data_.heat + at;
   work_.row.place = at;
-  // Of the bonds in the margins the neighbouring block or rows take note.
+  // Bonds in the margin are recorded by the neighbouring block or row range.
   work_.row.losses = j >= rows_.begin && data_.ax == nullptr ? &scratch_.losses : nullptr;
   work_.row.late = data_.late;
   work_.run_count = scratch_.run_count;
-  // Later rows find their sum as advance() left it: empty.
+  // For later rows advance() has emptied the sum.
   if (j <= rows_.begin) reset(work_.up);
 }
 
@@ -172,7 +173,7 @@ void Sweep<features>::point_to_bits(const BondClass<Real>& k) {
       work_.row.unbreakable = data_.unbreakable + at;
 }
 
-// The bonds that row j keeps to rows above it: into its own sum and into those that wait there.
+// Adds the bonds that row j keeps to rows above it, to its own sum and to the sums that wait there.
 template <KernelFeatures features>
 void Sweep<features>::add_bonds_above(int j) {
   begin_row(j);
@@ -190,8 +191,8 @@ void Sweep<features>::add_bonds_above(int j) {
   }
 }
 
-// What waited for row j, which leaves room for a later row, and the bonds along it: now the sum is
-// complete.
+// Completes the sum of row j: subtracts the sum that waited for it, whose place a later row takes,
+// and adds the bonds along the row.
 template <KernelFeatures features>
 void Sweep<features>::add_bonds_on_row(int j) {
   const Sums<Real>& down = waiting(j);
@@ -223,7 +224,7 @@ void Sweep<features>::linearise() {
   }
 }
 
-// Loads are accelerations already.
+// Comes before loads, which are accelerations already.
 template <KernelFeatures features>
 void Sweep<features>::divide_by_inertia(int j) {
   const Real* inverse = data_.inverse_inertia + place(j);
@@ -245,7 +246,7 @@ void Sweep<features>::add_loads(int j) {
   }
 }
 
-// Makes advance() move the node as it is led: at the velocity of its move, and no force changes it.
+// Sets velocity and force of prescribed nodes so that advance() moves them as prescribed.
 template <KernelFeatures features>
 void Sweep<features>::lead(int j) {
   for (std::size_t n = data_.leads_of_row[j]; n < data_.leads_of_row[j + 1]; ++n) {
@@ -317,7 +318,7 @@ void Sweep<features>::move_threshold(std::ptrdiff_t place, std::ptrdiff_t q, Vec
   lower(scratch_.seen.row(1), q, threshold);
 }
 
-// What a finished row of tiles tells the next step, differences apart.
+// Stores what a finished row of tiles tells the next step, except for differences.
 template <KernelFeatures features>
 void Sweep<features>::summarise(int tile_row) {
   for (int q = 0; q < columns_; q += NodeLayout::group) {

@@ -31,11 +31,11 @@ struct BondForce {
   Vector<Real> e;  // where it is asked for; `unstretched` when broken
 };
 
-// Larger than every stretch: what a broken bond adds to the least of a node.
+// Larger than every stretch: the e of a broken bond, so that it is never the least of a node.
 template <class Real>
 inline constexpr Real unstretched = static_cast<Real>(1e30);
 
-// Squared length ratio of two nodes that meet: it must not divide by zero.
+// The least squared length ratio: two nodes that meet must not divide by zero.
 template <class Real>
 inline constexpr Real no_length = static_cast<Real>(1e-12);
 
@@ -48,7 +48,7 @@ HACKLE_INLINE Vector<Real> series(const BondClass<Real>& k, Vector<Real> E) {
   return sum * E;
 }
 
-// The same for every E: g(e) = e/((1+e) + sqrt(1+e)), free of cancellation.
+// K g(e) for every E: g(e) = e/((1+e) + sqrt(1+e)), free of cancellation.
 template <class Real>
 HACKLE_INLINE Vector<Real> exact(const BondClass<Real>& k, Vector<Real> E) {
   const Vector<Real> e = E * k.inverse_L2;
@@ -67,8 +67,8 @@ HACKLE_INLINE Mask<Real> suspicious(const BondClass<Real>& k, const KeptRow<Real
   return above(magnitude<Real>(E), limit);
 }
 
-// What the suspicious lanes need, once in a while: the exact pull where the series ends, and to
-// note the bonds that break. Takes these out of `held`.
+// Settles the suspicious lanes, which are rare: takes the exact pull beyond the series, and records
+// the bonds that break. Takes these out of `held`, unless breaking is late.
 template <class Real, KernelFeatures features>
 __attribute__((noinline)) void settle(const BondClass<Real>& k, const KeptRow<Real>& row,
                                       std::ptrdiff_t q, std::ptrdiff_t to, std::uint32_t bit,
@@ -91,9 +91,10 @@ __attribute__((noinline)) void settle(const BondClass<Real>& k, const KeptRow<Re
 // Where the two ends of a bond lie.
 enum class Span { quad, column, row };
 
-// The bonds that the nodes from column q keep to those at the distance `to`. `a` carries the sign
-// of the image. Both ends of a bond see this one result, so they agree to the last bit; it is
-// exactly the mirror image of the result of the mirrored bond (kernel.md 2).
+// The force of the bonds that the nodes from column q keep to the nodes `to` places away. `a`
+// carries the sign of the image. Both ends of a bond see this one result, so they agree to the last
+// bit; it is exactly the mirror image of the result of the mirrored bond
+// (src/solver/README.md 4.2).
 template <class Real, KernelFeatures features, Path path, Span span>
 HACKLE_INLINE BondForce<Real> bond_force(const BondClass<Real>& k, const KeptRow<Real>& row, Real a,
                                          Vector<Real> x, Vector<Real> y, std::ptrdiff_t q,

@@ -14,7 +14,7 @@
 namespace hackle::HACKLE_INSTRUCTION_SET {
 namespace {
 
-// Of one column of nodes, for all column offsets a: 4 a + 0..3.
+// Sums over the rows of one column of nodes, for all column offsets a: 4 a + 0..3.
 template <class Real>
 struct ColumnSums {
   ScratchRows<Real>& rows;
@@ -87,7 +87,7 @@ __attribute__((noinline)) void fold_columns(const LinearStencil<Real>& stencil,
   }
 }
 
-// Gives the columns of a row, whose families are complete, their linearised force.
+// Writes the linearised force of the columns of a row, whose families must be complete.
 template <class Real>
 HACKLE_INLINE void linear_row(const LinearStencil<Real>& stencil, const RowWork<Real>& w,
                               ScratchRows<Real>& rows, Columns columns) {

@@ -15,8 +15,8 @@ class PathChooser {
   PathChooser(const KernelData<Real>& data, Scratch<Real>& scratch, int first)
       : data_(data), scratch_(scratch), first_(first / NodeLayout::group) {}
 
-  // Fills the runs of the scratch for the columns [begin, end) of the block. To be called for one
-  // row of tiles after the other.
+  // Fills the runs of the scratch for the columns [begin, end) of the block. Must be called for the
+  // rows of tiles in ascending order.
   void choose(int tile_row, int begin, int end) {
     look_ahead(tile_row, begin, end);
     TileRun* run = scratch_.runs.data() - 1;
@@ -33,7 +33,7 @@ class PathChooser {
       scratch_.computes |= run->path != Path::still && run->path != Path::linear;
   }
 
-  // Counts the tiles of the row in the block of so many columns.
+  // Counts the tiles of the row by path, in a block of `columns` columns.
   void count(int columns) {
     for (int n = 0; n < scratch_.run_count; ++n) {
       const TileRun& run = scratch_.runs[n];
@@ -49,7 +49,7 @@ class PathChooser {
     return scratch_.outlooks[static_cast<unsigned>(tile_row + 3) % 3][group + 2];
   }
 
-  // The outlooks that this row of tiles needs and the row before did not.
+  // Finds the outlooks that this row of tiles needs and the row before did not.
   void look_ahead(int tile_row, int begin, int end) {
     const bool linear = data_.linear_range > 0;
     const int first = !linear ? tile_row : fresh_ ? tile_row - 1 : tile_row + 1;
@@ -101,8 +101,9 @@ Outlook<Real> PathChooser<Real, features>::look(int tile_row, int column) const 
   return {bound, threshold, moving == 0, complete && moving != 0 && bound < data_.linear_range};
 }
 
-// The cheapest path that gives the same bits as the careful one. Bonds need not be computed at all
-// where they serve none but linearised forces: nobody else may read their sums.
+// The cheapest path that gives the same bits as the careful one. Bonds are not computed where all
+// forces in and around the tile are linearised: nothing else reads their sums
+// (src/solver/README.md 4.4).
 template <class Real, KernelFeatures features>
 Path PathChooser<Real, features>::cheapest(int tile_row, int group) {
   const Outlook<Real>& own = outlook(tile_row, group);

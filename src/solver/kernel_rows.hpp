@@ -4,7 +4,8 @@
 // Each bond is computed once, at the node that keeps it. Its force goes into the sum of that node
 // and, through a row of its own, into that of the other end: reading the row shifted costs less
 // than scattering. Sums are mirror-symmetric to the bit: the images of a class are added to each
-// other first, bonds up and bonds down in two sums of the same order, and those on the row last.
+// other first, bonds up and bonds down in two sums of the same order, and those on the row last
+// (drawn in src/solver/README.md 4.1 and 4.2).
 #pragma once
 
 #include "solver/kernel_bond.hpp"
@@ -93,8 +94,8 @@ HACKLE_INLINE void for_sums(const RowWork<Real>& w, const Work& work) {
   }
 }
 
-// The two kept images of a class, (+a, +b) and (-a, +b): into the sum of their node, and on their
-// own for the other ends.
+// Computes the two kept images of a class, (+a, +b) and (-a, +b): adds both to the sum of their
+// node, and keeps each for the other end.
 template <class Real, KernelFeatures features, Path path>
 __attribute__((noinline)) void keep_quads(const BondClass<Real>& class_, const RowWork<Real>& work,
                                           Columns columns) {
@@ -187,7 +188,7 @@ __attribute__((noinline)) void keep_row(const BondClass<Real>& class_, const Row
   }
 }
 
-// Adds to the sum of the row what both ends feel.
+// Adds the forces on both ends to the sum of the row.
 template <class Real, KernelFeatures features>
 HACKLE_INLINE void add_row(const BondClass<Real>& k, const RowWork<Real>& w) {
   for_runs(

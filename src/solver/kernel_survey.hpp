@@ -13,7 +13,7 @@ template <class Real>
 struct Differences {
   Vector<Real> direct{}, xy{}, yx{};
 
-  // Between the places n and their left and right neighbours. On both sides, so that the mirror
+  // Differences between the places n and both their neighbours in the row: both, so that the mirror
   // image of a tile sees the mirror images of its differences.
   HACKLE_INLINE void add_along_row(const Real* ux, const Real* uy) {
     const Vector<Real> x = load(ux), y = load(uy);
@@ -23,13 +23,13 @@ struct Differences {
         yx, most<Real>(magnitude<Real>(load(uy + 1) - y), magnitude<Real>(y - load(uy - 1))));
   }
 
-  // Between the places n and those a row above.
+  // Differences between the places n and those in the row above.
   HACKLE_INLINE void add_across_rows(const Real* ux, const Real* uy, std::ptrdiff_t stride) {
     direct = most<Real>(direct, magnitude<Real>(load(uy + stride) - load(uy)));
     xy = most<Real>(xy, magnitude<Real>(load(ux + stride) - load(ux)));
   }
 
-  // Into the range of the tile, without the columns outside the plate.
+  // Widens the range of the tile, without the columns outside the plate.
   HACKLE_INLINE void widen(TileRange<Real>& range, int column, int nx) const {
     for (int lane = 0; lane < lanes<Real>; ++lane) {
       if (column + lane < 0 || column + lane >= nx) continue;

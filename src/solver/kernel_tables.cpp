@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-// Of series_terms (kernel.hpp), as coefficients of e^0, e^1, ...
+// Coefficients of e^0, e^1, ... in the series of g(e)/e (series_terms in kernel.hpp).
 template <class Real>
 inline constexpr std::array<double, series_terms<Real>> g_over_e{};
 template <>

@@ -18,13 +18,13 @@ double threshold_of(double stretch);
 template <class Real>
 std::vector<BondClass<Real>> bond_classes(const Lattice& lattice, double dt, bool varied);
 
-// Ordered by index, as they came. `unit` is a lattice unit of acceleration over 1 m/s2: dt^2/dx.
+// In the order given. `unit` converts from m/s2 to lattice units of acceleration: dt^2/dx.
 template <class Real>
 std::vector<NodeLoad<Real>> node_loads(const std::vector<LoadedNode>& forces, double unit);
 template <class Real>
 std::vector<NodeLead<Real>> node_leads(const std::vector<LedNode>& led);
 
-// The first of these nodes in every row, and their number.
+// For every row the index of its first node in the list; at the end the number of nodes.
 template <class Node>
 std::vector<std::size_t> first_of_rows(const std::vector<Node>& nodes, int rows) {
   std::vector<std::size_t> first;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Places at which three or more of several lists meet. Of two terms a plain sum is the same in
-// either order; those of more are to be summed exactly (exact_sum.hpp), so that what acts on a node
-// does not depend on the order in which it was said.
+// Finds places where three or more of several lists meet. A plain sum of two terms is the same in
+// either order; three or more must be summed exactly (exact_sum.hpp), so that the total on a node
+// does not depend on the order of the loads (src/solver/README.md 6.2).
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,7 @@ struct NodeVectors {
   Values<double> x, y;
 };
 
-// The sum of count values term(0), term(1), ... in an order that reversing them does not change.
+// The sum of term(0) to term(count - 1), the same to the bit when their order is reversed.
 template <class Term>
 double paired_sum(int count, const Term& term) {
   double sum = 0.0;
@@ -28,7 +28,7 @@ double paired_sum(int count, const Term& term) {
   return count % 2 == 1 ? sum + term(count / 2) : sum;
 }
 
-// Calls work(j) for every row, several rows a task.
+// Calls work(j) for every row, several rows per task.
 template <class Work>
 void for_rows(const Threads& threads, int rows, const Work& work) {
   constexpr int per_task = 8;
@@ -42,7 +42,7 @@ double dot_of_row(const NodeLayout& layout, const NodeVectors& a, const NodeVect
 // The largest length of a vector of row j.
 double largest_of_row(const NodeLayout& layout, const NodeVectors& a, int j);
 
-// What rows came to, as one number.
+// The values of rows as one number.
 double sum_of_rows(std::span<const double> of_row);
 double most_of_rows(std::span<const double> of_row);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who looks at a simulation between its steps.
+// Observers look at a simulation between its steps.
 #pragma once
 
 namespace hackle {

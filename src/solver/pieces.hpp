@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What hangs together: the pieces of a plate, and how they can move without stretching a bond.
+// The pieces of a plate that bonds hold together, and how they can move without stretching a bond.
 #pragma once
 
 #include <vector>
@@ -43,9 +43,9 @@ class Pieces {
   // A node without bonds belongs to none.
   const std::vector<Piece>& list() const { return list_; }
 
-  // Of the forces where u has moved the nodes.
+  // The resultant of `force` on the nodes displaced by u.
   Resultant resultant(std::size_t piece, const NodeVectors& force, const NodeVectors& u) const;
-  // Takes out of a vector what moves or turns those that no support holds as a whole.
+  // Takes the rigid motions of pieces that no support holds out of a vector.
   void take_out_rigid(NodeVectors& vector) const;
   // Turns a piece about the centre of its nodes by any angle (rad); bonds do not notice.
   void turn(std::size_t piece, double angle, NodeVectors& u) const;

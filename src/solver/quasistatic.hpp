@@ -13,9 +13,9 @@ namespace hackle {
 
 struct QuasistaticOptions {
   double duration = 0.0;    // s, of the courses of the loads; above 0
-  int increments = 10;      // in which it is gone through, >= 1
+  int increments = 10;      // equal parts of the duration, >= 1
   double tolerance = 1e-6;  // of RelaxOptions
-  // Told from time to time how far it has come, 0..1, and what it is at; may throw.
+  // Called from time to time with the progress, 0..1, and where it stands; may throw.
   std::function<void(double fraction, int increment, int pass, std::int64_t broken)> progress;
 };
 
@@ -30,8 +30,8 @@ struct QuasistaticResult {
   std::string why;  // what was then found
 };
 
-// Of the bonds that are stretched too far, those break at once which are nearly as far beyond their
-// critical stretch as the worst of them: the others may be relieved by that.
+// Overstretched bonds within this share of the worst ratio break together; the others may be
+// relieved by that.
 inline constexpr double breaking_share = 0.9;
 
 struct Breakage {

@@ -20,9 +20,9 @@ constexpr int most_newton_steps = 40;
 constexpr int most_halvings = 10;
 constexpr double most_for_old_tangent = 0.1;
 constexpr int few_iterations = 10;
-constexpr double share_of_step = 1e-4;  // what a step may leave: the next one starts from there
+constexpr double share_of_step = 1e-4;  // of the force that a step may leave for the next
 
-// 0 where a node is led.
+// 0 where a node is prescribed.
 NodeVectors mobile_of(const NodeLayout& layout, const Loading& loading) {
   NodeVectors mobile(layout);
   for (int j = 0; j < layout.ny; ++j)
@@ -136,7 +136,7 @@ void Relaxation::refuse(const Piece& piece, const Resultant& resultant,
       "balance the loads, or hold it by a support");
 }
 
-// A force that every node shared would not be noticed when it is within the tolerance.
+// A force that all nodes share may be within the tolerance of each: its resultant is checked.
 void Relaxation::check_held(const RelaxOptions& options) const {
   for (std::size_t k = 0; k < pieces_.list().size(); ++k) {
     const Piece& piece = pieces_.list()[k];
@@ -144,7 +144,7 @@ void Relaxation::check_held(const RelaxOptions& options) const {
     const Resultant resultant = pieces_.resultant(k, load_, u_);
     const double most = options.tolerance * largest_load_ * piece.nodes;
     for (const RigidMotion& motion : piece.motions) {
-      // Of a free piece moments are balanced by turning it, where that can be.
+      // Moments on a free piece are balanced by turning it, where that is possible.
       const double moment = piece.is_held ? resultant.moment : 0.0;
       if (std::abs(motion.shift.dot(resultant.force) + motion.turn * moment) > most)
         refuse(piece, resultant, options.who);
@@ -208,12 +208,13 @@ Relaxation::Balance Relaxation::find_left() {
   }
   balance.largest = most_of_rows(most);
   balance.total = std::sqrt(sum_of_rows(squares));
-  // Of differences of u, in the sum over the bonds of a node.
+  // Rounding error of displacement differences, summed over a node's bonds.
   balance.rounding = 8.0 * std::numeric_limits<double>::epsilon() * stiffest() * farthest;
   return balance;
 }
 
-// Goes along a Newton step, or less of it. False when it leads nowhere.
+// Takes a Newton step, halved while it leaves more force than there was. False when no part of it
+// helps.
 bool Relaxation::improve(const NodeVectors& step, Balance& balance) {
   const NodeVectors from = u_;
   const double before = balance.total;
@@ -224,7 +225,7 @@ bool Relaxation::improve(const NodeVectors& step, Balance& balance) {
       u_.y[at] = from.y[at] + share * step.y[at];
     }
     balance = find_left();
-    // What is prescribed must be reached; the steps after it repair what it leaves.
+    // Prescribed displacements must be reached in this step; later steps repair what it leaves.
     if (balance.total < before || (is_led_ && std::isfinite(balance.total))) return true;
     if (is_led_) return false;
   }
@@ -233,8 +234,8 @@ bool Relaxation::improve(const NodeVectors& step, Balance& balance) {
   return false;
 }
 
-// Compression can make the exact tangent lose its sign, on the way to an equilibrium or in it: from
-// then on the other one is used, which leads there more slowly.
+// Compression can make the exact tangent lose its sign, on the way to an equilibrium or in it. From
+// then on the positive tangent is used, which converges more slowly.
 bool Relaxation::take_tangent() {
   if (stale_) net_.linearise(u_, tangent_);
   stale_ = false;

@@ -19,12 +19,12 @@ namespace hackle {
 class CoarseSpace;
 
 struct RelaxOptions {
-  // Of what is left of the force on a node to the largest load or reaction of one, in (0, 1).
-  // Without any, to what the force was before.
+  // The largest force left on a node over the largest load or reaction on a node, in (0, 1). Where
+  // there is neither: over the largest force at the beginning.
   double tolerance = 1e-8;
-  // Told from time to time how far it has come, 0..1; may throw, which leaves all as it was.
+  // Called from time to time with the progress, 0..1; may throw, which leaves all as it was.
   std::function<void(double fraction, int iterations)> progress;
-  // The call of the user, for errors, and how an interrupt leaves the plate.
+  // For messages: the user's call, and how an interrupt leaves the plate.
   std::string who = "relax";
   std::string left = "as it was";
 };
@@ -60,15 +60,16 @@ class Relaxation {
 
   ~Relaxation();
 
-  // Where it comes from, when that is not under what acts now: under these loads and this heat.
+  // Says under which loads and heat the plate stood before, if others than act now.
   void comes_from(const std::vector<LoadedNode>& loads, std::span<const double> heat);
 
   // Throws Error (refused) when loads push or turn a piece that nothing holds, Error (run_failed)
   // when there is no equilibrium to be found, and Error (interrupted).
   Equilibrium solve(const RelaxOptions& options);
 
-  // These bonds of the state have broken since solve(), which is to be called again: from where it
-  // came to rest, under the same loads, with nothing led. What is known of the tangent is kept.
+  // Takes note that these bonds of the state have broken since solve(), which must then be called
+  // again: it goes on from where the plate came to rest, under the same loads, with nothing
+  // prescribed. What is known of the tangent is kept.
   void lose(const std::vector<Loss>& losses);
 
  private:

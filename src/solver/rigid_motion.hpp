@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Displacements that have grown too large for single precision. Differences of neighbours are what
 // counts, and f32 rounds u to 6e-8 of its size: a plate that has drifted by two spacings gains
-// energy (kernel.md 6).
+// energy (src/solver/README.md 5.2).
 #pragma once
 
 #include <cstdint>
@@ -20,15 +20,16 @@ struct Spread {
 
 Spread spread_of(const State& state, const std::vector<std::uint8_t>& material = {});
 
-// A drift of the whole plate is taken out of u, into the origin, when it exceeds this, in spacings.
+// Drift of the whole plate, in spacings, beyond which it is moved from u into the origin.
 inline constexpr double most_drift = 0.03125;
 
 // Moves the middle of a state in f32 into its origin when it has drifted. The middle of a scene
 // that is symmetric is exactly 0 across the midline, so symmetry is kept. True when u has changed.
 bool take_out_drift(State& state, const std::vector<std::uint8_t>& material = {});
 
-// How much of the critical stretch rounding may make up before f32 is given up: far below what the
-// step and the spacing cost, and the arms of a plate that has opened stay in f32.
+// The share of the critical stretch that rounding may reach before f32 is given up: far below the
+// errors of step and spacing, yet the arms of a plate that has opened stay in f32
+// (src/solver/README.md 5.3).
 inline constexpr double most_rounding = 2e-4;
 
 // Whether what remains rounds the stretch of bonds by more than most_rounding of s0.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one thread needs while it takes rows through a step. The plate is swept in blocks of columns
-// so narrow that all of this stays in the fastest cache.
+// Scratch memory of one thread for a sweep. The plate is swept in blocks of columns so narrow that
+// all of this stays in the fastest cache.
 #pragma once
 
 #include <algorithm>
@@ -54,8 +54,8 @@ struct Outlook {
 
 template <class Real>
 struct Scratch {
-  // Columns of a block at most, a multiple of a group: rows of 4 kB, so that the dozen that a row
-  // of nodes works on stays near the fastest cache, and few are the groups summed twice.
+  // The most columns of a block, a multiple of a group: rows of 4 kB, so that the dozen rows in use
+  // at a time stay near the fastest cache, and few groups are summed twice.
   static constexpr int block = 4096 / sizeof(Real);
 
   Scratch(int widest, int reach, bool linear)

@@ -52,7 +52,7 @@ Lattice with_strength(Lattice lattice, std::vector<float> strength) {
   return lattice;
 }
 
-// What a start gives to its nodes, in lattice units.
+// The initial condition of some nodes, in lattice units.
 struct SpreadStart {
   std::vector<std::size_t> at;  // Grid::index
   std::vector<Vec2> u, v;
@@ -112,9 +112,9 @@ double rounded_down(double step) {
   return std::isfinite(step) ? std::floor(step / unit) * unit : step;
 }
 
-// Of discs that come later; those that the plate has before are checked with the numerics. The
-// limit is for nodes deep in the plate: of those that a disc comes upon, which lack half their
-// bonds, the reserve of the default step is enough (dense eigenvalues, m = 3 to 6).
+// Checks the step for discs that are added later; those of the plate are checked with the numerics.
+// The limit holds for nodes deep in the plate; for those at a rim, which lack half their bonds, the
+// reserve of the default step is enough (dense eigenvalues, m = 3 to 6).
 void check_step(const Plate& plate, const Lattice& lattice, double dt) {
   const double limit = step_limit(lattice, plate) / step_fraction;
   const double longest = longest_step_of_impact(plate, lattice.grid.dx);
@@ -201,7 +201,7 @@ void Simulation::show(Snapshot snapshot) {
   stop();
 }
 
-// The energy that the start gives is accounted for as work.
+// The energy of the initial condition is booked as external work.
 void Simulation::start() {
   heat_.update(lattice_, state_);
   set_in_motion(plate_.starts, lattice_, dt_, state_);
@@ -274,8 +274,8 @@ void Simulation::step() {
     keep_f32_exact();
 }
 
-// From the time of v to the time of u, and on to the middle of the step; returns the kick that goes
-// with it.
+// Damps v from its own time to the middle of the next step (src/solver/README.md 3.7). Returns the
+// kick that goes with it.
 double Simulation::damp_motion() {
   const Stopwatch watch(step_seconds_.damping);
   const Damping step(plate_.loads.damping * dt_), half(0.5 * plate_.loads.damping * dt_);
@@ -286,9 +286,9 @@ double Simulation::damp_motion() {
   return starts ? 0.5 * half.yield : step.yield;
 }
 
-// What acts at a step does half its work in the step before it, as in the step after it. So other
-// loads, or another temperature, at a step make the step before it end otherwise: by this, of all
-// accelerations.
+// The work of all accelerations in the second half of the last step. What acts at a step does half
+// its work in the step before, so changed loads or temperatures change that work
+// (src/solver/README.md 3.4).
 double Simulation::work_of_half_step() const {
   if (state_.is_start()) return 0.0;
   const Grid& grid = lattice_.grid;
@@ -308,7 +308,7 @@ double Simulation::lost_in_half_step() const {
          free_motion(lattice_, loading_.led(), threads_, state_);
 }
 
-// For the step to come.
+// Finds loads, contacts and impacts for the next step.
 void Simulation::take_loads() {
   std::visit(
       [this](auto& engine) {
@@ -319,7 +319,7 @@ void Simulation::take_loads() {
   if (loading_.varies()) loading_.add_work(lattice_, state_, state_.external_work);
 }
 
-// From half a step before now to half a step after.
+// Counts the work of heating from half a step before now to half a step after.
 void Simulation::count_heat_work() {
   if (!heat_.changes_around(state_)) return;
   const Stopwatch watch(step_seconds_.heat);
@@ -354,7 +354,8 @@ void Simulation::count_external_work() {
       std::visit([](const auto& engine) { return engine.work_of_leads(); }, engine_);
 }
 
-// By supports, in the second half of the last step: that of what pulls at nodes that do not yield.
+// The work of supports in the second half of the last step: they balance all forces on prescribed
+// nodes (src/solver/README.md 3.5).
 double Simulation::work_of_led_half_step() const {
   if (loading_.led().empty() || state_.is_start()) return 0.0;
   const std::vector<Vec2> a = accelerations();
@@ -373,7 +374,7 @@ void Simulation::aim(double duration) {
     throw Error(ErrorKind::refused,
                 fmt::format("run: the duration is {} s, it must be at least 0 s", duration));
   const double end = end_time_ + duration;
-  // A whole number of steps must not become one more by rounding.
+  // Tolerance: an exact multiple of dt must not gain a step by rounding.
   const double steps = std::ceil((end - state_.clock.moment) / dt_ - 1e-9);
   if (!(steps <= most_steps))
     throw Error(ErrorKind::refused,
@@ -452,8 +453,8 @@ double Simulation::check_motion() const {
   return sum;
 }
 
-// All motion comes from work, so that kinetic energy is never above the most that was put in, but
-// for the error of the step. Where it is far above, nothing else is right either.
+// All motion comes from work, so kinetic energy cannot exceed the most that was put in, apart from
+// the error of the step. If it is far above, the solution has diverged.
 void Simulation::check_energy(double motion) {
   constexpr double beyond_reason = 1000.0;
   most_energy_ = std::max(most_energy_, std::abs(state_.external_work));
@@ -539,7 +540,7 @@ std::vector<Vec2> Simulation::accelerations() const {
   return result;
 }
 
-// v is half a step old, except at the start; what is led keeps it.
+// v is half a step old, except at the start; prescribed components need no correction.
 std::vector<Vec2> Simulation::velocities() const {
   const Grid& grid = lattice_.grid;
   const Damping half(0.5 * plate_.loads.damping * dt_);

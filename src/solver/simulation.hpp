@@ -55,25 +55,24 @@ class Simulation {
   // One time step. Nothing is written, printed or checked in it.
   void step();
 
-  // Steps until `duration` seconds more have been simulated, to the first step at or after it;
-  // the time asked for is kept exactly, so that run(a); run(b) ends at the same step as run(a + b).
+  // Steps until `duration` seconds more have been simulated, to the first step at or after it; the
+  // time asked for is kept exactly, so that run(a); run(b) ends at the same step as run(a + b).
   // Functions of time in the loads are asked before the first of these steps, and may throw.
   // Between steps, and at the start, every observer that is due sees the state. Stops after the
   // current step with Error (interrupted) on Ctrl-C, and with Error (run_failed) when the solution
-  // has diverged: it holds what are no numbers, or moves with a thousand times the energy that was
-  // ever put in.
+  // has diverged: it holds values that are no numbers, or a thousand times the energy that was ever
+  // put in.
   void run(double duration, std::span<Observer* const> observers = {});
 
-  // run() in pieces: aim() says how much further it is to go, go_on() goes there unless an observer
-  // breaks off, to be called again then. Each throws what run() throws; what was aimed at stays.
+  // run() in pieces: aim() adds to the time to be reached, go_on() goes there, or returns when an
+  // observer breaks off and may be called again. Each throws what run() throws; the aim stays.
   void aim(double duration);
   void go_on(std::span<Observer* const> observers = {});
   bool has_arrived() const { return state_.step >= last_step_; }
-  std::int64_t last_step() const { return last_step_; }  // to which it is to go
-  // To be called by an observer: go_on() comes back after this step, load_slowly() after this
-  // increment.
+  std::int64_t last_step() const { return last_step_; }  // of the current aim
+  // For observers: go_on() returns after this step, load_slowly() after this increment.
   void break_off() { break_off_ = true; }
-  // As if no more had been asked for than there is; for an observer: after this step.
+  // Cancels the remaining run; from an observer, after the current step.
   void stop();
 
   // Brings the plate to rest where everything that acts at the present time is in balance, without
@@ -94,16 +93,16 @@ class Simulation {
   QuasistaticResult load_slowly(const QuasistaticOptions& options,
                                 std::span<Observer* const> observers = {});
 
-  // Other loads from now on; an observer may change them between two steps. Throws Error (refused)
+  // Replaces all loads from now on; an observer may do so between two steps. Throws Error (refused)
   // with every problem found, a step that is too long for them among them.
   void set_loads(Loads loads);
 
-  // Goes on from another state of the same lattice: a kept one, which gives the same bits, or one
+  // Continues from another state of the same lattice: a kept one, which gives the same bits, or one
   // prepared by hand.
   void restore(State state);
 
-  // To be looked at: the state and its discs, without loads. Only of a simulation that was made
-  // without loads and is never stepped: what a step would need is not prepared.
+  // Shows a recorded state with its discs. Requires a simulation built without loads; step() must
+  // not be called afterwards.
   void show(Snapshot snapshot);
 
   const Plate& plate() const { return plate_; }
@@ -138,12 +137,12 @@ class Simulation {
   // Bytes of state, lattice and engine that grow with the plate.
   std::size_t bytes() const;
   double solve_seconds() const { return solve_seconds_; }  // wall time of all steps
-  // What of it went into damping, heat and loads that vary; the kernel took the rest.
+  // The parts spent in damping, heat and varying loads; the rest is the kernel's.
   const StepSeconds& step_seconds() const { return step_seconds_; }
 
   // The default step for a limit: step_fraction of it, rounded down to three digits.
   static double default_step(double limit);
-  // And one in which no disc flies too far (see longest_step_of_impact).
+  // The same, and short enough for every disc (see longest_step_of_impact).
   static double default_step(const Plate& plate, const Lattice& lattice);
 
   // Throws Error (run_failed) unless every displacement and velocity is a number, and one that the
@@ -171,7 +170,7 @@ class Simulation {
   void check_energy(double motion);
   [[noreturn]] void throw_diverged(int i, int j) const;
   void look_after_step(std::span<Observer* const> observers);
-  // What acts and moves when the plate sets out for rest.
+  // What acts on the plate before it is brought to rest.
   struct Departure {
     std::vector<LoadedNode> loads;  // which did their work up to here
     std::vector<double> heat;       // thermal strain
@@ -201,11 +200,11 @@ class Simulation {
   double solve_seconds_ = 0.0;
   StepSeconds step_seconds_;
   std::optional<double> widened_at_;
-  double most_energy_ = 0.0;  // that there was a reason for so far, in units of the state's work
+  double most_energy_ = 0.0;  // the most energy put in so far, in units of the state's work
 
   InstructionSet instruction_set_;
   Threads threads_;
-  // Its scratch memory serves questions about the state, too.
+  // mutable: const queries use its scratch memory.
   mutable std::variant<Engine<double>, Engine<float>> engine_;
 };
 

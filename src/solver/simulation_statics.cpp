@@ -40,8 +40,8 @@ void Simulation::put(const NodeVectors& u) {
     }
 }
 
-// Of a plate that stands, loads that have come since do their work from nothing; those that have
-// acted in steps have done theirs, and stay what they are.
+// Loads that were added to a plate at rest grow from nothing; loads that have acted in steps have
+// done their work and stay what they are.
 Simulation::Departure Simulation::depart() {
   Departure from{borne_, heat_.values()};
   if (!state_.is_start()) {
@@ -54,8 +54,8 @@ Simulation::Departure Simulation::depart() {
   return from;
 }
 
-// Half of the change of temperature where the plate was, half where it comes to rest: exact while
-// forces are linear in both.
+// Half of the change of temperature acts where the plate was, half where it comes to rest: exact
+// while forces are linear in both.
 Equilibrium Simulation::go_to_rest(const Departure& from, Relaxation& relaxation,
                                    const RelaxOptions& options) {
   const bool heats = from.heat != heat_.values();
@@ -69,7 +69,7 @@ Equilibrium Simulation::go_to_rest(const Departure& from, Relaxation& relaxation
   return rest;
 }
 
-// Puts the plate where it comes to rest, and its work into the ledger.
+// Moves the plate to where it comes to rest and books the work.
 Equilibrium Simulation::settle(Relaxation& relaxation, const RelaxOptions& options) {
   Equilibrium rest = relaxation.solve(options);
   put(rest.u);
@@ -79,7 +79,7 @@ Equilibrium Simulation::settle(Relaxation& relaxation, const RelaxOptions& optio
   return rest;
 }
 
-// Under the loads that act since Loading::halt().
+// Leaves the plate at rest under the loads that act since Loading::halt().
 void Simulation::come_to_rest(std::vector<Loss> losses) {
   borne_ = loading_.forces();
   for (int j = 0; j < lattice_.grid.ny; ++j)
@@ -136,8 +136,8 @@ QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
   return result;
 }
 
-// A failure after bonds have broken in this increment means that the plate has come apart: what is
-// left of it cannot be in balance.
+// A failure after bonds have broken in this increment means that the plate has come apart: the rest
+// of it has no equilibrium.
 void Simulation::load_to(double end, const QuasistaticOptions& options, QuasistaticResult& result) {
   const State before = state_;
   const std::vector<LoadedNode> borne = borne_;
@@ -164,8 +164,8 @@ void Simulation::load_to(double end, const QuasistaticOptions& options, Quasista
   stop();
 }
 
-// The first pass loads, without breaking; all that follow are jumps, in which nothing is led and
-// loads stay what they are.
+// The first pass loads without breaking. All later ones are jumps: nothing is prescribed to move,
+// and loads stay what they are.
 void Simulation::break_and_settle(double end, const QuasistaticOptions& options,
                                   QuasistaticResult& result, std::vector<Loss>& losses) {
   const int increment = static_cast<int>(result.passes.size()) - 1;

@@ -28,7 +28,7 @@ struct Disc {
   Vec2 velocity{0, 0};
 };
 
-// The time of steps: counted from the last moment that was reached otherwise than by steps.
+// The time of steps, counted from the last moment that was reached other than by steps.
 struct Clock {
   double moment = 0.0;     // s
   std::int64_t since = 0;  // the step at which it was that time
@@ -55,7 +55,7 @@ struct State {
   double external_work = 0.0;  // done by loads so far, and by supports and changes of temperature
                                // up to half a step ago, in units of rho dx^4/dt^2 (J/m)
   double damped = 0.0;         // taken by damping up to a step ago, in the same units
-  double released = 0.0;       // given off by jumps and on the way to rest so far, likewise
+  double released = 0.0;       // energy released by jumps and on the way to rest so far, likewise
   Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u
   std::vector<Disc> discs;     // in the order of the impactors of the plate
 

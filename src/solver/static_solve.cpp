@@ -6,8 +6,8 @@
 namespace hackle {
 namespace {
 
-// Of a node's own stiffness, restricted to what is mobile. Where bonds hold a node in one direction
-// only, the other one is taken to be as stiff.
+// The inverse of a node's own stiffness, restricted to its mobile components. A node that bonds
+// hold in one direction only counts as equally stiff in the other.
 Stiffness inverse_of(const Stiffness& own, double mobile_x, double mobile_y) {
   constexpr double singular = 1e-9;
   const double trace = own.xx + own.yy;
@@ -139,7 +139,8 @@ StaticSolve::Outcome StaticSolve::solve(const NodeVectors& force, NodeVectors& d
     go(distance, d);
     ++outcome.iterations;
     sums = precondition();
-    // Polak and Ribiere: what makes answers symmetric may not be the same in every iteration.
+    // Polak and Ribiere: the coarse space is symmetrised in some iterations only, so it is not one
+    // fixed preconditioner.
     turn_to(std::max(0.0, distance * dot(z_, q_) / before));
     look(sums.largest);
   }

@@ -18,16 +18,16 @@ class StaticSolve {
     bool is_positive = true;
   };
 
-  // Along x and y `mobile` is 1 for what is sought and 0 for what is given. `coarse` finds long
-  // waves, or is nothing. All must outlive it.
+  // `mobile` is 1 for components that are sought and 0 for given ones. `coarse` is a coarse space
+  // or nullptr. All must outlive it.
   StaticSolve(const BondNet& net, const Pieces& pieces, const NodeVectors& mobile,
               CoarseSpace* coarse = nullptr);
 
-  // Changes what is mobile in d until the tangent of the net, applied to all of d, balances
-  // `force`: to within `share` of what is missing at first, or `goal` in the units of the net, at
-  // every node; or for `most` iterations. Pieces that nothing holds neither move nor turn as a
-  // whole. `look` is called after every iteration with what is left. Returns the number of
-  // iterations. Throws what `look` throws.
+  // Changes the mobile components of d until the tangent of the net, applied to all of d, balances
+  // `force` at every node: to within `share` of the initial residual, or `goal` in the units of the
+  // net; stops after `most` iterations. Pieces that nothing holds neither move nor turn as a whole.
+  // `look` is called after every iteration with what is left. Returns the number of iterations.
+  // Throws what `look` throws.
   //
   // Preconditioned by the 2 x 2 stiffness of each node against its neighbours, and by the coarse
   // space. The bits are the same for any number of threads; forces that are their own mirror image

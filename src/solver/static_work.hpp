@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What loads and supports do while a plate goes from one place to another, at rest there, and what
-// it gives off on the way.
+// The work of loads and supports while a plate goes from one equilibrium to another, and the energy
+// it releases on the way (src/solver/README.md 8.5).
 #pragma once
 
 #include "solver/node_vectors.hpp"
@@ -15,15 +15,15 @@ struct Posture {
 
 // J/m in units of c dx5.
 struct StaticWork {
-  // Of loads, and of the reactions of supports, which are what bonds and loads leave on led nodes:
-  // force times displacement by the trapezoidal rule. Exact while forces are linear in u.
+  // Work of loads and of the reactions of supports, which balance bonds and loads on prescribed
+  // nodes: force times displacement by the trapezoidal rule. Exact while forces are linear in u.
   double external = 0.0;
-  // Of what was out of balance on mobile nodes at the beginning and is not at the end: what would
-  // have become motion. 0 where the plate sets out from rest and its bonds all hold.
+  // Work of the forces out of balance on mobile nodes at the beginning: it would have become
+  // motion. 0 where the plate sets out from rest and all bonds hold.
   double released = 0.0;
 };
 
-// `mobile` is 1 along the axes where a node is free, 0 where it is led.
+// `mobile` is 1 along the axes where a node is free, 0 where it is prescribed.
 StaticWork work_between(const NodeLayout& layout, const Posture& before, const Posture& after,
                         const NodeVectors& mobile);
 

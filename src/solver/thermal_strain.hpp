@@ -33,17 +33,17 @@ class ThermalStrain {
 
   // By Grid::index; empty when nothing is heated.
   const std::vector<double>& values() const { return values_; }
-  // These from now on, whatever the temperature does. Only where it is empty().
+  // Holds these values from now on. Requires empty().
   void hold(std::vector<double> values) { values_ = std::move(values); }
 
-  // Half a step before the state, and after it: the mean of two steps; before the start it is the
-  // start's. Work is counted from middle to middle, as then it is right to the second order of the
-  // step.
+  // The strain half a step before the state and half a step after it: the mean of two steps; before
+  // the start it is that of the start. Work is counted from middle to middle of steps, which makes
+  // it right to second order (src/solver/README.md 3.6).
   std::vector<double> before(const Lattice& lattice, const State& state) const;
   std::vector<double> after(const Lattice& lattice, const State& state) const;
-  // Whether it changes from half a step before to half a step after.
+  // Whether the strain changes from half a step before the state to half a step after.
   bool changes_around(const State& state) const;
-  // Or until the state itself.
+  // The same, from half a step before the state to the state.
   bool changes_until(const State& state) const;
   std::size_t bytes() const;
 

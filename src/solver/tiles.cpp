@@ -7,8 +7,8 @@ namespace hackle {
 
 std::vector<int> tile_rows(int ny, int reach) {
   const int height = reach <= 8 ? 8 : 16;
-  // Full rows of tiles from both ends; what is left in the middle goes to one of its own, or to a
-  // neighbour when it is too thin for that.
+  // Rows of tiles of full height from both ends; the middle takes what is left, in one row of tiles
+  // or two.
   const int each_side = std::max(0, (ny / height - 1) / 2);
   std::vector<int> first;
   first.reserve(2 * static_cast<std::size_t>(each_side) + 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plate in tiles: for each the cheapest treatment that its state allows is chosen anew in every
-// step.
+// The plate in tiles: every step chooses the cheapest path for each that its state allows
+// (src/solver/README.md 4.4).
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace hackle {
 
-// A tile is one group of columns of the layout by at least `reach` rows. Its rows are mirror images
-// of each other about the midline.
+// A tile is one group of columns of the layout by at least `reach` rows. Rows of tiles are mirror
+// images of each other about the midline.
 struct TileGrid {
   const int* first_row = nullptr;  // of every row of tiles, and the end of the last
   int rows = 0;
@@ -26,7 +26,7 @@ struct TileGrid {
 // First rows of the rows of tiles of a lattice of ny rows, and ny.
 std::vector<int> tile_rows(int ny, int reach);
 
-// What bounds the stretch of bonds in a tile (kernel.md 4): the largest differences of
+// What bounds the stretch of bonds in a tile (src/solver/README.md 4.5): the largest differences of
 // displacements between neighbouring nodes, those across its border included.
 template <class Real>
 struct TileRange {

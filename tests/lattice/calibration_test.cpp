@@ -18,8 +18,8 @@ Vec2 direction(double degrees) {
   return {-std::sin(angle), std::cos(angle)};
 }
 
-// physics.md, table 4.3: what c = 9E/(pi d^3) and s0 = sqrt(4 pi G0/(9 E d)) amount to. Four digits
-// are printed, so half of the last is the tolerance.
+// src/lattice/README.md 3.6: what c = 9E/(pi d^3) and s0 = sqrt(4 pi G0/(9 E d)) amount to. Four
+// digits are printed, so half of the last is the tolerance.
 struct Row {
   double m;
   Quadrature quadrature;
@@ -45,7 +45,7 @@ TEST_P(Table, OfModuliAndFractureEnergiesIsReproduced) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Physics43, Table,
+    Continuum, Table,
     testing::Values(Row{3, Quadrature::full, 1.0644, 0.318, 0.934, 1.026, 1.081, 1.048},
                     Row{3.015, Quadrature::full, 1.0486, 0.318, 0.934, 1.006, 1.059, 1.027},
                     Row{4, Quadrature::full, 0.9860, 0.317, 0.928, 0.929, 0.958, 0.957},
@@ -70,8 +70,9 @@ TEST(Calibration, LatticeConstantsGiveTheMaterialExactly) {
         }
 }
 
-// physics.md 4.1: on a lattice fine in the horizon the continuum constants give the material, with
-// the Poisson's ratio of the theory. Exact areas leave an error that falls like 1/m^2.
+// src/lattice/README.md 3.3: on a lattice fine in the horizon the continuum constants give the
+// material, with the Poisson's ratio of the theory. Exact areas leave an error that falls like
+// 1/m^2.
 TEST(Calibration, ContinuumConstantsConvergeToTheMaterial) {
   const Material material = test::duran50();
   for (const auto quadrature : {Quadrature::area, Quadrature::centroid})
@@ -91,7 +92,7 @@ TEST(Calibration, ContinuumConstantsConvergeToTheMaterial) {
       }
 }
 
-// physics.md 4.1, in units of E/(pi delta^3) and G0/(E delta).
+// src/lattice/README.md 3.3, in units of E/(pi delta^3) and G0/(E delta).
 TEST(Calibration, ContinuumConstantsOfEveryMicromodulusAndPlane) {
   constexpr double pi = std::numbers::pi;
   const Material unit{"unit", 1.0, 1.0, 0.25, 1.0};
@@ -120,7 +121,7 @@ TEST(Calibration, TheTwoPlanesSeeTheSameLattice) {
 }
 
 TEST(Calibration, ContinuumConstantsAreTheTextbooks) {
-  // physics.md 4.1: Duran at a horizon of 2 mm.
+  // src/lattice/README.md 3.3: Duran at a horizon of 2 mm.
   const Calibration result =
       calibrate(Family(4.0, Quadrature::full), test::duran50(), dx, Constants::continuum);
   EXPECT_NEAR(result.c, 2.32764e19, 0.5e14);
@@ -128,7 +129,8 @@ TEST(Calibration, ContinuumConstantsAreTheTextbooks) {
 }
 
 TEST(Calibration, ThePapersConstantsScaleBothEAndG0) {
-  // Eq. 8 with Eq. 10 is (2/3)/(1 - nu) of the continuum pair, 0.8333 for nu = 0.2 (physics.md 0).
+  // Eq. 8 with Eq. 10 is (2/3)/(1 - nu) of the continuum pair, 0.8333 for nu = 0.2
+  // (src/lattice/README.md 3.7).
   const Family family(4.0, Quadrature::full);
   const Calibration paper = calibrate(family, test::duran50(), dx, Constants::paper);
   const Calibration continuum = calibrate(family, test::duran50(), dx, Constants::continuum);

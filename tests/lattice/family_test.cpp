@@ -14,7 +14,7 @@ namespace hackle {
 namespace {
 
 TEST(Family, HasTheKnownNumberOfBonds) {
-  // Lattice points with 0 < a^2 + b^2 <= m^2 (peers.md 2, physics.md 4.3).
+  // Lattice points with 0 < a^2 + b^2 <= m^2 (src/lattice/README.md 1.3).
   const std::pair<double, int> known[] = {{2, 12}, {3, 28},  {3.015, 28}, {4, 48},
                                           {5, 80}, {6, 112}, {8, 196}};
   for (const auto& [m, bonds] : known)
@@ -68,7 +68,7 @@ TEST(Family, ExactAreasFillTheCircle) {
 }
 
 TEST(Family, ExactAreasReachTheNeighboursOfTheTable) {
-  // physics.md 4.3.
+  // src/lattice/README.md 1.3.
   EXPECT_EQ(Family(4.0, Quadrature::area).bonds(), 68);
   EXPECT_EQ(Family(6.0, Quadrature::area).bonds(), 136);
   EXPECT_EQ(Family(8.0, Quadrature::area).bonds(), 240);

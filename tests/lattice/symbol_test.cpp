@@ -31,7 +31,7 @@ Branches phase_speeds(double wavelength_in_dx) {
 }
 
 TEST(Symbol, DispersesAsTheTableSays) {
-  // physics.md 4.6, lattice FA m = 4: wavelength in dx, longitudinal, transverse.
+  // src/lattice/README.md 4.2: wavelength in dx, longitudinal, transverse.
   const double table[][3] = {{100, 0.986, 0.962},
                              {20, 0.955, 0.945},
                              {12, 0.900, 0.914},
@@ -56,15 +56,16 @@ TEST(Symbol, LongWavesTravelWithTheModuliOfTheLattice) {
 }
 
 TEST(StepLimit, IsThePublishedOne) {
-  // physics.md 4.2: Duran, dx 0.5 mm, m = 4, continuum constants: 234 ns.
+  // src/lattice/README.md 4.3: Duran, dx 0.5 mm, m = 4, continuum constants: 234 ns.
   const Family family(4.0, Quadrature::full);
   const Calibration calibration = calibrate(family, test::duran50(), dx, Constants::continuum);
   EXPECT_NEAR(step_limit(family, calibration.c, 2235.0, dx), 234.0e-9, 0.5e-9);
 }
 
 TEST(StepLimit, MatchesThePeersTableInDimensionlessForm) {
-  // peers.md 2: limit in dx sqrt(rho/E), continuum constants, full quadrature. The table comes from
-  // samples of the symbol that miss its peak by up to 0.2 %: it may lie above, not below.
+  // src/lattice/README.md 4.3: the limit in dx sqrt(rho/E), continuum constants, full quadrature;
+  // here from coarser samples of the symbol, which miss its peak by up to 0.2 %: they may lie above
+  // the limit, not below.
   const double table[][2] = {{2, 1.260}, {3, 1.865}, {4, 2.526}, {5, 3.093}, {6, 3.751}};
   Material unit{"unit", 1.0, 1.0, 0.2, 1.0};
   for (const auto& [m, limit] : table) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stress and energy of nodes against closed forms (physics.md 5.2).
+// Stress and energy of nodes against closed forms (src/lattice/README.md 3.1).
 #include "measure/bond_field.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Energies against closed forms (physics.md 5.2 and 5.12).
+// Energies against closed forms (src/lattice/README.md 3.1 and 3.4).
 #include "measure/energy.hpp"
 
 #include <cmath>
@@ -82,7 +82,7 @@ TEST(Ledger, ClosesWithoutBreakingAsTheStepShrinks) {
     const Energy now = energy(simulation);
     return std::abs(now.residual() / now.external);
   };
-  EXPECT_LT(residual(50e-9), 1e-3);  // physics.md 4.7
+  EXPECT_LT(residual(50e-9), 1e-3);  // src/solver/README.md 3.4
 }
 
 }  // namespace

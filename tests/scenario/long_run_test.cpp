@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hundred thousand steps: no drift of energy (kernel.md 6).
+// A hundred thousand steps: no drift of energy (src/solver/README.md 3.3 and 5.1).
 #include <algorithm>
 #include <cmath>
 

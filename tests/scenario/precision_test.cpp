@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-// kernel.md 6: 3e-7 at this spacing, and no bond differs.
+// src/solver/README.md 5.1: 3e-7 at this spacing, and no bond differs.
 TEST(SinglePrecision, BreaksTheSameBondsOnAFinerLattice) {
   const auto solve = [](Precision precision) {
     Numerics numerics = test::numerics(0.25e-3, 1e-3);

@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-// physics.md 5.7, printed to 1 m/s.
+// src/lattice/README.md 4.6, printed to 1 m/s.
 struct Row {
   double E, nu, rho, longitudinal, shear, rayleigh;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What velocity Verlet with pairwise central forces conserves (physics.md 5.9 to 5.11).
+// What velocity Verlet with pairwise central forces conserves (src/solver/README.md 3.3).
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a force kernel must do for given displacements (physics.md 5.1, 5.3, 5.13).
+// What a force kernel must do for given displacements (src/solver/README.md 2.4 and 3.3).
 #include "solver/kernel.hpp"
 
 #include <cmath>
@@ -115,8 +115,8 @@ TEST_P(EveryKernel, APlaneWaveAcceleratesAsTheSymbolSays) {
   }
 }
 
-// sin(omega' dt/2) = omega dt/2 for velocity Verlet (physics.md 5.1). Edges cannot be felt in the
-// middle before n * m rows were crossed.
+// sin(omega' dt/2) = omega dt/2 for velocity Verlet (src/solver/README.md 3.2). Edges cannot be
+// felt in the middle before n * m rows were crossed.
 TEST_P(EveryKernel, APlaneWaveOscillatesWithTheFrequencyOfVelocityVerlet) {
   Simulation simulation = bare(180, 180);
   const double amplitude = 1e-10, k = 0.7;

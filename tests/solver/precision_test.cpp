@@ -23,7 +23,7 @@ Numerics single() {
   return numerics;
 }
 
-// kernel.md 6: 2e-7 at this spacing.
+// src/solver/README.md 5.1: 2e-7 at this spacing.
 TEST(SinglePrecision, BreaksTheSameBondsAsDoublePrecision) {
   Simulation exact(test::edge_crack(12e6), test::numerics()),
       rounded(test::edge_crack(12e6), single());

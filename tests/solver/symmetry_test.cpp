@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene that is its own mirror image stays so to the last bit, for ever (kernel.md 2).
+// A scene that is its own mirror image stays so to the last bit, for ever
+// (src/solver/README.md 4.2).
 #include <tuple>
 
 #include <fmt/format.h>
