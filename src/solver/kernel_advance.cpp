@@ -156,7 +156,8 @@ void Sweep<features>::begin_row(int j) {
   if constexpr (features.mixed) work_.row.half_stiffness = data_.half_stiffness + at;
   if constexpr (features.heated) work_.row.heat = data_.heat + at;
   work_.row.place = at;
-  // Bonds in the margin are recorded by the neighbouring block or row range.
+  // Bonds of lower rows are recorded by the task that these rows belong to; bonds in the margin
+  // between two blocks by both.
   work_.row.losses = j >= rows_.begin && data_.ax == nullptr ? &scratch_.losses : nullptr;
   work_.row.late = data_.late;
   work_.run_count = scratch_.run_count;
