@@ -324,20 +324,22 @@ void Engine<Real>::step(const Lattice& lattice, State& state, double kick) {
 }
 
 // A bond is kept in the row of its lower end, but tasks above read it too: bonds are broken when
-// all tasks are done.
+// all tasks are done. Two blocks of columns note a bond in the margin between them; it is lost
+// once.
 template <class Real>
 void Engine<Real>::break_bonds(BondBits& bonds) {
   losses_.clear();
   for (Scratch<Real>& scratch : scratch_) {
     for (const Loss& loss : scratch.losses) {
-      bonds.clear(loss.at, loss.word, loss.bit);
       const int bond = 32 * loss.word + std::countr_zero(loss.bit);
+      if (!bonds.holds(loss.at, bond)) continue;
+      bonds.clear(loss.at, bond);
+      losses_.push_back(loss);
       const auto here = static_cast<std::size_t>(tile_of(loss.at));
       const auto there = static_cast<std::size_t>(
           tile_of(loss.at + bond_offsets_[static_cast<std::size_t>(bond)]));
       intact_[here] = complete_[here] = complete_[there] = 0;
     }
-    losses_.insert(losses_.end(), scratch.losses.begin(), scratch.losses.end());
     scratch.losses.clear();
     for (std::size_t path = 0; path < path_counts_.size(); ++path)
       path_counts_[path] += std::exchange(scratch.counts[path], 0);

@@ -2,6 +2,8 @@
 #include "solver/simulation.hpp"
 
 #include <limits>
+#include <set>
+#include <tuple>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -95,6 +97,23 @@ TEST(Simulation, APlateAtRestStaysAtRest) {
   EXPECT_EQ(test::largest(simulation.velocities()), 0.0);
   for (int i = 0; i < 20; ++i) EXPECT_EQ(simulation.displacement(i, 5), Vec2(0, 0));
   EXPECT_EQ(simulation.external_work(), 0.0);
+}
+
+// Wider than the blocks of columns that tasks work on: a bond in the margin of two is lost once.
+TEST(Simulation, EveryBondThatBreaksIsLostOnce) {
+  for (const Precision precision : {Precision::f64, Precision::f32}) {
+    Numerics numerics = test::numerics();
+    numerics.precision = precision;
+    Simulation simulation(test::bare_plate(2100, 12), numerics, {2});
+    simulation.restore(test::displaced(simulation, [](const Vec2& x) { return Vec2(0.1 * x); }));
+    const std::int64_t before = simulation.state().bonds.count();
+    simulation.step();
+    std::set<std::tuple<std::ptrdiff_t, int, std::uint32_t>> lost;
+    for (const Loss& loss : simulation.losses()) lost.emplace(loss.at, loss.word, loss.bit);
+    EXPECT_GT(lost.size(), 1000U);
+    EXPECT_EQ(lost.size(), simulation.losses().size());
+    EXPECT_EQ(before - simulation.state().bonds.count(), std::ssize(lost));
+  }
 }
 
 }  // namespace
