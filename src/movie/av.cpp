@@ -13,7 +13,7 @@ namespace {
 
 std::string text_of(int code) {
   std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-  av_strerror(code, text.data(), text.size());
+  ffmpeg().av_strerror(code, text.data(), text.size());
   return text.data();
 }
 
@@ -25,18 +25,19 @@ const char* remedy_of(int code) {
 }  // namespace
 
 void Free::operator()(AVFormatContext* context) const {
-  if (context->iformat != nullptr) return avformat_close_input(&context);
-  if (context->pb != nullptr) avio_closep(&context->pb);
-  avformat_free_context(context);
+  if (context->iformat != nullptr) return ffmpeg().avformat_close_input(&context);
+  if (context->pb != nullptr) ffmpeg().avio_closep(&context->pb);
+  ffmpeg().avformat_free_context(context);
 }
 
 Options::Options(const std::string& text) {
-  if (av_dict_parse_string(&dictionary_, text.c_str(), "=", ":", 0) < 0)
+  if (ffmpeg().av_dict_parse_string(&dictionary_, text.c_str(), "=", ":", 0) < 0)
     throw Error(ErrorKind::run_failed, fmt::format("'{}' are no options of FFmpeg", text));
 }
 
 void Options::require_all_taken() const {
-  const AVDictionaryEntry* entry = av_dict_get(dictionary_, "", nullptr, AV_DICT_IGNORE_SUFFIX);
+  const AVDictionaryEntry* entry =
+      ffmpeg().av_dict_get(dictionary_, "", nullptr, AV_DICT_IGNORE_SUFFIX);
   if (entry != nullptr)
     throw Error(ErrorKind::run_failed, fmt::format("FFmpeg ignores the option '{}'", entry->key));
 }

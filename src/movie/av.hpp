@@ -2,23 +2,19 @@
 // What every caller of FFmpeg's libraries needs: owners of its objects, options, errors.
 #pragma once
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-#include <libswscale/swscale.h>
-}
-
 #include <filesystem>
 #include <memory>
 #include <string>
 
+#include "movie/ffmpeg.hpp"
+
 namespace hackle::av {
 
 struct Free {
-  void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
-  void operator()(AVFrame* frame) const { av_frame_free(&frame); }
-  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-  void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+  void operator()(AVCodecContext* context) const { ffmpeg().avcodec_free_context(&context); }
+  void operator()(AVFrame* frame) const { ffmpeg().av_frame_free(&frame); }
+  void operator()(AVPacket* packet) const { ffmpeg().av_packet_free(&packet); }
+  void operator()(SwsContext* scaler) const { ffmpeg().sws_freeContext(scaler); }
   void operator()(AVFormatContext* context) const;  // of a file that is read or written
 };
 
@@ -29,11 +25,11 @@ using Owner = std::unique_ptr<T, Free>;
 class Options {
  public:
   explicit Options(const std::string& text = "");
-  ~Options() { av_dict_free(&dictionary_); }
+  ~Options() { ffmpeg().av_dict_free(&dictionary_); }
   Options(const Options&) = delete;
   Options& operator=(const Options&) = delete;
 
-  void set(const char* key, int value) { av_dict_set_int(&dictionary_, key, value, 0); }
+  void set(const char* key, int value) { ffmpeg().av_dict_set_int(&dictionary_, key, value, 0); }
   AVDictionary** get() { return &dictionary_; }
   // FFmpeg ignores in silence what nobody took; that is a mistake of ours. Throws Error
   // (run_failed).

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "movie/codec.hpp"
 
-extern "C" {
-#include <libavutil/pixdesc.h>
-}
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -13,7 +9,7 @@ namespace hackle {
 namespace {
 
 bool is_yuv(AVPixelFormat format) {
-  return (av_pix_fmt_desc_get(format)->flags & AV_PIX_FMT_FLAG_RGB) == 0;
+  return (av::ffmpeg().av_pix_fmt_desc_get(format)->flags & AV_PIX_FMT_FLAG_RGB) == 0;
 }
 
 // What players assume of pictures of this size; other matrices dull reds.
@@ -27,8 +23,8 @@ void tag_as_bt709(AVCodecContext& context) {
 }  // namespace
 
 Codec::Codec(const std::filesystem::path& path, const MovieFormat& format, bool global_header)
-    : path_(path), frame_(av_frame_alloc()), packet_(av_packet_alloc()) {
-  av_log_set_level(AV_LOG_ERROR);
+    : path_(path), frame_(av::ffmpeg().av_frame_alloc()), packet_(av::ffmpeg().av_packet_alloc()) {
+  av::ffmpeg().av_log_set_level(AV_LOG_ERROR);
   makeable(path, false);  // throws
   open(movie_kind(path), format, global_header);
   open_frame();
@@ -36,12 +32,12 @@ Codec::Codec(const std::filesystem::path& path, const MovieFormat& format, bool 
 }
 
 void Codec::open(const MovieKind& kind, const MovieFormat& format, bool global_header) {
-  const AVCodec* codec = avcodec_find_encoder_by_name(kind.encoder);
-  context_.reset(avcodec_alloc_context3(codec));
-  const AVRational rate = av_d2q(format.fps, 100000);
+  const AVCodec* codec = av::ffmpeg().avcodec_find_encoder_by_name(kind.encoder);
+  context_.reset(av::ffmpeg().avcodec_alloc_context3(codec));
+  const AVRational rate = av::ffmpeg().av_d2q(format.fps, 100000);
   context_->width = format.width;
   context_->height = format.height;
-  context_->pix_fmt = av_get_pix_fmt(kind.pixels);
+  context_->pix_fmt = av::ffmpeg().av_get_pix_fmt(kind.pixels);
   context_->time_base = av_inv_q(rate);
   context_->framerate = rate;
   context_->bit_rate = 0;  // whatever the quality takes
@@ -55,7 +51,7 @@ void Codec::open(const MovieKind& kind, const MovieFormat& format, bool global_h
   if (kind.takes_crf()) options.set("crf", format.crf.value_or(settings.crf));
   if (*kind.lookahead != '\0')
     options.set(kind.lookahead, std::min(settings.lookahead, static_cast<int>(format.fps / 2.0)));
-  av::check(path_, "encode", avcodec_open2(context_.get(), codec, options.get()));
+  av::check(path_, "encode", av::ffmpeg().avcodec_open2(context_.get(), codec, options.get()));
   options.require_all_taken();
 }
 
@@ -67,26 +63,28 @@ void Codec::open_frame() {
   frame_->colorspace = context_->colorspace;
   frame_->color_primaries = context_->color_primaries;
   frame_->color_trc = context_->color_trc;
-  av::check(path_, "encode", av_frame_get_buffer(frame_.get(), 0));
+  av::check(path_, "encode", av::ffmpeg().av_frame_get_buffer(frame_.get(), 0));
 }
 
 // Between orders of bytes; pictures in YUV take another way.
 void Codec::open_scaler() {
   if (is_yuv(context_->pix_fmt)) return;
   const int width = context_->width, height = context_->height;
-  scaler_.reset(sws_getContext(width, height, AV_PIX_FMT_BGR0, width, height, context_->pix_fmt,
-                               SWS_POINT, nullptr, nullptr, nullptr));
+  scaler_.reset(av::ffmpeg().sws_getContext(width, height, AV_PIX_FMT_BGR0, width, height,
+                                            context_->pix_fmt, SWS_POINT, nullptr, nullptr,
+                                            nullptr));
   if (!scaler_) av::fail(path_, "encode", AVERROR(ENOMEM));
 }
 
 void Codec::fill_frame(const Image& image) {
-  av::check(path_, "encode", av_frame_make_writable(frame_.get()));
+  av::check(path_, "encode", av::ffmpeg().av_frame_make_writable(frame_.get()));
   if (!scaler_)
     return yuv_.fill(image, {frame_->data[0], frame_->data[1], frame_->data[2]},
                      {frame_->linesize[0], frame_->linesize[1], frame_->linesize[2]});
   const std::uint8_t* const rows[] = {image.pixels.data()};
   const int strides[] = {image.stride()};
-  sws_scale(scaler_.get(), rows, strides, 0, image.height, frame_->data, frame_->linesize);
+  av::ffmpeg().sws_scale(scaler_.get(), rows, strides, 0, image.height, frame_->data,
+                         frame_->linesize);
 }
 
 void Codec::send(const Image& image, std::int64_t number) {
@@ -96,15 +94,15 @@ void Codec::send(const Image& image, std::int64_t number) {
 
 void Codec::send_again(std::int64_t number) {
   frame_->pts = number;
-  av::check(path_, "encode", avcodec_send_frame(context_.get(), frame_.get()));
+  av::check(path_, "encode", av::ffmpeg().avcodec_send_frame(context_.get(), frame_.get()));
 }
 
 void Codec::send_end() {
-  av::check(path_, "encode", avcodec_send_frame(context_.get(), nullptr));
+  av::check(path_, "encode", av::ffmpeg().avcodec_send_frame(context_.get(), nullptr));
 }
 
 AVPacket* Codec::receive() {
-  const int code = avcodec_receive_packet(context_.get(), packet_.get());
+  const int code = av::ffmpeg().avcodec_receive_packet(context_.get(), packet_.get());
   if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return nullptr;
   av::check(path_, "encode", code);
   return packet_.get();

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "movie/encoder.hpp"
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-}
-
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -18,6 +13,7 @@ extern "C" {
 #include "base/partial_file.hpp"
 #include "base/stopwatch.hpp"
 #include "base/worker.hpp"
+#include "movie/ffmpeg.hpp"
 #include "movie/film.hpp"
 
 namespace hackle {
@@ -100,8 +96,8 @@ std::string Encoder::library_version() {
     return fmt::format("{}.{}.{}", AV_VERSION_MAJOR(version), AV_VERSION_MINOR(version),
                        AV_VERSION_MICRO(version));
   };
-  return fmt::format("libavcodec {}, libavformat {}", dotted(avcodec_version()),
-                     dotted(avformat_version()));
+  return fmt::format("libavcodec {}, libavformat {}", dotted(LIBAVCODEC_VERSION_INT),
+                     dotted(LIBAVFORMAT_VERSION_INT));
 }
 
 }  // namespace hackle

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "movie/movie_kind.hpp"
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-}
-
 #include <algorithm>
 #include <cctype>
 #include <vector>
@@ -13,6 +9,7 @@ extern "C" {
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "movie/ffmpeg.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -141,7 +138,7 @@ const MovieKind& movie_kind(const fs::path& path) {
 }
 
 bool has_encoder(const std::string& name) {
-  return name.empty() || avcodec_find_encoder_by_name(name.c_str()) != nullptr;
+  return name.empty() || av::ffmpeg().avcodec_find_encoder_by_name(name.c_str()) != nullptr;
 }
 
 Makeable makeable(const fs::path& path, bool fallback,

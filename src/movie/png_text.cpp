@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "movie/png_text.hpp"
 
-extern "C" {
-#include <libavutil/crc.h>
-}
-
 #include <string>
+
+#include "movie/ffmpeg.hpp"
 
 namespace hackle {
 namespace {
@@ -25,8 +23,8 @@ Bytes png_text(std::string_view keyword, std::string_view text) {
   Bytes chunk;
   add_big_endian(chunk, static_cast<std::uint32_t>(all.size() - 4));
   chunk.add(all);
-  add_big_endian(chunk,
-                 ~av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), start, all.data(), all.size()));
+  add_big_endian(chunk, ~av::ffmpeg().av_crc(av::ffmpeg().av_crc_get_table(AV_CRC_32_IEEE_LE),
+                                             start, all.data(), all.size()));
   return chunk;
 }
 

@@ -16,11 +16,13 @@ namespace fs = std::filesystem;
 namespace {
 
 av::Owner<AVFormatContext> open_to_read(const fs::path& path) {
-  av_log_set_level(AV_LOG_FATAL);  // what was cut off is no news
+  av::ffmpeg().av_log_set_level(AV_LOG_FATAL);  // what was cut off is no news
   AVFormatContext* context = nullptr;
-  if (avformat_open_input(&context, path.c_str(), nullptr, nullptr) < 0) return nullptr;
+  if (av::ffmpeg().avformat_open_input(&context, path.c_str(), nullptr, nullptr) < 0)
+    return nullptr;
   av::Owner<AVFormatContext> input(context);
-  if (avformat_find_stream_info(context, nullptr) < 0 || context->nb_streams < 1) return nullptr;
+  if (av::ffmpeg().avformat_find_stream_info(context, nullptr) < 0 || context->nb_streams < 1)
+    return nullptr;
   return input;
 }
 
@@ -29,26 +31,27 @@ av::Owner<AVFormatContext> open_to_write(const fs::path& path, const AVFormatCon
                                          const fs::path& named) {
   const char* muxer = movie_kind(named).muxer;
   AVFormatContext* context = nullptr;
-  av::check(named, "open", avformat_alloc_output_context2(&context, nullptr, muxer, path.c_str()));
+  av::check(named, "open",
+            av::ffmpeg().avformat_alloc_output_context2(&context, nullptr, muxer, path.c_str()));
   av::Owner<AVFormatContext> output(context);
   const AVStream* from = input.streams[0];
-  AVStream* to = avformat_new_stream(context, nullptr);
+  AVStream* to = av::ffmpeg().avformat_new_stream(context, nullptr);
   if (to == nullptr) av::fail(named, "open", AVERROR(ENOMEM));
-  avcodec_parameters_copy(to->codecpar, from->codecpar);
+  av::ffmpeg().avcodec_parameters_copy(to->codecpar, from->codecpar);
   to->codecpar->codec_tag = 0;
   to->time_base = from->time_base;
   to->avg_frame_rate = from->avg_frame_rate;
-  av_dict_copy(&context->metadata, input.metadata, 0);
-  av::check(named, "create", avio_open(&context->pb, path.c_str(), AVIO_FLAG_WRITE));
+  av::ffmpeg().av_dict_copy(&context->metadata, input.metadata, 0);
+  av::check(named, "create", av::ffmpeg().avio_open(&context->pb, path.c_str(), AVIO_FLAG_WRITE));
   av::Options options(std::string_view(muxer) == "mp4" ? "movflags=faststart" : "");
-  av::check(named, "write", avformat_write_header(context, options.get()));
+  av::check(named, "write", av::ffmpeg().avformat_write_header(context, options.get()));
   return output;
 }
 
 void close(AVFormatContext& output, const fs::path& named) {
-  av::check(named, "write", av_write_trailer(&output));
+  av::check(named, "write", av::ffmpeg().av_write_trailer(&output));
   const int broken = output.pb->error;
-  av::check(named, "write", avio_closep(&output.pb));
+  av::check(named, "write", av::ffmpeg().avio_closep(&output.pb));
   av::check(named, "write", broken);
 }
 
@@ -58,8 +61,9 @@ template <class Visit>
 FilmLength for_each_packet(AVFormatContext& input, Visit visit) {
   FilmLength length;
   const double tick = av_q2d(input.streams[0]->time_base);
-  const av::Owner<AVPacket> packet(av_packet_alloc());
-  for (; av_read_frame(&input, packet.get()) >= 0; av_packet_unref(packet.get())) {
+  const av::Owner<AVPacket> packet(av::ffmpeg().av_packet_alloc());
+  for (; av::ffmpeg().av_read_frame(&input, packet.get()) >= 0;
+       av::ffmpeg().av_packet_unref(packet.get())) {
     if (packet->stream_index != 0 || (packet->flags & AV_PKT_FLAG_CORRUPT) != 0) continue;
     ++length.frames;
     const double end = static_cast<double>(packet->pts + packet->duration) * tick;
@@ -77,9 +81,9 @@ FilmLength copy_film(const fs::path& from, const fs::path& to, const fs::path& n
   const auto output = open_to_write(to, *input, named);
   const AVRational old_ticks = input->streams[0]->time_base;
   const FilmLength length = for_each_packet(*input, [&](AVPacket& packet) {
-    av_packet_rescale_ts(&packet, old_ticks, output->streams[0]->time_base);
+    av::ffmpeg().av_packet_rescale_ts(&packet, old_ticks, output->streams[0]->time_base);
     packet.pos = -1;
-    av::check(named, "write", av_interleaved_write_frame(output.get(), &packet));
+    av::check(named, "write", av::ffmpeg().av_interleaved_write_frame(output.get(), &packet));
   });
   close(*output, named);
   return length;

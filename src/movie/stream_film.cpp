@@ -16,7 +16,8 @@ av::Owner<AVFormatContext> container_of(const std::filesystem::path& path, const
   AVFormatContext* container = nullptr;
   // The name of a partial file says nothing about its format: name the muxer.
   const std::string name = partial_name(path).string();
-  av::check(path, "open", avformat_alloc_output_context2(&container, nullptr, muxer, name.c_str()));
+  av::check(path, "open",
+            av::ffmpeg().avformat_alloc_output_context2(&container, nullptr, muxer, name.c_str()));
   // Whatever is complete goes to the file at once.
   container->flags |= AVFMT_FLAG_FLUSH_PACKETS;
   // Matroska numbers tracks and segments at random unless it must not.
@@ -35,18 +36,18 @@ StreamFilm::StreamFilm(const std::filesystem::path& path, const MovieFormat& for
 }
 
 void StreamFilm::open_container(const MovieKind& kind, const MovieFormat& format) {
-  stream_ = avformat_new_stream(container_.get(), nullptr);
+  stream_ = av::ffmpeg().avformat_new_stream(container_.get(), nullptr);
   if (stream_ == nullptr) av::fail(path_, "open", AVERROR(ENOMEM));
   stream_->time_base = codec_->context().time_base;
   stream_->avg_frame_rate = codec_->context().framerate;
-  avcodec_parameters_from_context(stream_->codecpar, &codec_->context());
+  av::ffmpeg().avcodec_parameters_from_context(stream_->codecpar, &codec_->context());
   for (const auto& [key, text] : {std::pair{"title", &format.title}, {"comment", &format.comment}})
-    if (!text->empty()) av_dict_set(&container_->metadata, key, text->c_str(), 0);
+    if (!text->empty()) av::ffmpeg().av_dict_set(&container_->metadata, key, text->c_str(), 0);
 
   av::check(path_, "create",
-            avio_open(&container_->pb, partial_name(path_).c_str(), AVIO_FLAG_WRITE));
+            av::ffmpeg().avio_open(&container_->pb, partial_name(path_).c_str(), AVIO_FLAG_WRITE));
   av::Options options(kind.muxer_options);
-  av::check(path_, "write", avformat_write_header(container_.get(), options.get()));
+  av::check(path_, "write", av::ffmpeg().avformat_write_header(container_.get(), options.get()));
   options.require_all_taken();
 }
 
@@ -64,10 +65,10 @@ void StreamFilm::write_packets() {
   const AVRational frame = codec_->context().time_base;
   while (AVPacket* packet = codec_->receive()) {
     // write_header chose the stream's own time base.
-    av_packet_rescale_ts(packet, frame, stream_->time_base);
-    packet->duration = av_rescale_q(1, frame, stream_->time_base);
+    av::ffmpeg().av_packet_rescale_ts(packet, frame, stream_->time_base);
+    packet->duration = av::ffmpeg().av_rescale_q(1, frame, stream_->time_base);
     packet->stream_index = stream_->index;
-    av::check(path_, "write", av_interleaved_write_frame(container_.get(), packet));
+    av::check(path_, "write", av::ffmpeg().av_interleaved_write_frame(container_.get(), packet));
     av::check(path_, "write", container_->pb->error);
   }
 }
@@ -75,10 +76,11 @@ void StreamFilm::write_packets() {
 // FFmpeg writes none of its own accord.
 void StreamFilm::write_png_texts() {
   for (const auto& [keyword, key] : {std::pair{"Title", "title"}, {"Comment", "comment"}}) {
-    const AVDictionaryEntry* entry = av_dict_get(container_->metadata, key, nullptr, 0);
+    const AVDictionaryEntry* entry =
+        av::ffmpeg().av_dict_get(container_->metadata, key, nullptr, 0);
     if (entry == nullptr) continue;
     const Bytes chunk = png_text(keyword, entry->value);
-    avio_write(container_->pb, chunk.all().data(), static_cast<int>(chunk.size()));
+    av::ffmpeg().avio_write(container_->pb, chunk.all().data(), static_cast<int>(chunk.size()));
   }
 }
 
@@ -87,9 +89,9 @@ void StreamFilm::finish() {
   write_packets();
   const std::string_view kind = container_->oformat->name;
   if (kind == "apng") write_png_texts();
-  av::check(path_, "write", av_write_trailer(container_.get()));
+  av::check(path_, "write", av::ffmpeg().av_write_trailer(container_.get()));
   const int broken = container_->pb->error;
-  const int closed = avio_closep(&container_->pb);
+  const int closed = av::ffmpeg().avio_closep(&container_->pb);
   av::check(path_, "write", broken);
   av::check(path_, "write", closed);
   if (kind == "mp4") put_index_first(path_, next_);
