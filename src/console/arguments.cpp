@@ -275,13 +275,8 @@ void Arguments::read_value(lua_State* L, int index, const Option& option) {
 void Arguments::take_number(lua_State* L, int index, const Option& option) {
   if (lua_type(L, index) != LUA_TNUMBER) return wrong_type(L, index, option);
   const double value = lua_tonumber(L, index);
-  if (!std::isfinite(value))
-    return wrong(option,
-                 fmt::format("{}: {} is {}, expected a finite number{}{}", doc_->name, option.name,
-                             number_text(value), option.unit.empty() ? "" : " in ", option.unit));
-  if (!option.range.holds(value))
-    return wrong(option, fmt::format("{}: {} is {}, it must be {}", doc_->name, option.name,
-                                     quantity(value, option.unit), range_text(option)));
+  if (auto found = objection(doc_->name, option.name, value, option.unit, option.range))
+    return wrong(option, std::move(*found));
   keep(option, value);
 }
 

@@ -34,6 +34,8 @@ class Arguments {
   // From the values at `index` and after it, in the order of the options.
   static Arguments from_values(lua_State* L, int index, const FunctionDoc& doc);
 
+  // Whether the function takes it at all.
+  bool takes(std::string_view name) const { return find_option(*doc_, name) != nullptr; }
   bool has(std::string_view name) const { return at(name).value.has_value(); }
   // Whether none of these was missing or wrong.
   bool good(std::initializer_list<std::string_view> names) const;
@@ -58,6 +60,18 @@ class Arguments {
   LuaFunction function(std::string_view name) const;
   // The text itself of a choice.
   std::string text_of_choice(std::string_view name, std::string_view fallback) const;
+  // Of any of the types above.
+  template <class T>
+  T get(std::string_view name, const T& fallback) const {
+    if constexpr (std::is_enum_v<T>)
+      return choice<T>(name, fallback);
+    else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+      return static_cast<T>(integer(name, static_cast<std::int64_t>(fallback)));
+    else if constexpr (std::is_same_v<T, std::optional<double>>)
+      return has(name) ? std::optional(number(name)) : fallback;
+    else
+      return value_or(name, fallback);
+  }
   // The enumerator whose place in its type is that of the text among the choices.
   template <class Enum>
   Enum choice(std::string_view name, Enum fallback = {}) const {

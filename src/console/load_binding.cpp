@@ -30,132 +30,76 @@ void set_axes(const Arguments& arguments, Support& support) {
   support.along_y = axis != "x";
 }
 
-// Each kind of load: how it is read, where it is kept, and which one it replaces.
+// What the options of a load leave to be said: an area, axes, another word for a member.
 
-struct TractionKind {
-  static constexpr auto list = &Loads::tractions;
-  static Traction read(Arguments& arguments, const Plate&) {
-    return {arguments.choice<Edge>("edge"), arguments.vector_field("stress"),
-            arguments.number("depth"), arguments.course("time")};
-  }
-  static bool same_place(const Traction& one, const Traction& other) {
-    return one.edge == other.edge;
-  }
-};
+void complete(Traction&, Arguments&, const Plate&, const FunctionDoc&) {
+}
+void complete(Pressure&, Arguments&, const Plate&, const FunctionDoc&) {
+}
 
-struct PressureKind {
-  static constexpr auto list = &Loads::pressures;
-  static Pressure read(Arguments& arguments, const Plate&) {
-    return {arguments.text("rim"), arguments.number("pressure"), arguments.course("time")};
-  }
-  static bool same_place(const Pressure& one, const Pressure& other) {
-    return one.rim == other.rim;
-  }
-};
+void complete(BodyForce& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+  load.region = region_of(arguments, plate, doc.name);
+}
 
-struct BodyForceKind {
-  static constexpr auto list = &Loads::body_forces;
-  static BodyForce read(Arguments& arguments, const Plate& plate) {
-    return {region_of(arguments, plate, "body_force"), arguments.vector_field("force"),
-            arguments.course("time")};
-  }
-  static bool same_place(const BodyForce& one, const BodyForce& other) {
-    return one.region == other.region;
-  }
-};
+void complete(Heating& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+  load.region = region_of(arguments, plate, doc.name);
+}
 
-struct ClampKind {
-  static constexpr auto list = &Loads::supports;
-  static Support read(Arguments& arguments, const Plate& plate) {
-    Support support;
-    support.region = required_region(arguments, plate, "clamp");
-    support.kind = Support::Kind::velocity;  // it stays where it is, also in the middle of a run
-    set_axes(arguments, support);
-    return support;
+// A clamp is a velocity of 0: it stays where it is, also in the middle of a run.
+void complete(Support& support, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+  support.region = required_region(arguments, plate, doc.name);
+  set_axes(arguments, support);
+  if (!arguments.takes("velocity")) {
+    support.kind = Support::Kind::velocity;
+    return;
   }
-  static bool same_place(const Support& one, const Support& other) {
-    return one.region == other.region && one.along_x == other.along_x &&
-           one.along_y == other.along_y;
-  }
-};
+  if (arguments.has("velocity") == arguments.has("displacement") &&
+      arguments.good({"velocity", "displacement"}))
+    arguments.problems.add("move: it is not clear how", "give velocity or displacement");
+}
 
-struct MoveKind {
-  static constexpr auto list = &Loads::supports;
-  static Support read(Arguments& arguments, const Plate& plate) {
-    Support support;
-    support.region = required_region(arguments, plate, "move");
-    const bool velocity = arguments.has("velocity"), displacement = arguments.has("displacement");
-    if (velocity == displacement && arguments.good({"velocity", "displacement"}))
-      arguments.problems.add("move: it is not clear how", "give velocity or displacement");
-    support.kind = velocity ? Support::Kind::velocity : Support::Kind::displacement;
-    support.value = arguments.vector_field(velocity ? "velocity" : "displacement");
-    support.course = arguments.course("time");
-    set_axes(arguments, support);
-    return support;
-  }
-  static constexpr auto same_place = ClampKind::same_place;
-};
+void complete(Impactor& impactor, Arguments& arguments, const Plate&, const FunctionDoc&) {
+  constexpr double steel = 7850.0;  // kg/m3
+  if (arguments.has("mass") && arguments.has("density"))
+    arguments.problems.add("impactor: both a mass and a density are given", "give one of them");
+  const double area = std::numbers::pi * impactor.radius * impactor.radius;
+  if (!arguments.has("mass")) impactor.mass = area * arguments.number("density", steel);
+}
 
-struct TemperatureKind {
-  static constexpr auto list = &Loads::heatings;
-  static Heating read(Arguments& arguments, const Plate& plate) {
-    return {region_of(arguments, plate, "temperature"), arguments.scalar_field("change"),
-            arguments.course("time")};
-  }
-  static bool same_place(const Heating& one, const Heating& other) {
-    return one.region == other.region;
-  }
-};
-
-struct ImpactorKind {
-  static constexpr auto list = &Loads::impactors;
-  static Impactor read(Arguments& arguments, const Plate&) {
-    Impactor impactor;
-    impactor.centre = arguments.point("centre");
-    impactor.radius = arguments.number("radius");
-    impactor.velocity = arguments.pair("velocity");
-    if (arguments.has("mass") && arguments.has("density"))
-      arguments.problems.add("impactor: both a mass and a density are given", "give one of them");
-    const double area = std::numbers::pi * impactor.radius * impactor.radius;
-    impactor.mass = arguments.has("mass") ? arguments.number("mass")
-                                          : area * arguments.number("density", steel);
-    return impactor;
-  }
-  static bool same_place(const Impactor&, const Impactor&) { return false; }  // it is on its way
-
- private:
-  static constexpr double steel = 7850.0;  // kg/m3
-};
+template <class Load>
+Load load_of(Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+  auto load = noun_of<Load>(arguments);
+  complete(load, arguments, plate, doc);
+  arguments.problems.throw_if_any();
+  return load;
+}
 
 int return_self(lua_State* L) {
   lua_settop(L, 1);
   return 1;
 }
 
-template <class Kind, const FunctionDoc& doc>
+template <class Load, const FunctionDoc& doc>
 int add_to_plate(lua_State* L) {
   Plate& plate = self<Plate>(L, doc);
   Arguments arguments = Arguments::from_table(L, 2, doc);
-  auto load = Kind::read(arguments, plate);
-  arguments.problems.throw_if_any();
   Loads loads = plate.loads;
-  (loads.*Kind::list).push_back(std::move(load));
+  all_of<Load>(loads).push_back(load_of<Load>(arguments, plate, doc));
   check(loads, arguments.problems);
   arguments.problems.throw_if_any();
   plate.loads = std::move(loads);
   return return_plate(L);
 }
 
-template <class Kind, const FunctionDoc& doc>
+template <class Load, const FunctionDoc& doc>
 int change_in_run(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, doc);
   Arguments arguments = Arguments::from_table(L, 2, doc);
   const Plate& plate = scripted.simulation().plate();
-  auto load = Kind::read(arguments, plate);
-  arguments.problems.throw_if_any();
+  auto load = load_of<Load>(arguments, plate, doc);
   Loads loads = plate.loads;
-  auto& list = loads.*Kind::list;
-  std::erase_if(list, [&](const auto& other) { return Kind::same_place(load, other); });
+  std::vector<Load>& list = all_of<Load>(loads);
+  std::erase_if(list, [&](const Load& other) { return same_place(load, other); });
   list.push_back(std::move(load));
   scripted.run().set_loads(std::move(loads));
   return return_self(L);
@@ -200,8 +144,8 @@ int release(lua_State* L) {
 int add_start(lua_State* L) {
   Plate& plate = self<Plate>(L, start_doc);
   Arguments arguments = Arguments::from_table(L, 2, start_doc);
-  Start start{region_of(arguments, plate, "start"), arguments.vector_field("displacement"),
-              arguments.vector_field("velocity")};
+  auto start = noun_of<Start>(arguments);
+  start.region = region_of(arguments, plate, "start");
   if (!arguments.has("displacement") && !arguments.has("velocity") &&
       arguments.good({"displacement", "velocity"}))
     arguments.problems.add("start: no motion is given", "give velocity, displacement or both");
@@ -211,25 +155,25 @@ int add_start(lua_State* L) {
 }
 
 constexpr std::array plate_methods{
-    Function{&plate_traction_doc, guarded<add_to_plate<TractionKind, plate_traction_doc>>},
-    Function{&plate_pressure_doc, guarded<add_to_plate<PressureKind, plate_pressure_doc>>},
-    Function{&plate_body_force_doc, guarded<add_to_plate<BodyForceKind, plate_body_force_doc>>},
-    Function{&plate_clamp_doc, guarded<add_to_plate<ClampKind, plate_clamp_doc>>},
-    Function{&plate_move_doc, guarded<add_to_plate<MoveKind, plate_move_doc>>},
-    Function{&plate_temperature_doc, guarded<add_to_plate<TemperatureKind, plate_temperature_doc>>},
-    Function{&plate_impactor_doc, guarded<add_to_plate<ImpactorKind, plate_impactor_doc>>},
+    Function{&plate_traction_doc, guarded<add_to_plate<Traction, plate_traction_doc>>},
+    Function{&plate_pressure_doc, guarded<add_to_plate<Pressure, plate_pressure_doc>>},
+    Function{&plate_body_force_doc, guarded<add_to_plate<BodyForce, plate_body_force_doc>>},
+    Function{&plate_clamp_doc, guarded<add_to_plate<Support, plate_clamp_doc>>},
+    Function{&plate_move_doc, guarded<add_to_plate<Support, plate_move_doc>>},
+    Function{&plate_temperature_doc, guarded<add_to_plate<Heating, plate_temperature_doc>>},
+    Function{&plate_impactor_doc, guarded<add_to_plate<Impactor, plate_impactor_doc>>},
     Function{&plate_damping_doc, guarded<damp_plate>},
     Function{&start_doc, guarded<add_start>},
 };
 
 constexpr std::array simulation_methods{
-    Function{&run_traction_doc, guarded<change_in_run<TractionKind, run_traction_doc>>},
-    Function{&run_pressure_doc, guarded<change_in_run<PressureKind, run_pressure_doc>>},
-    Function{&run_body_force_doc, guarded<change_in_run<BodyForceKind, run_body_force_doc>>},
-    Function{&run_clamp_doc, guarded<change_in_run<ClampKind, run_clamp_doc>>},
-    Function{&run_move_doc, guarded<change_in_run<MoveKind, run_move_doc>>},
-    Function{&run_temperature_doc, guarded<change_in_run<TemperatureKind, run_temperature_doc>>},
-    Function{&run_impactor_doc, guarded<change_in_run<ImpactorKind, run_impactor_doc>>},
+    Function{&run_traction_doc, guarded<change_in_run<Traction, run_traction_doc>>},
+    Function{&run_pressure_doc, guarded<change_in_run<Pressure, run_pressure_doc>>},
+    Function{&run_body_force_doc, guarded<change_in_run<BodyForce, run_body_force_doc>>},
+    Function{&run_clamp_doc, guarded<change_in_run<Support, run_clamp_doc>>},
+    Function{&run_move_doc, guarded<change_in_run<Support, run_move_doc>>},
+    Function{&run_temperature_doc, guarded<change_in_run<Heating, run_temperature_doc>>},
+    Function{&run_impactor_doc, guarded<change_in_run<Impactor, run_impactor_doc>>},
     Function{&run_damping_doc, guarded<damp_run>},
     Function{&release_doc, guarded<release>},
 };

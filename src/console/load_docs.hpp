@@ -4,16 +4,11 @@
 
 #include <array>
 
+#include "console/noun_options.hpp"
 #include "console/region_options.hpp"
-#include "console/schema.hpp"
+#include "scene/plate.hpp"
 
 namespace hackle {
-
-inline constexpr Option time_option{
-    .name = "time",
-    .type = OptionType::course,
-    .fallback = "1 for ever",
-    .sentence = "Factor over time: ramp(2*us), pulse(1*us), {{t, factor}, ...} or function(t)."};
 
 inline constexpr std::array axis_names = std::to_array<std::string_view>({"both", "x", "y"});
 
@@ -23,99 +18,25 @@ inline constexpr Option axis_option{.name = "axis",
                                     .choices = axis_names,
                                     .sentence = "Along which axis; the other stays free."};
 
-inline constexpr std::array traction_options{
-    Option{.name = "edge",
-           .type = OptionType::choice,
-           .required = true,
-           .choices = edge_names,
-           .sentence = "The edge it acts on, all along."},
-    Option{.name = "stress",
-           .type = OptionType::vector_field,
-           .unit = "Pa",
-           .required = true,
-           .sentence = "Force on the edge per area; positive right and up."},
-    Option{.name = "depth",
-           .unit = "m",
-           .range = above(0.0),
-           .fallback = "one spacing",
-           .sentence = "Depth of the layer that the force is spread over; its sum is the same."},
-    time_option,
-};
-
-inline constexpr std::array pressure_options{
-    Option{.name = "rim",
-           .type = OptionType::text,
-           .required = true,
-           .sentence = "The name of a hole or a notch."},
-    Option{.name = "pressure",
-           .unit = "Pa",
-           .required = true,
-           .sentence = "Positive when it pushes into the material."},
-    time_option,
-};
-
-inline constexpr auto body_force_options =
-    joined(std::array{Option{.name = "force",
-                             .type = OptionType::vector_field,
-                             .unit = "N/m3",
-                             .required = true,
-                             .sentence = "Force per volume; positive right and up."},
-                      time_option},
-           region_options);
+inline constexpr auto body_force_options = joined(options_of<BodyForce>, region_options);
 
 inline constexpr auto clamp_options = joined(std::array{axis_option}, region_options);
 
-inline constexpr auto move_options =
-    joined(std::array{Option{.name = "velocity",
-                             .type = OptionType::vector_field,
-                             .unit = "m/s",
-                             .alternative = true,
-                             .sentence = "The velocity that is imposed."},
-                      Option{.name = "displacement",
-                             .type = OptionType::vector_field,
-                             .unit = "m",
-                             .alternative = true,
-                             .sentence = "The displacement that is imposed, instead."},
-                      axis_option, time_option},
-           region_options);
+inline constexpr auto move_options = joined(
+    joined(without("along_x", without("along_y", options_of<Support>)), std::array{axis_option}),
+    region_options);
 
-inline constexpr auto temperature_options =
-    joined(std::array{Option{.name = "change",
-                             .type = OptionType::scalar_field,
-                             .unit = "K",
-                             .required = true,
-                             .sentence = "From the temperature at which it is free of stress."},
-                      time_option},
-           region_options);
+inline constexpr auto temperature_options = joined(options_of<Heating>, region_options);
 
-inline constexpr std::array impactor_options{
-    Option{.name = "centre",
-           .type = OptionType::point,
-           .unit = "m",
-           .required = true,
-           .sentence = "Where it starts, beside the plate or in a hole."},
-    Option{.name = "radius",
-           .unit = "m",
-           .range = above(0.0),
-           .required = true,
-           .sentence = "At least a spacing."},
-    Option{.name = "velocity",
-           .type = OptionType::pair,
-           .unit = "m/s",
-           .required = true,
-           .sentence = "With which it starts; then it flies freely."},
-    Option{.name = "density",
-           .unit = "kg/m3",
-           .range = above(0.0),
-           .fallback = "7850",
-           .sentence = "Of the disc; 7850 is that of steel."},
-    Option{.name = "mass",
-           .unit = "kg/m",
-           .range = above(0.0),
-           .alternative = true,
-           .sentence = "Per metre of thickness, instead of a density."},
-};
+inline constexpr auto impactor_options = joined(
+    options_of<Impactor>,
+    std::array{Option{.name = "density",
+                      .unit = "kg/m3",
+                      .range = above(0.0),
+                      .fallback = "7850",
+                      .sentence = "Of the disc, instead of a mass; 7850 is that of steel."}});
 
+// The rate is a number of the loads, not a noun.
 inline constexpr std::array damping_options{
     Option{.name = "rate",
            .unit = "1/s",
@@ -124,30 +45,19 @@ inline constexpr std::array damping_options{
            .sentence = "Velocities die away as exp(-rate t); stable for any rate."},
 };
 
-inline constexpr auto start_options =
-    joined(std::array{Option{.name = "velocity",
-                             .type = OptionType::vector_field,
-                             .unit = "m/s",
-                             .alternative = true,
-                             .sentence = "Velocity at time zero."},
-                      Option{.name = "displacement",
-                             .type = OptionType::vector_field,
-                             .unit = "m",
-                             .alternative = true,
-                             .sentence = "Displacement at time zero."}},
-           region_options);
+inline constexpr auto start_options = joined(options_of<Start>, region_options);
 
 inline constexpr FunctionDoc plate_traction_doc{
     .name = "traction",
     .owner = "p",
     .sentence = "Pulls, pushes or shears an edge.",
-    .options = traction_options,
+    .options = options_of<Traction>,
     .example = "p:traction { edge = \"top\", stress = {0, 12*MPa}, time = ramp(1*us) }"};
 inline constexpr FunctionDoc plate_pressure_doc{
     .name = "pressure",
     .owner = "p",
     .sentence = "Pushes at the rim of a hole or a notch.",
-    .options = pressure_options,
+    .options = options_of<Pressure>,
     .example =
         "p:hole { centre = {70*mm, 20*mm}, radius = 4*mm, name = \"bore\" }\n"
         "p:pressure { rim = \"bore\", pressure = 5*MPa }"};

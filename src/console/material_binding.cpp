@@ -5,61 +5,26 @@
 
 #include <fmt/format.h>
 
-#include "console/arguments.hpp"
+#include "console/noun_options.hpp"
 #include "console/session.hpp"
 
 namespace hackle {
 namespace {
 
-constexpr std::array material_options{
-    Option{.name = "name",
-           .type = OptionType::text,
-           .fallback = "own material",
-           .sentence = "What reports call it."},
-    Option{.name = "E",
-           .unit = "Pa",
-           .range = above(0.0),
-           .alternative = true,
-           .sentence = "Young's modulus."},
-    Option{.name = "rho",
-           .unit = "kg/m3",
-           .range = above(0.0),
-           .alternative = true,
-           .sentence = "Density."},
-    Option{.name = "nu",
-           .range = between(-0.99, 0.49),
-           .fallback = "1/3",
-           .sentence =
-               "Poisson's ratio of the real material; the model's is 1/3, 1/4 in plane strain."},
-    Option{.name = "G0",
-           .unit = "J/m2",
-           .range = above(0.0),
-           .alternative = true,
-           .sentence = "Fracture energy of the model, 2 gamma; or give s0."},
-    Option{.name = "s0",
-           .range = Range{.least = 0.0, .most = 0.99, .least_is_in = false},
-           .alternative = true,
-           .sentence = "Critical stretch instead of G0, which then follows from it."},
-    Option{.name = "alphaT",
-           .unit = "1/K",
-           .range = at_least(0.0),
-           .fallback = "0",
-           .sentence = "Thermal expansion."},
-    Option{.name = "fringe",
-           .unit = "N/m",
-           .range = at_least(0.0),
-           .fallback = "0, not known",
-           .sentence = "Stress-optic fringe value, for pictures of fringes."},
-    Option{.name = "like",
-           .type = OptionType::material,
-           .alternative = true,
-           .sentence = "Another material, of which it has all that is not given here."},
-    Option{.name = "alpha",
-           .range = between(0.0, 0.99),
-           .fallback = "0",
-           .sentence = "How far compression toughens it. The paper names two: 0.25, which it calls "
-                       "typical, and 0.02, with which it computes; both after Silling & Askari."},
-};
+// Whatever is not given may come from another material.
+constexpr auto material_options = [] {
+  auto own = options_of<Material>;
+  for (Option& option : own) {
+    option.alternative = option.alternative || option.required;
+    option.required = false;
+  }
+  return joined(
+      own, std::array{Option{.name = "like",
+                             .type = OptionType::material,
+                             .alternative = true,
+                             .sentence = "Another material, of which it has all that is not given "
+                                         "here."}});
+}();
 
 constexpr FunctionDoc material_doc{
     .name = "material",
@@ -86,17 +51,9 @@ Material material_of(const Arguments& arguments) {
   Material material = arguments.material("like");
   if (!arguments.has("like")) material.nu = 1.0 / 3.0;
   const std::string like = arguments.has("like") ? "like " + material.name : "own material";
-  material.name = arguments.text("name", like);
-  material.E = arguments.number("E", material.E);
-  material.rho = arguments.number("rho", material.rho);
-  material.nu = arguments.number("nu", material.nu);
-  material.alpha = arguments.number("alpha", material.alpha);
-  material.alphaT = arguments.number("alphaT", material.alphaT);
-  material.fringe = arguments.number("fringe", material.fringe);
-  if (arguments.has("G0") || arguments.has("s0")) {
-    material.G0 = arguments.number("G0");
-    material.s0 = arguments.number("s0");
-  }
+  material.name = like;
+  if (arguments.has("G0") || arguments.has("s0")) material.G0 = material.s0 = 0.0;
+  read_options(arguments, material);
   return material;
 }
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "console/arguments.hpp"
 #include "console/contact_binding.hpp"
 #include "console/load_binding.hpp"
+#include "console/noun_options.hpp"
 #include "console/plate_memory.hpp"
 #include "console/region_options.hpp"
 #include "console/shape_binding.hpp"
@@ -15,32 +15,10 @@
 namespace hackle {
 namespace {
 
-constexpr std::array plate_options{
-    Option{.name = "width",
-           .unit = "m",
-           .range = above(0.0),
-           .required = true,
-           .sentence = "Size along x."},
-    Option{.name = "height",
-           .unit = "m",
-           .range = above(0.0),
-           .required = true,
-           .sentence = "Size along y."},
-    Option{.name = "material",
-           .type = OptionType::material,
-           .required = true,
-           .sentence = "What it is made of."},
-    Option{.name = "plane",
-           .type = OptionType::choice,
-           .fallback = "stress",
-           .choices = plane_names,
-           .sentence = "Plane stress for a thin plate, plane strain for a thick one."},
-};
-
 constexpr FunctionDoc plate_doc{
     .name = "plate",
     .sentence = "A rectangular plate; its lower left corner is the origin, x right, y up.",
-    .options = plate_options,
+    .options = options_of<Plate>,
     .example = "p = plate { width = 100*mm, height = 40*mm, material = \"duran50\" }"};
 
 constexpr FunctionDoc nofail_doc{
@@ -53,11 +31,7 @@ constexpr FunctionDoc nofail_doc{
 int make_plate(lua_State* L) {
   Arguments arguments = Arguments::from_table(L, 1, plate_doc);
   arguments.problems.throw_if_any();
-  Plate plate;
-  plate.width = arguments.number("width");
-  plate.height = arguments.number("height");
-  plate.material = arguments.material("material");
-  plate.plane = arguments.choice<Plane>("plane");
+  auto plate = noun_of<Plate>(arguments);
   check(plate, arguments.problems);
   arguments.problems.throw_if_any();
   push_object(L, std::move(plate));

@@ -10,13 +10,10 @@
 
 namespace hackle {
 
-// In the order of the enumerators.
-inline constexpr std::array<std::string_view, 4> edge_names{"left", "right", "bottom", "top"};
-
 inline constexpr std::array region_options{
     Option{.name = "edge",
            .type = OptionType::choice,
-           .choices = edge_names,
+           .choices = enum_names<Edge>,
            .alternative = true,
            .sentence = "The edge of a strip, with depth."},
     Option{.name = "depth",

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "console/schema.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "base/units.hpp"
 
 namespace hackle {
 namespace {
-
-std::string with_unit(std::string text, std::string_view unit) {
-  return unit.empty() ? text : text.append(" ").append(unit);
-}
 
 std::string option_names(const FunctionDoc& doc) {
   std::string names;
@@ -83,14 +76,7 @@ std::string expectation(const Option& option) {
 }
 
 std::string range_text(const Option& option) {
-  const Range& range = option.range;
-  const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
-  const std::string most = with_unit(shortest(range.most), option.unit);
-  if (low && high) return fmt::format("between {} and {}", shortest(range.least), most);
-  if (high) return "at most " + most;
-  if (!low) return "";
-  const std::string least = with_unit(shortest(range.least), option.unit);
-  return (range.least_is_in ? "at least " : "above ") + least;
+  return range_text(option.range, option.unit);
 }
 
 const Option* find_option(const FunctionDoc& doc, std::string_view name) {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "base/described.hpp"
 #include "console/lua_state.hpp"
 
 namespace hackle {
@@ -35,27 +35,6 @@ enum class OptionType {
   course,        // {{t, factor}, ...} in time, or a function of t
   function,      // of Lua
 };
-
-// A range of numbers, each end included or not.
-struct Range {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
-  bool least_is_in = true;
-
-  constexpr bool holds(double value) const {
-    return (least_is_in ? value >= least : value > least) && value <= most;
-  }
-};
-
-constexpr Range above(double least) {
-  return {.least = least, .least_is_in = false};
-}
-constexpr Range at_least(double least) {
-  return {.least = least};
-}
-constexpr Range between(double least, double most) {
-  return {.least = least, .most = most};
-}
 
 struct Option {
   std::string_view name;

@@ -6,28 +6,17 @@
 #include <numbers>
 #include <string_view>
 
+#include "console/noun_options.hpp"
 #include "console/region_options.hpp"
 #include "console/shape_options.hpp"
 #include "scene/notch.hpp"
 
 namespace hackle {
 
-inline constexpr std::array<std::string_view, 2> born_names{"broken", "absent"};
 inline constexpr std::array<std::string_view, 2> remove_names{"dark", "light"};
 
-inline constexpr Option born_option{
-    .name = "born",
-    .type = OptionType::choice,
-    .fallback = "broken",
-    .choices = born_names,
-    .sentence = "Whether the bonds it cuts count as damage or were never there."};
-
-inline constexpr std::array name_options{
-    Option{.name = "name",
-           .type = OptionType::text,
-           .alternative = true,
-           .sentence = "By which p:pressure finds its rim; several may share one."},
-};
+inline constexpr auto born_options = without("points", options_of<Crack>);
+inline constexpr auto name_options = options_of<Cutout>;
 
 inline constexpr auto hole_options = joined(shape_options, name_options);
 
@@ -74,7 +63,7 @@ inline constexpr FunctionDoc notch_doc{
     .options = notch_options,
     .example = "p:notch { at = {0, 10*mm}, depth = 8*mm, width = 2*mm, shape = \"v\" }"};
 
-inline constexpr std::array crack_options{
+inline constexpr std::array straight_crack_options{
     Option{.name = "from",
            .type = OptionType::point,
            .unit = "m",
@@ -85,13 +74,9 @@ inline constexpr std::array crack_options{
            .unit = "m",
            .alternative = true,
            .sentence = "Its other end."},
-    Option{.name = "points",
-           .type = OptionType::points,
-           .unit = "m",
-           .range = between(2, most_points),
-           .alternative = true,
-           .sentence = "Along a crack of straight pieces; it is closed when first and last are "
-                       "the same."},
+};
+
+inline constexpr std::array arc_options{
     Option{.name = "centre",
            .type = OptionType::point,
            .unit = "m",
@@ -109,8 +94,10 @@ inline constexpr std::array crack_options{
            .alternative = true,
            .sentence = "From where to where the arc goes, from x anticlockwise; at most once "
                        "around."},
-    born_option,
 };
+
+inline constexpr auto crack_options =
+    joined(straight_crack_options, joined(options_of<Crack>, arc_options));
 
 inline constexpr FunctionDoc crack_doc{
     .name = "crack",
@@ -151,7 +138,7 @@ inline constexpr std::array random_cracks_options{
            .unit = "m",
            .alternative = true,
            .sentence = "Upper right corner of the area."},
-    born_option,
+    born_options[0],
 };
 
 inline constexpr FunctionDoc random_cracks_doc{
@@ -161,14 +148,7 @@ inline constexpr FunctionDoc random_cracks_doc{
     .options = random_cracks_options,
     .example = "p:random_cracks { count = 10, length = {2*mm, 6*mm}, seed = 3 }"};
 
-inline constexpr std::array material_options{
-    Option{.name = "material",
-           .type = OptionType::material,
-           .required = true,
-           .sentence = "What it is made of."},
-};
-
-inline constexpr auto inclusion_options = joined(material_options, shape_options);
+inline constexpr auto inclusion_options = joined(options_of<Inclusion>, shape_options);
 
 inline constexpr FunctionDoc inclusion_doc{
     .name = "inclusion",

@@ -12,8 +12,6 @@
 
 namespace hackle {
 
-inline constexpr double most_points = 10000;
-
 inline constexpr std::array shape_options{
     Option{.name = "centre",
            .type = OptionType::point,

@@ -24,22 +24,6 @@
 namespace hackle {
 namespace {
 
-Numerics numerics_of(const Arguments& arguments) {
-  Numerics numerics;
-  numerics.spacing = arguments.number("spacing");
-  numerics.horizon = arguments.number("horizon");
-  numerics.precision = arguments.choice<Precision>("precision");
-  numerics.fused = arguments.flag("fused");
-  numerics.fidelity = arguments.number("fidelity", 0.0);
-  numerics.breaking = arguments.choice<Breaking>("breaking");
-  numerics.quadrature = arguments.choice<Quadrature>("quadrature");
-  numerics.micromodulus = arguments.choice<Micromodulus>("micromodulus");
-  numerics.constants = arguments.choice<Constants>("constants");
-  if (arguments.has("step")) numerics.step = arguments.number("step");
-  numerics.force_step = arguments.flag("force_step");
-  return numerics;
-}
-
 const Plate& plate_at(lua_State* L, int index) {
   if (const Plate* plate = object_at<Plate>(L, index)) return *plate;
   throw Error(ErrorKind::refused,
@@ -63,7 +47,7 @@ int simulate(lua_State* L) {
   session.check_overrides_used();
   const Plate& plate = plate_at(L, 1);
   Arguments arguments = Arguments::from_table(L, 2, simulate_doc);
-  const Numerics numerics = numerics_of(arguments);
+  const Numerics numerics = noun_of<Numerics>(arguments);
   check(plate, arguments.problems);
   collect_simulations(L);
   check_numerics(plate, numerics, session.memory_left(), arguments);

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "console/noun_options.hpp"
 #include "console/picture_options.hpp"
 #include "console/schema.hpp"
 #include "lattice/numerics.hpp"
@@ -11,66 +12,11 @@
 
 namespace hackle {
 
-inline constexpr std::array simulate_options{
-    Option{.name = "spacing",
-           .unit = "m",
-           .range = above(0.0),
-           .required = true,
-           .sentence = "Distance of two nodes of the lattice, dx."},
-    Option{.name = "horizon",
-           .unit = "m",
-           .range = above(0.0),
-           .fallback = "4 spacings",
-           .sentence = "How far bonds reach, delta; 2 to 16 spacings."},
-    Option{.name = "precision",
-           .type = OptionType::choice,
-           .fallback = "f64",
-           .choices = precision_names,
-           .sentence = "The numbers it computes with."},
-    Option{.name = "fused",
-           .type = OptionType::flag,
-           .fallback = "false",
-           .sentence = "Multiply and add in one rounding: faster, but not on every machine."},
-    Option{.name = "fidelity",
-           .range = between(0.0, 1.0),
-           .fallback = "0",
-           .sentence = "Share of the critical stretch below which forces may be linearised."},
-    Option{.name = "breaking",
-           .type = OptionType::choice,
-           .fallback = "at_once",
-           .choices = breaking_names,
-           .sentence = "When an overstretched bond ceases to pull; LAMMPS: next_step."},
-    Option{.name = "quadrature",
-           .type = OptionType::choice,
-           .fallback = "full",
-           .choices = quadrature_names,
-           .sentence = "How nodes near the rim of the horizon count."},
-    Option{.name = "micromodulus",
-           .type = OptionType::choice,
-           .fallback = "constant",
-           .choices = micromodulus_names,
-           .sentence = "How the stiffness of bonds depends on their length."},
-    Option{.name = "constants",
-           .type = OptionType::choice,
-           .fallback = "lattice",
-           .choices = constants_names,
-           .sentence = "Where stiffness and strength of a bond come from."},
-    Option{.name = "step",
-           .unit = "s",
-           .range = above(0.0),
-           .fallback = "0.9 of the stability limit, or in which an impactor crosses 0.1 spacings",
-           .sentence = "The time step."},
-    Option{.name = "force_step",
-           .type = OptionType::flag,
-           .fallback = "false",
-           .sentence = "Accept a step above the stability limit, to see it blow up."},
-};
-
 inline constexpr FunctionDoc simulate_doc{
     .name = "simulate",
     .leading = "p",
     .sentence = "Puts a copy of the plate on a lattice, ready to run.",
-    .options = simulate_options,
+    .options = options_of<Numerics>,
     .example = "s = simulate(p, { spacing = 0.5*mm, horizon = 2*mm })"};
 
 inline constexpr std::array run_options{

@@ -13,6 +13,7 @@
 #include "lattice/needs.hpp"
 #include "lattice/symbol.hpp"
 #include "lattice/touching.hpp"
+#include "scene/check_members.hpp"
 
 namespace hackle {
 namespace {
@@ -56,11 +57,8 @@ double most_alpha(const Plate& plate) {
   return most;
 }
 
-// Choices that are out of range or do not go together.
+// Choices that do not go together.
 void check_choices(const Plate& plate, const Numerics& numerics, Problems& problems) {
-  if (!(numerics.fidelity >= 0.0 && numerics.fidelity <= 1.0))
-    problems.add(
-        fmt::format("simulate: fidelity is {}, it must lie between 0 and 1", numerics.fidelity));
   const double alpha = most_alpha(plate);
   if (numerics.fidelity > 0.0 && alpha > 0.0)
     problems.add(
@@ -74,11 +72,13 @@ void check_choices(const Plate& plate, const Numerics& numerics, Problems& probl
                  "take constants = \"lattice\"");
 }
 
+bool is_positive(double value) {
+  return value > 0.0 && std::isfinite(value);
+}
+
+// True when it makes a lattice.
 bool check_spacing(const Plate& plate, const Numerics& numerics, Problems& problems) {
-  if (!(numerics.spacing > 0.0) || !std::isfinite(numerics.spacing)) {
-    problems.add(fmt::format("simulate: spacing is {} m, it must be above 0 m", numerics.spacing));
-    return false;
-  }
+  if (!is_positive(numerics.spacing)) return false;
   if (numerics.spacing > std::min(plate.width, plate.height))
     problems.add(fmt::format("simulate: spacing {} is larger than the plate ({} x {})",
                              quantity(numerics.spacing, "m"), quantity(plate.width, "m"),
@@ -90,6 +90,7 @@ bool check_spacing(const Plate& plate, const Numerics& numerics, Problems& probl
 // Checks the horizon, in spacings; true when it makes a family.
 bool check_horizon(const Numerics& numerics, Problems& problems) {
   constexpr double slack = 1e-9;
+  if (!is_positive(numerics.horizon_or_default())) return false;
   const double m = numerics.m();
   const std::string spacing = quantity(numerics.spacing, "m");
   const std::string horizon = quantity(numerics.horizon_or_default(), "m");
@@ -157,17 +158,16 @@ void check_against_limit(const Plate& plate, const Numerics& numerics, Problems&
 }
 
 void check_step(const Plate& plate, const Numerics& numerics, bool has_family, Problems& problems) {
-  if (numerics.step && !(*numerics.step > 0.0 && std::isfinite(*numerics.step)))
-    problems.add(fmt::format("simulate: step is {} s, it must be above 0 s", *numerics.step));
-  else if (has_family)
-    check_against_limit(plate, numerics, problems);
-  if (numerics.step && *numerics.step > 0.0 && numerics.spacing > 0.0 && !numerics.force_step)
+  if (numerics.step && !is_positive(*numerics.step)) return;
+  if (has_family) check_against_limit(plate, numerics, problems);
+  if (numerics.step && numerics.spacing > 0.0 && !numerics.force_step)
     check_impact(plate, numerics, problems);
 }
 
 }  // namespace
 
 void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems) {
+  check_members(numerics, "simulate", problems);
   const bool has_family =
       check_spacing(plate, numerics, problems) && check_horizon(numerics, problems);
   check_choices(plate, numerics, problems);

@@ -2,11 +2,11 @@
 // How finely and how a scene is solved: everything about the numerics that a user may choose.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
+#include "base/described.hpp"
 #include "base/error.hpp"
 #include "scene/plate.hpp"
 
@@ -42,13 +42,20 @@ enum class Breaking {
 
 enum class Precision { f64, f32 };
 
-// Names of the choices, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 4> quadrature_names{"full", "ramp", "area",
-                                                                  "centroid"};
-inline constexpr std::array<std::string_view, 2> micromodulus_names{"constant", "conical"};
-inline constexpr std::array<std::string_view, 3> constants_names{"lattice", "continuum", "paper"};
-inline constexpr std::array<std::string_view, 2> breaking_names{"at_once", "next_step"};
-inline constexpr std::array<std::string_view, 2> precision_names{"f64", "f32"};
+template <>
+inline constexpr auto enum_names<Quadrature> =
+    std::to_array<std::string_view>({"full", "ramp", "area", "centroid"});
+template <>
+inline constexpr auto enum_names<Micromodulus> = std::to_array<std::string_view>({"constant",
+                                                                                  "conical"});
+template <>
+inline constexpr auto enum_names<Constants> =
+    std::to_array<std::string_view>({"lattice", "continuum", "paper"});
+template <>
+inline constexpr auto enum_names<Breaking> = std::to_array<std::string_view>({"at_once",
+                                                                              "next_step"});
+template <>
+inline constexpr auto enum_names<Precision> = std::to_array<std::string_view>({"f64", "f32"});
 
 struct Numerics {
   double spacing = 0.0;  // dx, m
@@ -68,6 +75,49 @@ struct Numerics {
   double horizon_or_default() const { return horizon != 0.0 ? horizon : 4.0 * spacing; }
   double m() const { return horizon_or_default() / spacing; }  // delta/dx
 };
+
+template <>
+inline constexpr auto description_of<Numerics> = describe_noun(
+    "numerics", "numerics",
+    member("spacing", &Numerics::spacing,
+           {.unit = "m",
+            .range = above(0.0),
+            .required = true,
+            .sentence = "Distance of two nodes of the lattice, dx."}),
+    member("horizon", &Numerics::horizon,
+           {.unit = "m",
+            .range = above(0.0),
+            .fallback = "4 spacings",
+            .sentence = "How far bonds reach, delta; 2 to 16 spacings."}),
+    member("precision", &Numerics::precision,
+           {.fallback = "f64", .sentence = "The numbers it computes with."}),
+    member("fused", &Numerics::fused,
+           {.fallback = "false",
+            .sentence = "Multiply and add in one rounding: faster, but not on every machine."}),
+    member("fidelity", &Numerics::fidelity,
+           {.range = between(0.0, 1.0),
+            .fallback = "0",
+            .sentence = "Share of the critical stretch below which forces may be linearised."}),
+    member("breaking", &Numerics::breaking,
+           {.fallback = "at_once",
+            .sentence = "When an overstretched bond ceases to pull; LAMMPS: next_step."}),
+    member("quadrature", &Numerics::quadrature,
+           {.fallback = "full", .sentence = "How nodes near the rim of the horizon count."}),
+    member("micromodulus", &Numerics::micromodulus,
+           {.fallback = "constant",
+            .sentence = "How the stiffness of bonds depends on their length."}),
+    member("constants", &Numerics::constants,
+           {.fallback = "lattice",
+            .sentence = "Where stiffness and strength of a bond come from."}),
+    member("step", &Numerics::step,
+           {.unit = "s",
+            .range = above(0.0),
+            .fallback = "0.9 of the stability limit, or in which an impactor crosses 0.1 spacings",
+            .nothing = "default",
+            .sentence = "The time step."}),
+    member("force_step", &Numerics::force_step,
+           {.fallback = "false",
+            .sentence = "Accept a step above the stability limit, to see it blow up."}));
 
 // The default step as a share of the limit 2/omega_max: the rest covers the stiffening of bonds
 // that are stretched up to s0.

@@ -16,11 +16,6 @@
 namespace hackle {
 namespace {
 
-template <std::size_t n, class Choice>
-std::string_view name_of(const std::array<std::string_view, n>& names, Choice choice) {
-  return names[static_cast<std::size_t>(choice)];
-}
-
 // " (15 200 of material)" when cut-outs removed some.
 std::string material_text(const Lattice& lattice) {
   const auto removed = std::ranges::count(lattice.material, Lattice::void_node);
@@ -35,7 +30,7 @@ std::string lattice_line(const Simulation& simulation, const Summary& summary) {
                      grouped(summary.nodes), material_text(simulation.lattice()),
                      grouped(summary.bonds), quantity(numerics.spacing, "m"),
                      quantity(numerics.horizon_or_default(), "m"), simulation.lattice().family.m(),
-                     name_of(quadrature_names, numerics.quadrature));
+                     name_of(numerics.quadrature));
 }
 
 std::string model_line(const Simulation& simulation) {
@@ -48,9 +43,8 @@ std::string model_line(const Simulation& simulation) {
       "G0 {} "
       "(material {}), s0 {:.4g}; "
       "c_R {:.0f} m/s",
-      name_of(plane_names, simulation.plate().plane),
-      name_of(constants_names, simulation.numerics().constants),
-      name_of(micromodulus_names, simulation.numerics().micromodulus), quantity(moduli.E, "Pa"),
+      name_of(simulation.plate().plane), name_of(simulation.numerics().constants),
+      name_of(simulation.numerics().micromodulus), quantity(moduli.E, "Pa"),
       quantity(material.E, "Pa"), moduli.nu, material.nu, quantity(lattice.calibration.G0, "J/m2"),
       quantity(material.G0, "J/m2"), lattice.calibration.s0, waves.rayleigh);
 }
@@ -77,10 +71,11 @@ std::string energy_line(const Energy& energy) {
 }
 
 std::string wall_line(const Simulation& simulation, const Summary& summary) {
-  std::string line = fmt::format(
-      "solve {:.2f} s on {} thread{}, {:.3g} M node-steps/s ({} {})", summary.wall.solve,
-      summary.threads, summary.threads == 1 ? "" : "s", summary.node_steps_per_second() * 1e-6,
-      summary.precision, name_of(instruction_set_names, simulation.instruction_set()));
+  std::string line =
+      fmt::format("solve {:.2f} s on {} thread{}, {:.3g} M node-steps/s ({} {})",
+                  summary.wall.solve, summary.threads, summary.threads == 1 ? "" : "s",
+                  summary.node_steps_per_second() * 1e-6, summary.precision,
+                  instruction_set_names[static_cast<std::size_t>(simulation.instruction_set())]);
   const auto add = [&](const char* stage, double seconds) {
     if (seconds > 0.0) line += fmt::format("; {} {:.2f} s", stage, seconds);
   };
@@ -137,7 +132,7 @@ std::vector<std::string> remarks(const Simulation& simulation) {
   if (std::abs(E - 1.0) > 1e-6 || std::abs(G0 - 1.0) > 1e-6)
     list.push_back(fmt::format(
         "{} constants give {:.3f} of the material's E and {:.3f} of its G0 on this lattice",
-        name_of(constants_names, simulation.numerics().constants), E, G0));
+        name_of(simulation.numerics().constants), E, G0));
   return list;
 }
 

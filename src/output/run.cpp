@@ -413,7 +413,7 @@ Summary Run::summary() const {
   summary.time = simulation.time();
   summary.dt = simulation.dt();
   summary.dt_limit = simulation.lattice().step_limit;
-  summary.precision = precision_names[static_cast<std::size_t>(simulation.state().precision())];
+  summary.precision = name_of(simulation.state().precision());
   summary.paths = simulation.path_counts();
   summary.threads = simulation.threads();
   summary.stages = stages(simulation);

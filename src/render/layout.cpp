@@ -16,7 +16,7 @@ int even(double value) {
 int whole(double value) {
   return static_cast<int>(std::lround(value));
 }
-int at_least(double value) {
+int raised_to(double value) {
   return static_cast<int>(std::ceil(value));
 }
 
@@ -48,7 +48,7 @@ class Composer {
     layout_.small_font = std::max(9.0, std::round(0.8 * layout_.font));
     layout_.hairline = std::max(1, whole(0.05 * layout_.font));
     margin_ = margin_for(width);
-    gap_ = at_least(layout_.font);
+    gap_ = raised_to(layout_.font);
   }
 
   Layout compose() {
@@ -68,7 +68,7 @@ class Composer {
 
   int room() const { return layout_.width - 2 * side_; }
   int needed(const std::string& text, double size) const {
-    return at_least(font_.width_of(text, size));
+    return raised_to(font_.width_of(text, size));
   }
 
   // Captions and legend are flush with the plates, unless they are too narrow for them.
@@ -104,7 +104,7 @@ class Composer {
     return {x, margin_ * 2 / 3 + static_cast<int>(k) * line_height(), width, line_height()};
   }
 
-  int line_height() const { return at_least(1.3 * layout_.font); }
+  int line_height() const { return raised_to(1.3 * layout_.font); }
 
   void place_caption() {
     layout_.title = in_caption(text_.title, layout_.font, true);
@@ -137,7 +137,7 @@ class Composer {
   }
 
   int bar_height() const { return whole(0.8 * layout_.font); }
-  int below_bar() const { return at_least(0.4 * layout_.font + 1.3 * layout_.small_font); }
+  int below_bar() const { return raised_to(0.4 * layout_.font + 1.3 * layout_.small_font); }
 
   void place_legend() {
     if (!parts_.bar && !parts_.scale_bar) return;
@@ -162,7 +162,7 @@ class Composer {
     BarRoom room_for;
     int label = whole(shortest * layout_.font);
     for (const BarText& bar : text_.bars) label = std::max(label, needed(bar.label, layout_.font));
-    const int drop = at_least(0.25 * layout_.font);  // of letters below the base line
+    const int drop = raised_to(0.25 * layout_.font);  // of letters below the base line
     const int bar_width = whole(0.28 * layout_.width);
     const bool beside =
         label + gap_ + bar_width + 3 * margin_ / 2 + whole(scale * layout_.font) <= room();
@@ -225,7 +225,7 @@ int width_for(const Grid& grid, const PlateSize& size) {
   const int plate = whole(size.cell * grid.nx);
   int width = 320;
   const auto needed = [&] {
-    const int between = lies_across(grid, size) ? plate + at_least(font_for(width)) : 0;
+    const int between = lies_across(grid, size) ? plate + raised_to(font_for(width)) : 0;
     return plate + between + 2 * margin_for(width);
   };
   while (needed() > width) width += std::max(2, even(0.5 * (needed() - width)));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/described.hpp"
 #include "base/error.hpp"
 #include "scene/vec2.hpp"
 
@@ -49,5 +50,10 @@ Course pulse(double duration, double start);
 
 // Adds a problem when the moments do not ascend or anything is not finite.
 void check(const Course& course, const std::string& who, Problems& problems);
+
+// The course of any load, as its noun describes it.
+inline constexpr About about_course{
+    .fallback = "1 for ever",
+    .sentence = "Factor over time: ramp(2*us), pulse(1*us), {{t, factor}, ...} or function(t)."};
 
 }  // namespace hackle

@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "scene/check_members.hpp"
 
 namespace hackle {
 namespace {
@@ -26,11 +27,6 @@ bool on_plate(const Plate& plate, const Vec2& point) {
   const double slack = 1e-9 * (plate.width + plate.height);
   return point.x() >= -slack && point.x() <= plate.width + slack && point.y() >= -slack &&
          point.y() <= plate.height + slack;
-}
-
-void check_size(const char* key, double value, Problems& problems) {
-  if (std::isfinite(value) && value > 0.0) return;
-  problems.add(fmt::format("plate: {} is {} m, it must be above 0 m", key, value));
 }
 
 void check_rims(const Plate& plate, Problems& problems) {
@@ -108,8 +104,7 @@ Shape strip(const Plate& plate, Edge edge, double depth) {
 }
 
 void check(const Plate& plate, Problems& problems) {
-  check_size("width", plate.width, problems);
-  check_size("height", plate.height, problems);
+  check_members(plate, problems);
   check(plate.material, problems);
   for (const Cutout& cutout : plate.cutouts) check_cutout(plate, cutout.shape, "cut-out", problems);
   for (const Inclusion& inclusion : plate.inclusions) {
@@ -119,8 +114,8 @@ void check(const Plate& plate, Problems& problems) {
   check_materials(plate, problems);
   for (const Crack& crack : plate.cracks) check(plate, crack, problems);
   for (const Shape& zone : plate.no_fail) check_no_fail(plate, zone, problems);
-  if (plate.scatter) check(*plate.scatter, problems);
-  if (plate.contact) check(*plate.contact, problems);
+  if (plate.scatter) check_members(*plate.scatter, problems);
+  if (plate.contact) check_members(*plate.contact, problems);
   check(plate.loads, problems);
   check_rims(plate, problems);
   check_expansion(plate, problems);
@@ -163,28 +158,6 @@ void check_cutout(const Plate& plate, const Shape& shape, const std::string& who
   if (problems.list().size() == before && swallows(plate, shape))
     problems.add(fmt::format("{}: the {} leaves nothing of the plate", who, kind_of(shape)),
                  extent_text(plate));
-}
-
-void check(const Scatter& scatter, Problems& problems) {
-  const bool weibull = scatter.kind == Scatter::Kind::weibull;
-  const double k = scatter.spread;
-  if (weibull && !(k >= 1.0 && k <= 1000.0))
-    problems.add(fmt::format("strength: the modulus is {}, it must lie between 1 and 1000", k));
-  if (!weibull && !(k > 0.0 && k <= 0.3))
-    problems.add(fmt::format("strength: the deviation is {}, it must be above 0, at most 0.3", k),
-                 "what scatters more follows a Weibull distribution");
-  if (!(scatter.correlation >= 0.0) || !std::isfinite(scatter.correlation))
-    problems.add(fmt::format("strength: the correlation is {} m, it must be at least 0 m",
-                             scatter.correlation));
-}
-
-void check(const Contact& contact, Problems& problems) {
-  if (!(contact.stiffness > 0.0 && contact.stiffness <= 100.0))
-    problems.add(fmt::format("contact: the stiffness is {}, it must be above 0, at most 100",
-                             contact.stiffness));
-  if (!(contact.reach > 0.0 && contact.reach <= 1.0))
-    problems.add(
-        fmt::format("contact: the reach is {}, it must be above 0, at most 1", contact.reach));
 }
 
 double contact_stiffness(const Plate& plate) {

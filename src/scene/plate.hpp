@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "scene/loads.hpp"
+#include "scene/loads/start.hpp"
 #include "scene/material.hpp"
 #include "scene/shape.hpp"
 #include "scene/vec2.hpp"
@@ -21,6 +22,9 @@ namespace hackle {
 
 // Whether the bonds that a crack cuts count as damage, or were never there.
 enum class Born { broken, absent };
+
+template <>
+inline constexpr auto enum_names<Born> = std::to_array<std::string_view>({"broken", "absent"});
 
 // A crack of zero width along straight pieces. It cuts every bond that has a point in common with
 // it; its two ends do not belong to it, unless they are the same point. No mirror changes that
@@ -34,6 +38,19 @@ struct Crack {
   Born born = Born::broken;
 };
 
+template <>
+inline constexpr auto description_of<Crack> = describe_noun(
+    "crack", "crack",
+    member("points", &Crack::points,
+           {.unit = "m",
+            .range = between(2, most_points),
+            .alternative = true,
+            .sentence = "Along a crack of straight pieces; it is closed when first and last are "
+                        "the same."}),
+    member("born", &Crack::born,
+           {.fallback = "broken",
+            .sentence = "Whether the bonds it cuts count as damage or were never there."}));
+
 // Material taken away: a hole or a notch. Nodes inside are void, bonds that pass through are
 // absent.
 struct Cutout {
@@ -41,43 +58,94 @@ struct Cutout {
   std::string name;  // by which a pressure finds its rim; "" for none
 };
 
+template <>
+inline constexpr auto description_of<Cutout> = describe_noun(
+    "cut-out", "cut-out", member("shape", &Cutout::shape, {.required = true}),
+    member("name", &Cutout::name,
+           {.alternative = true,
+            .sentence = "By which p:pressure finds its rim; several may share one."}));
+
 // Another material. A node inside is of it, by the last inclusion that covers the node.
 struct Inclusion {
   Shape shape;
   Material material;
 };
 
-// Displacement and velocity at t = 0, added where areas overlap.
-struct Start {
-  Region region;
-  VectorField displacement;  // m
-  VectorField velocity;      // m/s
-};
+template <>
+inline constexpr auto description_of<Inclusion> =
+    describe_noun("inclusion", "inclusion", member("shape", &Inclusion::shape, {.required = true}),
+                  member("material", &Inclusion::material,
+                         {.required = true, .sentence = "What it is made of."}));
 
 // How strength differs from place to place: the critical stretch of a node is s0 times a factor of
 // mean 1 drawn from a distribution. The same flaws for every spacing once they are correlated.
 struct Scatter {
   enum class Kind { weibull, normal };
   Kind kind = Kind::weibull;
-  double spread = 0.0;       // Weibull modulus in [1, 1000], or standard deviation of a normal
-                             // distribution in (0, 0.3]
-  double correlation = 0.0;  // m, >= 0; 0: each node for itself
+  double spread = 0.0;       // Weibull modulus, or standard deviation of a normal distribution
+  double correlation = 0.0;  // m; 0: each node for itself
   std::int64_t seed = 1;
 };
+
+template <>
+inline constexpr auto enum_names<Scatter::Kind> = std::to_array<std::string_view>({"weibull",
+                                                                                   "normal"});
+
+template <>
+inline constexpr auto description_of<Scatter> = describe_noun(
+    "strength", "scatter",
+    member("distribution", &Scatter::kind,
+           {.fallback = "weibull",
+            .sentence = "Of the critical stretch over that of the material; its mean is 1."}),
+    kind_member(
+        &Scatter::kind, &Scatter::spread, std::to_array<std::string_view>({"modulus", "deviation"}),
+        std::to_array<About>(
+            {{.range = between(1.0, 1000.0),
+              .required = true,
+              .alternative = true,
+              .sentence = "Weibull modulus; 5 to 15 is usual for glass, more scatters less."},
+             {.range = above_up_to(0.0, 0.3),
+              .required = true,
+              .alternative = true,
+              .sentence = "Standard deviation of a normal distribution; it is cut off at three.",
+              .remedy = "what scatters more follows a Weibull distribution"}})),
+    member("correlation", &Scatter::correlation,
+           {.unit = "m",
+            .range = at_least(0.0),
+            .fallback = "0",
+            .sentence = "Distance over which strength changes; 0: every node for itself, and then "
+                        "the flaws depend on the spacing."}),
+    member("seed", &Scatter::seed,
+           {.fallback = "1", .sentence = "Another whole number gives other flaws."}));
 
 // Nodes that lack bonds push each other away when they come near: with `stiffness` times the
 // micromodulus, below `reach` times their distance at rest (see contact_forces.hpp). By default as
 // in LAMMPS.
 struct Contact {
-  double stiffness = 15.0;  // in (0, 100]
-  double reach = 0.9;       // in (0, 1]
+  double stiffness = 15.0;
+  double reach = 0.9;
 };
+
+template <>
+inline constexpr auto description_of<Contact> = describe_noun(
+    "contact", "contact",
+    member("stiffness", &Contact::stiffness,
+           {.range = above_up_to(0.0, 100.0),
+            .fallback = "15",
+            .sentence = "Of the repulsion, over that of a bond; the default is LAMMPS's."}),
+    member(
+        "reach", &Contact::reach,
+        {.range = above_up_to(0.0, 1.0),
+         .fallback = "0.9",
+         .sentence = "Nodes touch below so much of their distance at rest, or of 1.5 spacings if "
+                     "that is less."}));
 
 // Thin, free of stress across its thickness, or thick, held from straining across it. Bond-based
 // theory makes Poisson's ratio 1/3 in plane stress and 1/4 in plane strain
 // (src/lattice/README.md 3.2).
 enum class Plane { stress, strain };
-inline constexpr std::array<std::string_view, 2> plane_names{"stress", "strain"};
+template <>
+inline constexpr auto enum_names<Plane> = std::to_array<std::string_view>({"stress", "strain"});
 
 struct Plate {
   double width = 0.0;   // m, along x, > 0
@@ -95,6 +163,22 @@ struct Plate {
   Loads loads;
 };
 
+template <>
+inline constexpr auto description_of<Plate> = describe_noun(
+    "plate", "plate",
+    member("width", &Plate::width,
+           {.unit = "m", .range = above(0.0), .required = true, .sentence = "Size along x."}),
+    member("height", &Plate::height,
+           {.unit = "m", .range = above(0.0), .required = true, .sentence = "Size along y."}),
+    member("material", &Plate::material, {.required = true, .sentence = "What it is made of."}),
+    member("plane", &Plate::plane,
+           {.fallback = "stress",
+            .sentence = "Plane stress for a thin plate, plane strain for a thick one."}),
+    member("cutouts", &Plate::cutouts), member("inclusions", &Plate::inclusions),
+    member("cracks", &Plate::cracks), member("no_fail", &Plate::no_fail),
+    member("starts", &Plate::starts), member("strength", &Plate::scatter),
+    member("contact", &Plate::contact), member("", &Plate::loads));
+
 // 0 without contact.
 double contact_stiffness(const Plate& plate);
 
@@ -111,8 +195,6 @@ void check(const Plate& plate, const Shape& shape, const std::string& who, Probl
 // Also that it leaves something of the plate.
 void check_cutout(const Plate& plate, const Shape& shape, const std::string& who,
                   Problems& problems);
-void check(const Scatter& scatter, Problems& problems);
-void check(const Contact& contact, Problems& problems);
 void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems);
 
 // "strength scattered (Weibull modulus 10, correlated over 2 mm, seed 1)"

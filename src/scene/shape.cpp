@@ -288,8 +288,11 @@ Shape rectangle(const Vec2& least, const Vec2& most) {
 }
 
 std::string kind_of(const Shape& shape) {
-  constexpr const char* kinds[] = {"ellipse", "polygon", "slot", "picture"};
-  return kinds[shape.index()];
+  return std::visit(
+      [](const auto& kind) {
+        return std::string(description_of<std::remove_cvref_t<decltype(kind)>>.noun);
+      },
+      shape);
 }
 
 void check(const Shape& shape, const std::string& who, Problems& problems) {

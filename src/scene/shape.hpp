@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "base/described.hpp"
 #include "base/error.hpp"
 #include "scene/vec2.hpp"
 
@@ -19,6 +21,8 @@ struct Ellipse {
   double angle = 0.0;  // rad, of the first half axis from x, anticlockwise
   friend bool operator==(const Ellipse&, const Ellipse&) = default;
 };
+
+inline constexpr double most_points = 10000;  // of a polygon or a crack
 
 // Any closed chain of straight sides, also one that is not convex; by the even-odd rule.
 struct Polygon {
@@ -45,6 +49,41 @@ struct Bitmap {
 };
 
 using Shape = std::variant<Ellipse, Polygon, Capsule, Bitmap>;
+
+// Where something acts; nothing is the whole plate.
+using Region = std::optional<Shape>;
+
+inline constexpr About about_region{.nothing = "plate"};
+
+template <>
+inline constexpr auto description_of<Ellipse> = describe_noun(
+    "ellipse", "ellipse", member("centre", &Ellipse::centre, {.unit = "m", .required = true}),
+    member("radii", &Ellipse::radii, {.unit = "m", .required = true}),
+    member("angle", &Ellipse::angle, {.unit = "rad", .fallback = "0"}));
+
+template <>
+inline constexpr auto description_of<Polygon> =
+    describe_noun("polygon", "polygon",
+                  member("points", &Polygon::points,
+                         {.unit = "m", .range = between(3, most_points), .required = true}));
+
+template <>
+inline constexpr auto description_of<Segment> = describe_noun(
+    "segment", "segment", member("from", &Segment::from, {.unit = "m", .required = true}),
+    member("to", &Segment::to, {.unit = "m", .required = true}));
+
+template <>
+inline constexpr auto description_of<Capsule> =
+    describe_noun("slot", "slot", member("", &Capsule::axis),
+                  member("radius", &Capsule::radius, {.unit = "m", .required = true}));
+
+template <>
+inline constexpr auto description_of<Bitmap> = describe_noun(
+    "picture", "picture", member("from", &Bitmap::least, {.unit = "m", .required = true}),
+    member("to", &Bitmap::most, {.unit = "m", .required = true}),
+    member("columns", &Bitmap::columns, {.required = true}),
+    member("rows", &Bitmap::rows, {.required = true}),
+    member("run_lengths", &Bitmap::inside, {.required = true}));
 
 struct Box {
   Vec2 least{0, 0};

@@ -2,7 +2,10 @@
 #include "store/inputs_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/text.hpp"
+#include "store/json_key.hpp"
 
 namespace hackle {
 namespace {
@@ -32,29 +36,6 @@ void stop_if_interrupted() {
     throw Error(ErrorKind::interrupted, "interrupted while the inputs of a run were read");
 }
 
-double number(const Json& json, const char* name) {
-  return json.at(name).get<double>();
-}
-
-Vec2 vector(const Json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>()};
-}
-
-std::vector<Vec2> points(const Json& json) {
-  std::vector<Vec2> list;
-  for (const Json& point : json) list.push_back(vector(point));
-  return list;
-}
-
-// The enumerator whose place is that of its name.
-template <class Enum, class Names>
-Enum choice(const Json& json, const char* name, const Names& names) {
-  const auto text = json.at(name).get<std::string>();
-  const auto found = std::ranges::find(names, text);
-  if (found == names.end()) refuse(fmt::format("{} is none of {}", name, comma_list(names)));
-  return static_cast<Enum>(found - names.begin());
-}
-
 bool is_function(const Json& json) {
   return json.is_object() || json == "function";
 }
@@ -62,37 +43,6 @@ bool is_function(const Json& json) {
 [[noreturn]] void refuse_function() {
   throw Error(ErrorKind::files, "functions of a script are not in its run file",
               "run the script again");
-}
-
-VectorField vector_field(const Json& json) {
-  if (is_function(json)) return VectorField([](const Vec2&) -> Vec2 { refuse_function(); });
-  return vector(json);
-}
-
-ScalarField scalar_field(const Json& json) {
-  if (is_function(json)) return ScalarField([](const Vec2&) -> double { refuse_function(); });
-  return json.get<double>();
-}
-
-Course course(const Json& json) {
-  if (json == "constant") return {};
-  if (json.is_array()) return Course(points(json));
-  const Json& text = json.is_object() ? json.at("function") : json;
-  return Course([](double) -> double { refuse_function(); }, text.get<std::string>());
-}
-
-Material material(const Json& json) {
-  Material material;
-  material.name = json.at("name").get<std::string>();
-  material.E = number(json, "E_Pa");
-  material.rho = number(json, "rho_kg_m3");
-  material.nu = number(json, "nu");
-  material.G0 = number(json, "G0_J_m2");
-  material.alpha = number(json, "alpha");
-  material.alphaT = number(json, "alphaT_1_K");
-  material.s0 = number(json, "s0");
-  material.fringe = number(json, "fringe_N_m");
-  return material;
 }
 
 // The numbers of "12 3 40".
@@ -141,131 +91,130 @@ class Cells {
   std::int64_t all_ = 0;
 };
 
-Bitmap bitmap(const Json& json, Cells& cells) {
-  Bitmap bitmap{vector(json.at("from_m")),
-                vector(json.at("to_m")),
-                json.at("columns").get<int>(),
-                json.at("rows").get<int>(),
-                {}};
-  if (bitmap.columns < 1 || bitmap.rows < 1) refuse("a picture has no cells");
-  const auto count = std::int64_t{bitmap.columns} * bitmap.rows;
-  bitmap.inside = cells.read(json.at("run_lengths"), count);
-  return bitmap;
-}
+// Reads what inputs.cpp wrote, member by member. A member that an older file lacks stays as it is,
+// unless the noun cannot do without it.
+class Reader {
+ public:
+  template <Described Noun>
+  void read(const Json& json, Noun& noun) {
+    if (!json.is_object()) refuse("something is of another type");
+    for_each_member<Noun>([&](const auto& member) {
+      auto& value = noun.*member.pointer;
+      if constexpr (requires { member.kind; })
+        read_kind(json, noun.*member.kind, value, member);
+      else if constexpr (requires { read(json, value); })
+        member.name.empty() ? read(json, value) : read_named(json, value, member);
+      else
+        read_named(json, value, member);
+    });
+  }
 
-Shape shape(const Json& json, Cells& cells) {
-  const auto kind = json.at("kind").get<std::string>();
-  if (kind == "ellipse")
-    return Ellipse{vector(json.at("centre_m")), vector(json.at("radii_m")), number(json, "angle")};
-  if (kind == "polygon") return Polygon{points(json.at("points_m"))};
-  if (kind == "slot")
-    return Capsule{{vector(json.at("from_m")), vector(json.at("to_m"))}, number(json, "radius_m")};
-  if (kind == "picture") return bitmap(json, cells);
-  refuse("a shape is none of ellipse, polygon, slot, picture");
-}
+ private:
+  template <class T, class MemberOfT>
+  void read_named(const Json& json, T& value, const MemberOfT& member) {
+    const std::string key = key_of(member.name, member.about.unit);
+    if (json.contains(key))
+      read_value(json.at(key), value, member.name);
+    else if (member.about.required)
+      refuse("something is missing or too large");
+  }
 
-Region region(const Json& json, Cells& cells) {
-  if (json.is_string()) return std::nullopt;
-  return shape(json, cells);
-}
+  template <class Kind, class T, class MemberOfT>
+  void read_kind(const Json& json, Kind& kind, T& value, const MemberOfT& member) {
+    for (std::size_t k = 0; k < member.names.size(); ++k) {
+      const std::string key = key_of(member.names[k], member.abouts[k].unit);
+      if (!json.contains(key)) continue;
+      kind = static_cast<Kind>(k);
+      return read_value(json.at(key), value, member.names[k]);
+    }
+    refuse("something is missing or too large");
+  }
 
-Crack crack(const Json& json) {
-  const bool broken = json.at("born").get<std::string>() == "broken";
-  return {points(json.at("points_m")), broken ? Born::broken : Born::absent};
-}
+  template <class T>
+  void read_value(const Json& json, T& value, std::string_view name) {
+    if constexpr (std::is_enum_v<T>) {
+      const std::optional<T> found = value_named<T>(json.get_ref<const std::string&>());
+      if (!found) refuse(fmt::format("{} is none of {}", name, comma_list(enum_names<T>)));
+      value = *found;
+    } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+      value = json.get<T>();
+    } else {
+      read(json, value);
+    }
+  }
 
-std::optional<Scatter> scatter(const Json& json) {
-  if (json.is_string()) return std::nullopt;
-  Scatter scatter;
-  const bool weibull = json.at("distribution").get<std::string>() == "weibull";
-  scatter.kind = weibull ? Scatter::Kind::weibull : Scatter::Kind::normal;
-  scatter.spread = number(json, weibull ? "modulus" : "deviation");
-  scatter.correlation = number(json, "correlation_m");
-  scatter.seed = json.at("seed").get<std::int64_t>();
-  return scatter;
-}
+  void read(const Json& json, Vec2& vector) {
+    vector = {json.at(0).get<double>(), json.at(1).get<double>()};
+  }
 
-std::optional<Contact> contact(const Json& plate) {
-  if (!plate.contains("contact") || plate.at("contact").is_string()) return std::nullopt;
-  const Json& json = plate.at("contact");
-  return Contact{number(json, "stiffness"), number(json, "reach")};
-}
+  void read(const Json& json, VectorField& field) {
+    Vec2 constant{0, 0};
+    if (is_function(json))
+      field = VectorField([](const Vec2&) -> Vec2 { refuse_function(); });
+    else
+      read(json, constant), field = constant;
+  }
 
-Traction traction(const Json& json) {
-  const std::optional<Edge> edge = edge_named(json.at("edge").get<std::string>());
-  if (!edge) refuse("an edge is none of left, right, bottom, top");
-  return {*edge, vector_field(json.at("stress_Pa")), number(json, "depth_m"),
-          course(json.at("time"))};
-}
+  void read(const Json& json, ScalarField& field) {
+    if (is_function(json))
+      field = ScalarField([](const Vec2&) -> double { refuse_function(); });
+    else
+      field = json.get<double>();
+  }
 
-Support support(const Json& json, Cells& cells) {
-  const bool velocity = json.contains("velocity_m_s");
-  return {region(json.at("region"), cells),
-          velocity ? Support::Kind::velocity : Support::Kind::displacement,
-          vector_field(json.at(velocity ? "velocity_m_s" : "displacement_m")),
-          json.at("along_x").get<bool>(),
-          json.at("along_y").get<bool>(),
-          course(json.at("time"))};
-}
+  void read(const Json& json, Course& course) {
+    if (json == "constant") return;
+    if (json.is_array()) {
+      std::vector<Vec2> points;
+      read(json, points);
+      course = Course(std::move(points));
+    } else {
+      const Json& text = json.is_object() ? json.at("function") : json;
+      course = Course([](double) -> double { refuse_function(); }, text.get<std::string>());
+    }
+  }
 
-Loads loads(const Json& json, Cells& cells) {
-  Loads loads;
-  for (const Json& load : json.at("tractions")) loads.tractions.push_back(traction(load));
-  for (const Json& load : json.at("pressures"))
-    loads.pressures.push_back(
-        {load.at("rim").get<std::string>(), number(load, "pressure_Pa"), course(load.at("time"))});
-  for (const Json& load : json.at("body_forces"))
-    loads.body_forces.push_back({region(load.at("region"), cells),
-                                 vector_field(load.at("force_N_m3")), course(load.at("time"))});
-  for (const Json& load : json.at("supports")) loads.supports.push_back(support(load, cells));
-  for (const Json& load : json.at("temperatures"))
-    loads.heatings.push_back({region(load.at("region"), cells), scalar_field(load.at("change_K")),
-                              course(load.at("time"))});
-  for (const Json& load : json.at("impactors"))
-    loads.impactors.push_back({vector(load.at("centre_m")), number(load, "radius_m"),
-                               vector(load.at("velocity_m_s")), number(load, "mass_kg_m")});
-  loads.damping = number(json, "damping_1_s");
-  return loads;
-}
+  template <class T>
+  void read(const Json& json, std::vector<T>& list) {
+    for (const Json& entry : json) read(entry, list.emplace_back());
+  }
 
-Plate plate(const Json& json) {
-  Plate plate;
-  Cells cells;
-  plate.width = number(json, "width_m");
-  plate.height = number(json, "height_m");
-  plate.material = material(json.at("material"));
-  plate.plane = choice<Plane>(json, "plane", plane_names);
-  for (const Json& entry : json.at("cutouts"))
-    plate.cutouts.push_back({shape(entry.at("shape"), cells), entry.at("name").get<std::string>()});
-  for (const Json& entry : json.at("inclusions"))
-    plate.inclusions.push_back({shape(entry.at("shape"), cells), material(entry.at("material"))});
-  for (const Json& entry : json.at("cracks")) plate.cracks.push_back(crack(entry));
-  for (const Json& entry : json.at("no_fail")) plate.no_fail.push_back(shape(entry, cells));
-  for (const Json& entry : json.at("starts"))
-    plate.starts.push_back({region(entry.at("region"), cells),
-                            vector_field(entry.at("displacement_m")),
-                            vector_field(entry.at("velocity_m_s"))});
-  plate.scatter = scatter(json.at("strength"));
-  plate.contact = contact(json);
-  plate.loads = loads(json, cells);
-  return plate;
-}
+  // A word stands for nothing.
+  template <class T>
+  void read(const Json& json, std::optional<T>& value) {
+    if (!json.is_string()) read_value(json, value.emplace(), "");
+  }
 
-Numerics numerics(const Json& json) {
-  Numerics numerics;
-  numerics.spacing = number(json, "spacing_m");
-  numerics.horizon = number(json, "horizon_m");
-  numerics.quadrature = choice<Quadrature>(json, "quadrature", quadrature_names);
-  numerics.micromodulus = choice<Micromodulus>(json, "micromodulus", micromodulus_names);
-  numerics.constants = choice<Constants>(json, "constants", constants_names);
-  numerics.breaking = choice<Breaking>(json, "breaking", breaking_names);
-  numerics.precision = choice<Precision>(json, "precision", precision_names);
-  numerics.fused = json.at("fused").get<bool>();
-  numerics.fidelity = number(json, "fidelity");
-  if (json.at("step_s").is_number()) numerics.step = number(json, "step_s");
-  numerics.force_step = json.value("force_step", false);
-  return numerics;
-}
+  template <std::size_t... kinds>
+  static std::string kinds_of_shapes(std::index_sequence<kinds...>) {
+    return comma_list(std::array{description_of<std::variant_alternative_t<kinds, Shape>>.noun...});
+  }
+
+  void read(const Json& json, Shape& shape) { read_shape<0>(json, shape); }
+
+  template <std::size_t kind>
+  void read_shape(const Json& json, Shape& shape) {
+    if constexpr (kind == std::variant_size_v<Shape>) {
+      refuse("a shape is none of " + kinds_of_shapes(std::make_index_sequence<kind>()));
+    } else {
+      using Kind = std::variant_alternative_t<kind, Shape>;
+      if (json.at("kind").get_ref<const std::string&>() != description_of<Kind>.noun)
+        return read_shape<kind + 1>(json, shape);
+      read(json, shape.emplace<Kind>());
+    }
+  }
+
+  void read(const Json& json, Bitmap& bitmap) {
+    read(json.at("from_m"), bitmap.least);
+    read(json.at("to_m"), bitmap.most);
+    bitmap.columns = json.at("columns").get<int>();
+    bitmap.rows = json.at("rows").get<int>();
+    if (bitmap.columns < 1 || bitmap.rows < 1) refuse("a picture has no cells");
+    bitmap.inside = cells_.read(json.at("run_lengths"), std::int64_t{bitmap.columns} * bitmap.rows);
+  }
+
+  Cells cells_;
+};
 
 // Refuses what goes deeper, or holds more, than what inputs_of() writes, before it takes memory.
 class Bounds {
@@ -289,7 +238,11 @@ class Bounds {
 Inputs read_inputs(const std::string& text) {
   try {
     const Json json = Json::parse(text, Bounds());
-    return {plate(json.at("plate")), numerics(json.at("numerics"))};
+    Inputs inputs;
+    Reader reader;
+    reader.read(json.at("plate"), inputs.plate);
+    reader.read(json.at("numerics"), inputs.numerics);
+    return inputs;
   } catch (const Json::parse_error& error) {  // whose words are those of the text
     refuse(fmt::format("it is no JSON at byte {}", error.byte));
   } catch (const Json::out_of_range&) {

@@ -67,7 +67,7 @@ TEST(Memory, OfTheProcessIsWithinAThirdOfWhatWasSaid) {
   };
   for (const Precision precision : {Precision::f32, Precision::f64})
     for (const Large& large : plates) {
-      const std::string name(precision_names[static_cast<std::size_t>(precision)]);
+      const std::string name(name_of(precision));
       Plate plate = test::bare_plate(1, 1);
       plate.width = plate.height = size * 1e-3;
       plate.material.alphaT = 3e-6;

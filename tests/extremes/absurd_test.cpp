@@ -56,8 +56,7 @@ Outcome outcome_of(const Quantity& quantity, double value, Precision precision,
   scene.numerics.force_step = forced;
   quantity.set(scene, value);
   return test::outcome(scene.plate, scene.numerics, 130,
-                       fmt::format("{} = {:g}, {}", quantity.name, value,
-                                   precision_names[static_cast<std::size_t>(precision)]));
+                       fmt::format("{} = {:g}, {}", quantity.name, value, name_of(precision)));
 }
 
 TEST(WhatIsNoNumber, IsRefused) {
@@ -87,10 +86,9 @@ TEST(TwoThingsFarFromAnyPlate, EndInNumbersARefusalOrACleanStop) {
             scene.plate.material.rho = rho;
             scene.plate.material.G0 = G0;
             scene.plate.loads.tractions[0].stress = Vec2(1e6, stress);
-            test::outcome(
-                scene.plate, scene.numerics, 70,
-                fmt::format("E {:g}, rho {:g}, G0 {:g}, stress {:g}, {}", E, rho, G0, stress,
-                            precision_names[static_cast<std::size_t>(precision)]));
+            test::outcome(scene.plate, scene.numerics, 70,
+                          fmt::format("E {:g}, rho {:g}, G0 {:g}, stress {:g}, {}", E, rho, G0,
+                                      stress, name_of(precision)));
           }
 }
 

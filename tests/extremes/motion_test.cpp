@@ -151,8 +151,7 @@ TEST_P(ViolentMotion, ASpinningPlateHoldsOrBurstsAndKeepsItsMomentum) {
 
 INSTANTIATE_TEST_SUITE_P(Precisions, ViolentMotion, testing::Values(Precision::f64, Precision::f32),
                          [](const auto& precision) {
-                           return std::string(
-                               precision_names[static_cast<std::size_t>(precision.param)]);
+                           return std::string(name_of(precision.param));
                          });
 
 }  // namespace

@@ -141,8 +141,7 @@ TEST_P(Scales, OfTheLoadUpToAThousandTimesTheStrengthShatterButKeepMomentum) {
 
 INSTANTIATE_TEST_SUITE_P(Precisions, Scales, testing::Values(Precision::f64, Precision::f32),
                          [](const auto& precision) {
-                           return std::string(
-                               precision_names[static_cast<std::size_t>(precision.param)]);
+                           return std::string(name_of(precision.param));
                          });
 
 }  // namespace

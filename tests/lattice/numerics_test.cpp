@@ -39,7 +39,8 @@ TEST(Numerics, TheUsualChoicesAreAccepted) {
 
 TEST(Numerics, SpacingMustBePositiveAndFit) {
   for (const double bad : {0.0, -1e-3, std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THAT(problems_of(test::numerics(bad)), HasSubstr("it must be above 0 m"));
+    EXPECT_THAT(problems_of(test::numerics(bad)),
+                HasSubstr(bad == bad ? "it must be above 0 m" : "spacing is nan"));
   EXPECT_THAT(problems_of(test::numerics(0.05, 0.2)), HasSubstr("larger than the plate"));
 }
 
@@ -88,7 +89,8 @@ TEST(Numerics, FidelityIsAShareAndNotForMaterialsWithAHistory) {
   Numerics numerics = test::numerics();
   for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
     numerics.fidelity = bad;
-    EXPECT_THAT(problems_of(numerics), HasSubstr("it must lie between 0 and 1"));
+    EXPECT_THAT(problems_of(numerics),
+                HasSubstr(bad == bad ? "it must be between 0 and 1" : "fidelity is nan"));
   }
   numerics.fidelity = 0.3;
   EXPECT_EQ(problems_of(numerics), "");

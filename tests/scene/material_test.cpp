@@ -40,7 +40,8 @@ TEST(Material, AlphaIsAShare) {
   }
   for (const double bad : {-0.1, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
     material.alpha = bad;
-    EXPECT_THAT(problems_of(material), testing::HasSubstr("at least 0 and below 1"));
+    EXPECT_THAT(problems_of(material),
+                testing::HasSubstr(bad == bad ? "at least 0 and below 1" : "alpha is nan"));
   }
 }
 

@@ -73,8 +73,8 @@ TEST(Plate, StripsLieAlongTheirEdges) {
 
 TEST(Plate, EdgesAreKnownByName) {
   for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top})
-    EXPECT_EQ(edge_named(name_of(edge)), edge);
-  EXPECT_FALSE(edge_named("upper"));
+    EXPECT_EQ(value_named<Edge>(name_of(edge)), edge);
+  EXPECT_FALSE(value_named<Edge>("upper"));
 }
 
 TEST(Plate, DescriptionCountsWhatIsOnIt) {

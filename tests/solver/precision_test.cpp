@@ -137,8 +137,7 @@ TEST_P(Denormals, AheadOfTheWaveAllIsExactlyZeroAndStill) {
 
 INSTANTIATE_TEST_SUITE_P(Precisions, Denormals, testing::Values(Precision::f64, Precision::f32),
                          [](const auto& precision) {
-                           return std::string(
-                               precision_names[static_cast<std::size_t>(precision.param)]);
+                           return std::string(name_of(precision.param));
                          });
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST_P(Accelerations, AreRightWhereBondsBreak) {
 
 std::string name_of(const std::tuple<double, Quadrature>& family) {
   return fmt::format("m{}tenths_{}", std::lround(10.0 * std::get<0>(family)),
-                     quadrature_names[static_cast<std::size_t>(std::get<1>(family))]);
+                     name_of(std::get<1>(family)));
 }
 
 INSTANTIATE_TEST_SUITE_P(

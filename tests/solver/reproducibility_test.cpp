@@ -84,8 +84,7 @@ TEST_P(Deck, QuestionsDoNotChangeABit) {
 
 INSTANTIATE_TEST_SUITE_P(Precisions, Deck, testing::Values(Precision::f64, Precision::f32),
                          [](const auto& precision) {
-                           return std::string(
-                               precision_names[static_cast<std::size_t>(precision.param)]);
+                           return std::string(name_of(precision.param));
                          });
 
 // One of a table in which every pair of choices occurs, for every m.
@@ -170,11 +169,9 @@ TEST_P(EveryChoice, GivesTheSameBitsHoweverItIsCarriedOut) {
 INSTANTIATE_TEST_SUITE_P(Choices, EveryChoice, testing::ValuesIn(choices()),
                          [](const auto& choice) {
                            const Choice& c = choice.param;
-                           return fmt::format(
-                               "m{:g}_{}{}{}_{}", c.m,
-                               precision_names[static_cast<std::size_t>(c.precision)],
-                               c.alpha > 0.0 ? "_history" : "", c.no_fail ? "_guarded" : "",
-                               quadrature_names[static_cast<std::size_t>(c.quadrature)]);
+                           return fmt::format("m{:g}_{}{}{}_{}", c.m, name_of(c.precision),
+                                              c.alpha > 0.0 ? "_history" : "",
+                                              c.no_fail ? "_guarded" : "", name_of(c.quadrature));
                          });
 
 }  // namespace

@@ -56,8 +56,7 @@ TEST_P(MirrorSymmetry, HoldsForOddLatticesWithACrackOnARowOfNodes) {
 }
 
 std::string name_of(const std::tuple<Precision, double>& kind) {
-  return fmt::format("{}{}", precision_names[static_cast<std::size_t>(std::get<0>(kind))],
-                     std::get<1>(kind) > 0.0 ? "_history" : "");
+  return fmt::format("{}{}", name_of(std::get<0>(kind)), std::get<1>(kind) > 0.0 ? "_history" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, MirrorSymmetry,

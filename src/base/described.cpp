@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "base/described.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+
+namespace hackle {
+namespace {
+
+std::string with_unit(double value, std::string_view unit) {
+  return unit.empty() ? shortest(value) : fmt::format("{} {}", shortest(value), unit);
+}
+
+}  // namespace
+
+std::string range_text(const Range& range, std::string_view unit) {
+  const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
+  const std::string most = high ? with_unit(range.most, unit) : "";
+  if (low && high && range.least_is_in && range.most_is_in)
+    return fmt::format("between {} and {}", shortest(range.least), most);
+  const std::string above = range.least_is_in ? "at least " : "above ";
+  const std::string below = range.most_is_in ? "at most " : "below ";
+  if (low && high) return above + shortest(range.least) + " and " + below + most;
+  if (high) return below + most;
+  return low ? above + with_unit(range.least, unit) : "";
+}
+
+std::optional<std::string> objection(std::string_view who, std::string_view name, double value,
+                                     std::string_view unit, const Range& range) {
+  if (!std::isfinite(value))
+    return fmt::format("{}: {} is {}, expected a finite number{}{}", who, name,
+                       std::isnan(value) ? "nan" : shortest(value), unit.empty() ? "" : " in ",
+                       unit);
+  if (range.holds(value)) return std::nullopt;
+  return fmt::format("{}: {} is {}, it must be {}", who, name, quantity(value, unit),
+                     range_text(range, unit));
+}
+
+}  // namespace hackle

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Nouns that a user fills, described once: every member with its name in a script, unit, range,
+// default and a sentence. Reading from Lua, help, completion, the reference, JSON out and in, and
+// the check of ranges all go through the description that stands beside the struct.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "base/error.hpp"
+
+namespace hackle {
+
+// A range of numbers, each end included or not.
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_is_in = true;
+  bool most_is_in = true;
+
+  constexpr bool holds(double value) const {
+    return (least_is_in ? value >= least : value > least) &&
+           (most_is_in ? value <= most : value < most);
+  }
+};
+
+constexpr Range above(double least) {
+  return {.least = least, .least_is_in = false};
+}
+constexpr Range at_least(double least) {
+  return {.least = least};
+}
+constexpr Range between(double least, double most) {
+  return {.least = least, .most = most};
+}
+constexpr Range above_up_to(double least, double most) {
+  return {.least = least, .most = most, .least_is_in = false};
+}
+constexpr Range from_to_below(double least, double most) {
+  return {.least = least, .most = most, .most_is_in = false};
+}
+constexpr Range strictly_between(double least, double most) {
+  return {.least = least, .most = most, .least_is_in = false, .most_is_in = false};
+}
+
+// "between 320 and 7680 px", "above 0 m", "at least 0 and below 1", or "" for any number.
+std::string range_text(const Range& range, std::string_view unit);
+
+// Why a number cannot be what a noun called `who` has under this name: "crack: radius is -1 m, it
+// must be above 0 m". Nothing when it can.
+std::optional<std::string> objection(std::string_view who, std::string_view name, double value,
+                                     std::string_view unit, const Range& range);
+
+// What a member is, for those who read and those who explain it.
+struct About {
+  std::string_view unit{};  // "Pa"; "" for none
+  Range range{};            // of a list: of its length
+  bool required = false;
+  bool alternative = false;           // one of several ways to say something
+  std::string_view fallback{};        // what holds when it is left out, for a reader
+  std::string_view nothing = "none";  // what stands in a file for an optional that holds nothing
+  std::string_view sentence{};
+  std::string_view remedy{};  // with a value out of range
+};
+
+// A member under its name. Without a name, the members of the member stand among those of the noun.
+template <class Noun, class T>
+struct Member {
+  std::string_view name;
+  T Noun::*pointer;
+  About about;
+
+  using Value = T;
+};
+
+template <class Noun, class T>
+constexpr Member<Noun, T> member(std::string_view name, T Noun::*pointer, About about = {}) {
+  return {name, pointer, about};
+}
+
+// A member whose name, unit and range depend on its kind, which is another member: an entry for
+// each enumerator, in their order.
+template <class Noun, class Kind, class T, std::size_t n>
+struct KindMember {
+  Kind Noun::*kind;
+  T Noun::*pointer;
+  std::array<std::string_view, n> names;
+  std::array<About, n> abouts;
+
+  using Value = T;
+};
+
+template <class Noun, class Kind, class T, std::size_t n>
+constexpr KindMember<Noun, Kind, T, n> kind_member(Kind Noun::*kind, T Noun::*pointer,
+                                                   std::array<std::string_view, n> names,
+                                                   std::array<About, n> abouts) {
+  return {kind, pointer, names, abouts};
+}
+
+// Of a whole noun. `noun` is what messages and scripts call it, `counted` what a count of them
+// does: "2 body forces".
+template <class... Members>
+struct Description {
+  std::string_view noun;
+  std::string_view counted;
+  std::tuple<Members...> members;
+};
+
+template <class... Members>
+constexpr Description<Members...> describe_noun(std::string_view noun, std::string_view counted,
+                                                Members... members) {
+  return {noun, counted, std::tuple(members...)};
+}
+
+// To be specialised beside the noun.
+template <class Noun>
+inline constexpr int description_of = 0;
+
+template <class Noun>
+concept Described = requires {
+  description_of<Noun>.noun;
+};
+
+// Visits every Member and KindMember in order.
+template <Described Noun, class Visit>
+constexpr void for_each_member(const Visit& visit) {
+  std::apply([&](const auto&... members) { (visit(members), ...); }, description_of<Noun>.members);
+}
+
+// The names of an enumeration's values in scripts and files, in their order. To be specialised
+// beside it.
+template <class Enum>
+inline constexpr std::array<std::string_view, 0> enum_names{};
+
+template <class Enum>
+constexpr std::string_view name_of(Enum value) {
+  return enum_names<Enum>[static_cast<std::size_t>(value)];
+}
+
+// Nothing when no value bears the name.
+template <class Enum>
+constexpr std::optional<Enum> value_named(std::string_view name) {
+  const auto& names = enum_names<Enum>;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Enum>(found - names.begin());
+}
+
+}  // namespace hackle

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "scene/check_members.hpp"
+
+#include <fmt/format.h>
+
+namespace hackle {
+
+void check_value(double value, std::string_view who, std::string_view name, const About& about,
+                 Problems& problems) {
+  if (auto found = objection(who, name, value, about.unit, about.range))
+    problems.add(std::move(*found), std::string(about.remedy));
+}
+
+void check_value(const Vec2& value, std::string_view who, std::string_view name, const About&,
+                 Problems& problems) {
+  if (!value.allFinite())
+    problems.add(fmt::format("{}: {} is {{{}, {}}}, expected finite numbers", who, name, value.x(),
+                             value.y()));
+}
+
+}  // namespace hackle

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The check of ranges, for every noun that is described.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "base/described.hpp"
+#include "scene/course.hpp"
+#include "scene/field_of_place.hpp"
+#include "scene/shape.hpp"
+
+namespace hackle {
+
+// Adds a problem for a number that is not finite or out of its range; for a vector that is not
+// finite; for a course or a region that makes no sense. Functions are not asked.
+void check_value(double value, std::string_view who, std::string_view name, const About& about,
+                 Problems& problems);
+void check_value(const Vec2& value, std::string_view who, std::string_view name, const About& about,
+                 Problems& problems);
+inline void check_value(const VectorField& value, std::string_view who, std::string_view name,
+                        const About& about, Problems& problems) {
+  check_value(value.constant(), who, name, about, problems);
+}
+inline void check_value(const ScalarField& value, std::string_view who, std::string_view name,
+                        const About& about, Problems& problems) {
+  check_value(value.constant(), who, name, about, problems);
+}
+inline void check_value(const std::optional<double>& value, std::string_view who,
+                        std::string_view name, const About& about, Problems& problems) {
+  if (value) check_value(*value, who, name, about, problems);
+}
+inline void check_value(const Course& value, std::string_view who, std::string_view, const About&,
+                        Problems& problems) {
+  check(value, std::string(who), problems);
+}
+inline void check_value(const Region& value, std::string_view who, std::string_view, const About&,
+                        Problems& problems) {
+  if (value) check(*value, std::string(who), problems);
+}
+
+// Whether a number is what it is when it is left out.
+template <class T>
+bool is_left_out(const T& value, const T& usual, const About& about) {
+  if constexpr (std::is_same_v<T, double>) return !about.required && value == usual;
+  return false;
+}
+
+// Checks every member that has a check_value(). A number that may be left out, and has been, is not
+// held to its range.
+template <Described Noun>
+void check_members(const Noun& noun, std::string_view who, Problems& problems) {
+  const Noun usual;
+  const auto check_one = [&](const auto& value, const auto& left_out, std::string_view name,
+                             const About& about) {
+    using T = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_integral_v<T>)
+      check_value(static_cast<double>(value), who, name, about, problems);
+    else if constexpr (requires { check_value(value, who, name, about, problems); })
+      if (!is_left_out(value, left_out, about)) check_value(value, who, name, about, problems);
+  };
+  for_each_member<Noun>([&](const auto& member) {
+    if constexpr (requires { member.kind; }) {
+      const auto kind = static_cast<std::size_t>(noun.*member.kind);
+      check_one(noun.*member.pointer, usual.*member.pointer, member.names[kind],
+                member.abouts[kind]);
+    } else {
+      check_one(noun.*member.pointer, usual.*member.pointer, member.name, member.about);
+    }
+  });
+}
+
+template <Described Noun>
+void check_members(const Noun& noun, Problems& problems) {
+  check_members(noun, description_of<Noun>.noun, problems);
+}
+
+}  // namespace hackle

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/course.hpp"
+#include "scene/field_of_place.hpp"
+#include "scene/shape.hpp"
+
+namespace hackle {
+
+// A force on all the material of a region.
+struct BodyForce {
+  Region region;
+  VectorField force;  // N/m3
+  Course course;
+};
+
+template <>
+inline constexpr auto description_of<BodyForce> =
+    describe_noun("body_force", "body force", member("region", &BodyForce::region, about_region),
+                  member("force", &BodyForce::force,
+                         {.unit = "N/m3",
+                          .required = true,
+                          .sentence = "Force per volume; positive right and up."}),
+                  member("time", &BodyForce::course, about_course));
+
+inline bool same_place(const BodyForce& one, const BodyForce& other) {
+  return one.region == other.region;
+}
+
+}  // namespace hackle

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "scene/course.hpp"
+
+namespace hackle {
+
+// A pressure on the rim of a hole or notch, positive into the material.
+struct Pressure {
+  std::string rim;        // name of the cut-out
+  double pressure = 0.0;  // Pa
+  Course course;
+};
+
+template <>
+inline constexpr auto description_of<Pressure> = describe_noun(
+    "pressure", "pressure",
+    member("rim", &Pressure::rim, {.required = true, .sentence = "The name of a hole or a notch."}),
+    member(
+        "pressure", &Pressure::pressure,
+        {.unit = "Pa", .required = true, .sentence = "Positive when it pushes into the material."}),
+    member("time", &Pressure::course, about_course));
+
+inline bool same_place(const Pressure& one, const Pressure& other) {
+  return one.rim == other.rim;
+}
+
+}  // namespace hackle

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/field_of_place.hpp"
+#include "scene/shape.hpp"
+
+namespace hackle {
+
+// Displacement and velocity at t = 0, added where areas overlap.
+struct Start {
+  Region region;
+  VectorField displacement;  // m
+  VectorField velocity;      // m/s
+};
+
+template <>
+inline constexpr auto description_of<Start> = describe_noun(
+    "start", "initial motion", member("region", &Start::region, about_region),
+    member("displacement", &Start::displacement,
+           {.unit = "m", .alternative = true, .sentence = "Displacement at time zero."}),
+    member("velocity", &Start::velocity,
+           {.unit = "m/s", .alternative = true, .sentence = "Velocity at time zero."}));
+
+}  // namespace hackle

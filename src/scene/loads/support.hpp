@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/course.hpp"
+#include "scene/field_of_place.hpp"
+#include "scene/shape.hpp"
+
+namespace hackle {
+
+// Nodes whose motion is prescribed along x, y or both: a clamp when it is 0.
+struct Support {
+  enum class Kind { displacement, velocity };
+  Region region;
+  Kind kind = Kind::displacement;
+  VectorField value;  // m or m/s, of the moment when the factor is 1
+  bool along_x = true;
+  bool along_y = true;
+  Course course;
+};
+
+template <>
+inline constexpr auto description_of<Support> = describe_noun(
+    "support", "support", member("region", &Support::region, about_region),
+    kind_member(&Support::kind, &Support::value,
+                std::to_array<std::string_view>({"displacement", "velocity"}),
+                std::to_array<About>({{.unit = "m",
+                                       .alternative = true,
+                                       .sentence = "The displacement that is imposed."},
+                                      {.unit = "m/s",
+                                       .alternative = true,
+                                       .sentence = "The velocity that is imposed, instead."}})),
+    member("along_x", &Support::along_x), member("along_y", &Support::along_y),
+    member("time", &Support::course, about_course));
+
+inline bool same_place(const Support& one, const Support& other) {
+  return one.region == other.region && one.along_x == other.along_x && one.along_y == other.along_y;
+}
+
+}  // namespace hackle

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/course.hpp"
+#include "scene/field_of_place.hpp"
+#include "scene/loads/edge.hpp"
+
+namespace hackle {
+
+// A stress vector on an edge, positive along x and y. It acts as a body force on the outermost
+// nodes, or on all nodes down to `depth`; the resultant is the same.
+struct Traction {
+  Edge edge = Edge::top;
+  VectorField stress;  // Pa
+  double depth = 0.0;  // m; 0: one spacing
+  Course course;
+};
+
+template <>
+inline constexpr auto description_of<Traction> = describe_noun(
+    "traction", "traction",
+    member("edge", &Traction::edge,
+           {.required = true, .sentence = "The edge it acts on, all along."}),
+    member("stress", &Traction::stress,
+           {.unit = "Pa",
+            .required = true,
+            .sentence = "Force on the edge per area; positive right and up."}),
+    member("depth", &Traction::depth,
+           {.unit = "m",
+            .range = above(0.0),
+            .fallback = "one spacing",
+            .sentence = "Depth of the layer that the force is spread over; its sum is the same."}),
+    member("time", &Traction::course, about_course));
+
+// A new load at the same place replaces the old one, here as in the other headers of this folder.
+inline bool same_place(const Traction& one, const Traction& other) {
+  return one.edge == other.edge;
+}
+
+}  // namespace hackle
