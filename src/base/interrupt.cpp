@@ -4,6 +4,7 @@
 #include <atomic>
 #include <string_view>
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include "base/error.hpp"
@@ -13,10 +14,18 @@ namespace {
 
 // A signal handler can reach nothing but a lock-free global.
 std::atomic<bool> flag{false}, leaving{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<void (*)()> alarm_of_signal{nullptr};
+std::atomic<pthread_t> hearing_thread{};
+static_assert(std::atomic<bool>::is_always_lock_free &&
+              std::atomic<pthread_t>::is_always_lock_free);
 
-// A terminal that is closed may say so twice.
+// A terminal that is closed may say so twice. Whatever thread the kernel chose, the one that waits
+// for the user hears it.
 void on_signal(int number) {
+  if (!pthread_equal(pthread_self(), hearing_thread.load())) {
+    pthread_kill(hearing_thread.load(), number);
+    return;
+  }
   if (number != SIGINT) leaving.store(true);
   if (flag.exchange(true)) {
     if (number == SIGHUP) return;
@@ -24,6 +33,7 @@ void on_signal(int number) {
     std::raise(number);
     return;
   }
+  if (const auto alarm = alarm_of_signal.load()) alarm();
   constexpr std::string_view note = "\nstopping after this step (again to abort)\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, note.data(), note.size());
 }
@@ -47,11 +57,16 @@ bool asked_to_leave() noexcept {
   return leaving.load(std::memory_order_relaxed);
 }
 
+void set_interrupt_alarm(void (*alarm)()) noexcept {
+  alarm_of_signal.store(alarm);
+}
+
 void throw_if_interrupted() {
   if (interrupted()) throw Error(ErrorKind::interrupted, "interrupted");
 }
 
 InterruptHandler::InterruptHandler(Keyboard keyboard) {
+  hearing_thread.store(pthread_self());
   struct sigaction action {};
   sigemptyset(&action.sa_mask);
   for (std::size_t k = 0; k < signals.size(); ++k) {

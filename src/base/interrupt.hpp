@@ -16,6 +16,10 @@ void clear_interrupt() noexcept;
 // Throws Error (interrupted) if so: for loops that have nothing to complete.
 void throw_if_interrupted();
 
+// What else a signal that asks to stop is to do, in its handler: must be async-signal-safe. It is
+// called in the thread that made the InterruptHandler. Null: nothing.
+void set_interrupt_alarm(void (*alarm)()) noexcept;
+
 // True for ever once SIGTERM or SIGHUP arrived: the program is to end, not what it does just now.
 bool asked_to_leave() noexcept;
 

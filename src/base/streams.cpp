@@ -47,6 +47,8 @@ void hold_standard_streams() {
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGPIPE, &action, nullptr);
+  action.sa_handler = [](int) {};  // a file that has reached its limit is an error of writing it
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 
 void write_to(std::FILE* stream, std::string_view text) noexcept {

@@ -172,9 +172,10 @@ struct Console::Parts {
 
   // Runs the function under `arguments` values on the stack; os.exit is not a failure.
   void call(int arguments, int results) {
-    watch_interrupts(L);
-    const auto failure = failure_of([&] { protected_call(L, arguments, results); });
-    watch_interrupts(L);
+    const auto failure = failure_of([&] {
+      const InterruptWatch watch(L);
+      protected_call(L, arguments, results);
+    });
     if (failure && !session.exit_code) throw Error(*failure);
   }
 

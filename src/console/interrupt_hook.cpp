@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "console/interrupt_hook.hpp"
 
+#include <atomic>
+
 #include "base/interrupt.hpp"
 #include "console/guard.hpp"
 #include "console/session.hpp"
@@ -10,10 +12,26 @@ namespace {
 
 constexpr int instructions_between_looks = 10000;
 
+// What runs just now; a signal handler reads it. Lua allows that it sets a hook.
+std::atomic<lua_State*> running{nullptr};
+static_assert(std::atomic<lua_State*>::is_always_lock_free);
+
+void look(lua_State* L, lua_Debug*);
+
+void look_now_and_then(lua_State* L) {
+  lua_sethook(L, look, LUA_MASKCOUNT, instructions_between_looks);
+}
+
+// Calls of Lua's library may take long: counting instructions alone would not hear a signal between
+// them for minutes.
+void look_soon() {
+  if (lua_State* L = running.load()) lua_sethook(L, look, LUA_MASKCOUNT, 1);
+}
+
 void look(lua_State* L, lua_Debug*) {
   {
     const auto reason = reason_to_stop(L);
-    if (!reason) return;
+    if (!reason) return look_now_and_then(L);
     insist_on_interrupt(L);
     push_error(L, *reason, place(L, 0));
   }
@@ -79,7 +97,22 @@ int raise_from_coroutine(lua_State* L) {
   return lua_error(L);
 }
 
+// While a coroutine runs, it is what a signal reaches.
+class Inside {
+ public:
+  explicit Inside(lua_State* coroutine) : before_(running.load()) {
+    if (coroutine != nullptr) running.store(coroutine);
+  }
+  ~Inside() { running.store(before_); }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+
+ private:
+  lua_State* before_;
+};
+
 int go_on_with_coroutine(lua_State* L) {
+  const Inside inside(lua_tothread(L, lua_upvalueindex(coroutine_itself)));
   lua_pushvalue(L, lua_upvalueindex(resume_function));
   lua_pushvalue(L, lua_upvalueindex(coroutine_itself));
   lua_rotate(L, 1, 2);
@@ -101,6 +134,7 @@ int wrap(lua_State* L) {
 }
 
 int resume_coroutine(lua_State* L) {
+  const Inside inside(lua_tothread(L, 1));
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
   lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
@@ -116,8 +150,14 @@ std::optional<Error> reason_to_stop(lua_State* L) {
   return Error(ErrorKind::interrupted, leaving ? "os.exit" : "interrupted");
 }
 
-void watch_interrupts(lua_State* L) {
-  lua_sethook(L, look, LUA_MASKCOUNT, instructions_between_looks);
+InterruptWatch::InterruptWatch(lua_State* L) : state_(L), before_(running.exchange(L)) {
+  look_now_and_then(L);
+  set_interrupt_alarm(look_soon);
+}
+
+InterruptWatch::~InterruptWatch() {
+  running.store(before_);
+  look_now_and_then(state_);
 }
 
 void insist_on_interrupt(lua_State* L) {

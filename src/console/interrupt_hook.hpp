@@ -12,9 +12,20 @@ namespace hackle {
 // kind `interrupted`.
 std::optional<Error> reason_to_stop(lua_State* L);
 
-// Looks for one every 10 000 instructions of this state and of every coroutine that will be created
-// in it, and raises it. Every bound function looks for one too (guard.hpp).
-void watch_interrupts(lua_State* L);
+// While an object of this class lives, a signal that asks to stop is looked for at the next
+// instruction of this state, or of the coroutine that runs in it, and every 10 000 instructions;
+// it is raised as an error. Every bound function looks for one too (guard.hpp).
+class InterruptWatch {
+ public:
+  explicit InterruptWatch(lua_State* L);
+  ~InterruptWatch();
+  InterruptWatch(const InterruptWatch&) = delete;
+  InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+ private:
+  lua_State* state_;
+  lua_State* before_;
+};
 
 // From now on looks at every instruction: a script that catches the first error with pcall is
 // stopped at its next step.

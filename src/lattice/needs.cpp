@@ -98,6 +98,16 @@ double passing(const Plate& plate, const Grid& grid, const Needs& needs, double 
   return std::max({starts, heat, summary});
 }
 
+// A tangent of three floats for each bond, sixteen vectors of the solver, two stiffnesses of a
+// node, its critical stretch, piece and part, and the state as it was before.
+double statics(const Grid& grid, const Family& family, const Needs& needs, double real) {
+  constexpr double vectors = 16.0, stiffness = 24.0;
+  const double tangent = 12.0 * 0.5 * family.bonds();
+  const double before = real * (needs.history ? 5.0 : 4.0) + 4.0 * family.words();
+  return static_cast<double>(grid.layout().size()) *
+         (tangent + vectors * 16.0 + 2.0 * stiffness + 16.0 + before);
+}
+
 }  // namespace
 
 Needs needs_of(const Plate& plate, const Numerics& numerics) {
@@ -129,7 +139,8 @@ Memory memory_of(const Plate& plate, const Numerics& numerics) {
   const Family family(numerics.m(), numerics.quadrature, numerics.micromodulus);
   return {.kept = kept(plate, grid, family, needs, real),
           .loads = loads(plate, grid, real),
-          .passing = passing(plate, grid, needs, real)};
+          .passing = passing(plate, grid, needs, real),
+          .statics = statics(grid, family, needs, real)};
 }
 
 }  // namespace hackle

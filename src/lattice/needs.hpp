@@ -35,11 +35,12 @@ struct Memory {
   double kept = 0.0;     // bytes that state, lattice and engine hold: Simulation::bytes()
   double loads = 0.0;    // upper bound: lists of loaded and prescribed nodes
   double passing = 0.0;  // peak of what set-up and summary hold for a while
+  double statics = 0.0;  // what coming to rest holds for a while, not in all()
   double all() const { return kept + loads + passing; }
 };
 
 // Covers all that grows with the plate. Left out: what an f32 run takes when it goes over to f64,
-// nodes in contact, static solutions, pictures and files. Requires a family.
+// nodes in contact, pictures and files. Requires a family.
 Memory memory_of(const Plate& plate, const Numerics& numerics);
 
 }  // namespace hackle

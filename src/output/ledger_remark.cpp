@@ -32,7 +32,17 @@ double least_length(const Simulation& simulation) {
   return least;
 }
 
-std::string likely_cause(const Simulation& simulation) {
+// Why a ledger may not close, and what tells.
+struct Cause {
+  std::string why;
+  std::string remedy;
+};
+
+bool came_to_rest(const Simulation& simulation) {
+  return simulation.state().is_start() && simulation.time() > 0.0;
+}
+
+std::string why_in_steps(const Simulation& simulation) {
   constexpr double squeezed = 0.7, fast = 0.1, strong = 0.3;
   const Loads& loads = simulation.plate().loads;
   const double moves = pace(simulation.state()), length = least_length(simulation);
@@ -51,24 +61,58 @@ std::string likely_cause(const Simulation& simulation) {
   return "the step is long for what happens";
 }
 
-}  // namespace
+Cause likely_cause(const Simulation& simulation, bool at_once) {
+  if (at_once)
+    return {
+        "a load acts at once, and bonds break in the step that finds it, whose work is not "
+        "known",
+        "let it come over a time, with a ramp"};
+  if (came_to_rest(simulation))
+    return {"much changes in one increment of slow loading", "take more increments"};
+  return {why_in_steps(simulation),
+          fmt::format("what remains with simulate's step = {:.3g} or less tells",
+                      0.5 * simulation.dt())};
+}
 
-double residual_share(const Energy& energy) {
+double largest_entry(const Energy& energy) {
   double most = 0.0;
   for (const double entry : {energy.external, energy.kinetic, energy.strain, energy.broken,
                              energy.damped, energy.contact, energy.released})
     most = std::max(most, std::abs(entry));
+  return most;
+}
+
+// A ledger of less than this holds nothing, J/m: of a plate that only moves, rounding; of one that
+// only warms, what the stretch of its bonds is beyond linear, which heat does work on and back.
+double nothing(const Simulation& simulation) {
+  constexpr double rounding = 1e-9;
+  const Lattice& lattice = simulation.lattice();
+  double motion = 0.0, heat = 0.0;
+  for (int j = 0; j < lattice.grid.ny; ++j)
+    for (int i = 0; i < lattice.grid.nx; ++i)
+      motion = std::max(motion, simulation.displacement(i, j).squaredNorm());
+  for (const double strain : simulation.thermal_strain())
+    heat += 2.0 * std::pow(std::abs(strain), 3) * lattice.grid.dx * lattice.grid.dx;
+  return simulation.plate().material.E * (rounding * motion + heat);
+}
+
+}  // namespace
+
+double residual_share(const Energy& energy) {
+  const double most = largest_entry(energy);
   return most > 0.0 ? energy.residual() / most : 0.0;
 }
 
-std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy) {
+std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy,
+                                         bool at_once) {
   const double share = residual_share(energy);
   if (!(std::abs(share) > most_residual)) return std::nullopt;
+  if (largest_entry(energy) < nothing(simulation)) return std::nullopt;
+  const Cause cause = likely_cause(simulation, at_once);
   return fmt::format(
-      "the energies do not add up: {:.2g} % of the largest {}. A likely cause: {}; what remains "
-      "with simulate's step = {:.3g} or less tells",
-      100.0 * std::abs(share), share > 0.0 ? "is lost" : "comes from nowhere",
-      likely_cause(simulation), 0.5 * simulation.dt());
+      "the energies do not add up: {:.2g} % of the largest {}. A likely cause: {}; {}",
+      100.0 * std::abs(share), share > 0.0 ? "is lost" : "comes from nowhere", cause.why,
+      cause.remedy);
 }
 
 }  // namespace hackle

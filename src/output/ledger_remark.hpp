@@ -17,7 +17,9 @@ inline constexpr double most_residual = 0.05;
 double residual_share(const Energy& energy);
 
 // That too much is missing or too much there, why this may be, and what to do about it; nothing
-// where the ledger closes.
-std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy);
+// where the ledger closes, or where all of it is less than what rounding and heat alone leave.
+// `at_once` says whether a load was remarked on that acts at once (shock_remarks).
+std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy,
+                                         bool at_once = false);
 
 }  // namespace hackle

@@ -166,6 +166,63 @@ std::optional<std::string> shock_of(const SpreadHeat& heat, const Jumps& jumps,
   return std::nullopt;
 }
 
+std::optional<std::string> first_shock(const Simulation& simulation, double end) {
+  const std::vector<Heating>& heatings = simulation.plate().loads.heatings;
+  std::vector<SpreadHeat> spread;  // asks functions of place: only where there is need
+  for (std::size_t k = 0; k < heatings.size(); ++k) {
+    const Jumps jumps = jumps_of(heatings[k].course, simulation.time(), end, simulation.dt());
+    if (jumps.down == 0.0 && jumps.up == 0.0) continue;
+    if (spread.empty()) spread = spread_heat(simulation.plate(), simulation.lattice());
+    if (auto shock = shock_of(spread[k], jumps, simulation.lattice())) return shock;
+  }
+  return std::nullopt;
+}
+
+// How far a prescribed node goes in a step beyond what it was going, in spacings: in the next one,
+// and at the jumps of the course.
+double sudden_move(const HeldNode& node, const SpreadSupport& support, const Jumps& jumps,
+                   const Simulation& simulation, bool fresh) {
+  const bool led = support.kind == Support::Kind::velocity;
+  const double dt = simulation.dt(), dx = simulation.lattice().grid.dx;
+  const Vec2 along(node.along_x ? 1.0 : 0.0, node.along_y ? 1.0 : 0.0);
+  const double unit = led ? dt / dx : 1.0 / dx;
+  double most = std::max(jumps.down, jumps.up) * unit * node.value.cwiseProduct(along).norm();
+  if (!fresh) return most;
+  const double next = simulation.time() + (led ? 0.5 : 1.0) * dt;
+  const Vec2 now =
+      led ? simulation.state().v(node.i, node.j) : simulation.displacement(node.i, node.j) / dx;
+  const Vec2 sudden = unit * support.course.at(next) * node.value - now;
+  return std::max(most, sudden.cwiseProduct(along).norm());
+}
+
+std::string blow_text(const Simulation& simulation, Support::Kind kind, double stretch, double s0) {
+  std::string remedy = "let it come over a time, with a ramp";
+  if (kind == Support::Kind::velocity)
+    remedy += fmt::format(", or give a step of {} or less",
+                          quantity(simulation.dt() * s0 / stretch, "s"));
+  return fmt::format(
+      "support: it moves so much in a step that it stretches bonds by up to {:.2g}, s0 is {:.2g}: "
+      "they break in the step that finds them, and its work is not known; {}",
+      stretch, s0, remedy);
+}
+
+// Of the first node that is moved so far in a step that bonds to nodes that are not break.
+std::optional<std::string> first_blow(const Simulation& simulation, double end, bool fresh) {
+  const std::vector<Support>& supports = simulation.plate().loads.supports;
+  std::vector<SpreadSupport> spread;
+  for (std::size_t k = 0; k < supports.size(); ++k) {
+    const Jumps jumps = jumps_of(supports[k].course, simulation.time(), end, simulation.dt());
+    if (!fresh && jumps.down == 0.0 && jumps.up == 0.0) continue;
+    if (spread.empty()) spread = spread_supports(simulation.plate(), simulation.lattice());
+    for (const HeldNode& node : spread[k].nodes) {
+      const double stretch = sudden_move(node, spread[k], jumps, simulation, fresh);
+      const double s0 = simulation.lattice().critical_stretch_at(node.i, node.j);
+      if (stretch > s0) return blow_text(simulation, spread[k].kind, stretch, s0);
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 double shortest_swing(const Course& course, double begin, double end, double dt) {
@@ -189,17 +246,13 @@ std::vector<std::string> load_remarks(const Simulation& simulation, double end) 
   look(loads.body_forces, "body_force");
   look(loads.supports, "support");
   look(loads.heatings, "temperature");
-  const Lattice& lattice = simulation.lattice();
-  std::vector<SpreadHeat> spread;  // asks functions of place: only where there is need
-  for (std::size_t k = 0; k < loads.heatings.size(); ++k) {
-    const Jumps jumps = jumps_of(loads.heatings[k].course, begin, end, dt);
-    if (jumps.down == 0.0 && jumps.up == 0.0) continue;
-    if (spread.empty()) spread = spread_heat(simulation.plate(), lattice);
-    if (const auto shock = shock_of(spread[k], jumps, lattice)) {
-      list.push_back(*shock);
-      return list;
-    }
-  }
+  return list;
+}
+
+std::vector<std::string> at_once_remarks(const Simulation& simulation, double end, bool fresh) {
+  std::vector<std::string> list;
+  if (const auto shock = first_shock(simulation, end)) list.push_back(*shock);
+  if (const auto blow = first_blow(simulation, end, fresh)) list.push_back(*blow);
   return list;
 }
 

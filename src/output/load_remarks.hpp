@@ -20,9 +20,13 @@ inline constexpr double steps_a_swing = 3.0;
 // Throws what they throw.
 double shortest_swing(const Course& course, double begin, double end, double dt);
 
-// Loads that come and go between steps until the time `end`, s, and temperatures that break bonds
-// at once on their way there. One sentence each.
+// Loads that come and go between steps until the time `end`, s. One sentence each.
 std::vector<std::string> load_remarks(const Simulation& simulation, double end);
+
+// Temperatures and supports that break bonds at once until the time `end`, s: their work is not
+// known, as bonds break in the step that finds them. `fresh`: the loads have not acted yet, so they
+// may act at once from now on. One sentence each.
+std::vector<std::string> at_once_remarks(const Simulation& simulation, double end, bool fresh);
 
 // The same for what the temperature has done at once: `before` is the thermal strain that was, by
 // Grid::index or empty. Nothing or one sentence.

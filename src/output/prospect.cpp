@@ -46,6 +46,7 @@ void Prospect::go_on() {
 
 void Prospect::judge(const Simulation& simulation, double end, bool slow) {
   go_on();
+  rests_ = rests_ || slow;
   const Forecast found = forecast_of(
       simulation,
       {.begin = simulation.time(), .end = end, .since = since_, .slow = slow, .stored = stored_});

@@ -23,11 +23,13 @@ class Prospect {
   // The script has looked at results, which are not there: what it does from now on may depend on
   // them.
   void look() { looked_ = true; }
+  bool looked() const { return looked_; }
   // Something that cannot be judged without computing, as a half-sentence.
   void doubt(std::string why) { doubts_.insert(std::move(why)); }
 
   std::int64_t steps() const { return steps_; }
   int increments() const { return increments_; }
+  bool rests() const { return rests_; }  // the plate is to come to rest
   // Of the episode in which most may break; of a simulation that is never computed, of its loads as
   // they are.
   Forecast worst(const Simulation& simulation) const;
@@ -43,6 +45,7 @@ class Prospect {
   double acted_ = 0.0;   // Pa, the most that the loads did
   double stored_ = 0.0;  // Pa, the most that others had done before
   bool looked_ = false;
+  bool rests_ = false;
   bool judged_ = false;
   Forecast worst_;
   std::set<std::string> doubts_;

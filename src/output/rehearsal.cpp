@@ -53,6 +53,11 @@ std::string wall_time(const Rehearsal& rehearsal) {
 // A doubt leaves what breaks for certain as it is; else nothing is certain.
 std::string verdict(const Rehearsal& rehearsal) {
   std::string known = describe(rehearsal.forecast);
+  if (rehearsal.doubts.empty() && rehearsal.looked &&
+      rehearsal.forecast.verdict() != Forecast::Verdict::breaks)
+    return known +
+           "\n           that is, unless the script does more when it sees results, which are not "
+           "there";
   if (rehearsal.doubts.empty()) return known;
   const std::string unknown = fmt::format("unknown: {}", fmt::join(rehearsal.doubts, "; "));
   switch (rehearsal.forecast.verdict()) {
@@ -71,7 +76,8 @@ Rehearsal rehearse(const Simulation& simulation, const Prospect& prospect) {
   Rehearsal found;
   found.nodes = static_cast<std::int64_t>(simulation.lattice().grid.nodes());
   found.bonds = simulation.lattice().bonds_born();
-  found.memory = memory_of(simulation.plate(), simulation.numerics()).all();
+  const Memory memory = memory_of(simulation.plate(), simulation.numerics());
+  found.memory = memory.all() + (prospect.rests() ? memory.statics : 0.0);
   found.dt = simulation.dt();
   found.dt_limit = simulation.lattice().step_limit;
   found.steps = prospect.steps();
@@ -79,6 +85,7 @@ Rehearsal rehearse(const Simulation& simulation, const Prospect& prospect) {
   found.time = static_cast<double>(found.steps) * simulation.dt();
   found.step_seconds = try_steps(simulation);
   found.forecast = prospect.worst(simulation);
+  found.looked = prospect.looked();
   found.doubts.assign(prospect.doubts().begin(), prospect.doubts().end());
   return found;
 }

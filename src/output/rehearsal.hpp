@@ -25,6 +25,7 @@ struct Rehearsal {
   int increments = 0;         // of slow loading, whose wall time is not known beforehand
   Forecast forecast;          // of the moment at which most may break
   std::vector<std::string> doubts;  // what cannot be judged without computing
+  bool looked = false;              // the script has looked at results
 };
 
 // Of a simulation in which nothing has been computed.

@@ -2,6 +2,7 @@
 #include "output/run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <deque>
@@ -72,7 +73,9 @@ struct Run::Parts {
   bool paused = false;
   std::optional<std::int64_t> interrupted_at;
   std::vector<std::string> notes;
-  std::int64_t judged_step = 0;
+  std::array<double, 3> judged{0.0, 0.0, 0.0};  // step, time and work when the ledger was judged
+  bool fresh_loads = true;                      // they have not been looked at
+  bool acts_at_once = false;                    // some load was remarked on for that
   bool rehearsing = false;
   Prospect prospect;
 
@@ -83,6 +86,27 @@ struct Run::Parts {
       notes.push_back(remark);
       if (talk != Talk::quiet) hackle::say("note: {}\n", remark);
     }
+  }
+
+  std::array<double, 3> situation() const {
+    const State& state = simulation.state();
+    return {static_cast<double>(state.step), simulation.time(), state.external_work};
+  }
+
+  // Of loads, before they act until the simulation arrives. Functions of time are asked.
+  void look_at_loads() {
+    const double end = simulation.end_time();
+    try {
+      say(load_remarks(simulation, end));
+      say_at_once(at_once_remarks(simulation, end, std::exchange(fresh_loads, false)));
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::interrupted) throw;  // else it is good at the steps: enough
+    }
+  }
+
+  void say_at_once(const std::vector<std::string>& remarks) {
+    acts_at_once = acts_at_once || !remarks.empty();
+    say(remarks);
   }
 
   // Time passes, and nothing else does.
@@ -139,7 +163,7 @@ Run::Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin 
     : parts_(
           std::make_unique<Parts>(std::move(plate), numerics, execution, talk, std::move(origin))) {
   parts_->say(remarks(parts_->simulation));
-  parts_->say(shock_remarks(parts_->simulation, {}));
+  parts_->say_at_once(shock_remarks(parts_->simulation, {}));
 }
 
 Run::~Run() = default;
@@ -197,7 +221,9 @@ void Run::set_loads(Loads loads) {
   const std::vector<double> strain = parts_->simulation.thermal_strain();
   if (parts_->rehearsing) parts_->prospect.exchange_loads(parts_->simulation, loads);
   parts_->simulation.set_loads(std::move(loads));
-  parts_->say(shock_remarks(parts_->simulation, strain));
+  parts_->say_at_once(shock_remarks(parts_->simulation, strain));
+  parts_->fresh_loads = true;
+  if (under_way() && !parts_->rehearsing) parts_->look_at_loads();
 }
 
 void Run::watch(std::shared_ptr<Observer> watcher) {
@@ -216,6 +242,7 @@ Run::Run(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {
 std::shared_ptr<Run> Run::fork() const {
   std::shared_ptr<Run> run(new Run(std::make_unique<Parts>(*parts_)));
   run->stop();
+  run->parts_->judged = run->parts_->situation();  // what was before is judged once
   return run;
 }
 
@@ -267,11 +294,7 @@ void Run::start(double duration) {
   const Mark busy(parts_->activity, Activity::stepping);  // functions of time are asked now
   Simulation& simulation = parts_->simulation;
   simulation.aim(duration);
-  try {
-    parts_->say(load_remarks(simulation, simulation.end_time()));
-  } catch (const Error& error) {
-    if (error.kind() == ErrorKind::interrupted) throw;  // else it is good at the steps: enough
-  }
+  parts_->look_at_loads();
 }
 
 void Run::go_on(double seconds) {
@@ -377,9 +400,11 @@ void Run::close() {
 
 void Run::judge() {
   const Simulation& simulation = parts_->simulation;
-  const std::int64_t step = simulation.state().step;
-  if (parts_->rehearsing || std::exchange(parts_->judged_step, step) == step) return;
-  if (const auto remark = ledger_remark(simulation, energy(simulation))) parts_->say({*remark});
+  if (parts_->rehearsing) return;
+  const std::array<double, 3> now = parts_->situation();
+  if (std::exchange(parts_->judged, now) == now) return;
+  if (const auto remark = ledger_remark(simulation, energy(simulation), parts_->acts_at_once))
+    parts_->say({*remark});
 }
 
 void Run::rehearse() {

@@ -16,7 +16,7 @@ Schedule::Schedule(const char* output, double every, const Simulation& simulatio
   throw Error(ErrorKind::refused,
               fmt::format("{}: every is {}, less than one time step of {}", output,
                           quantity(every, "s"), quantity(simulation.dt(), "s")),
-              "a movie of about 100 frames is usual");
+              fmt::format("take {} or more", quantity(simulation.dt(), "s")));
 }
 
 bool Schedule::reached(const Simulation& simulation) const {

@@ -252,6 +252,8 @@ void Simulation::set_loads(Loads loads) {
                                       heat.before(lattice_, state_), threads_) /
                             energy_unit();
   const double work = work_of_half_step(), loss = lost_in_half_step();
+  const double damping = plate.loads.damping;
+  plate.loads.damping = plate_.loads.damping;
   loading_ = std::move(loading);
   heat_ = std::move(heat);
   plate_ = std::move(plate);
@@ -259,7 +261,23 @@ void Simulation::set_loads(Loads loads) {
   if (rebuild) engine_ = engine_for(state_.precision(), lattice_, options(), threads_);
   prepare();
   state_.external_work += work_of_half_step() - work;
-  state_.damped += loss - lost_in_half_step();
+  state_.damped += loss - lost_in_half_step();  // other nodes are led
+  if (damping != plate_.loads.damping) change_damping(damping);
+}
+
+// v becomes the velocity of now, as at the start: the rate of the step in which it was found does
+// not hold for the next one.
+void Simulation::change_damping(double rate) {
+  const std::vector<Vec2> now = velocities();
+  state_.external_work = external_work() / energy_unit();
+  state_.damped = damped_energy() / energy_unit();
+  const double unit = dt_ / lattice_.grid.dx;
+  for (int j = 0; j < lattice_.grid.ny; ++j)
+    for (int i = 0; i < lattice_.grid.nx; ++i)
+      state_.set_v(i, j, unit * now[lattice_.grid.index(i, j)]);
+  state_.start = state_.step;
+  plate_.loads.damping = rate;
+  prepare();
 }
 
 void Simulation::step() {

@@ -84,12 +84,13 @@ class Simulation {
   RelaxResult relax(const RelaxOptions& options = {});
 
   // Goes through `duration` seconds of the courses of all loads slowly, without a step: increments
-  // may be shorter than one. At the end of each of equal increments of time, exactly then, the
-  // plate is brought to rest (see relax); while bonds are then stretched too far, the worst of them
-  // break and it is brought to rest again. Observers see the beginning and the state after each
-  // increment, when they are due, and may change loads there. Ends early when the plate comes
-  // apart, which is a result, or when an observer breaks off. Throws what relax throws, with the
-  // state after the last increment that was completed.
+  // may be shorter than one. It begins now and ends `duration` after the time that was asked for
+  // before, which a run may have passed by part of a step. At the end of each of equal increments
+  // of time, exactly then, the plate is brought to rest (see relax); while bonds are then stretched
+  // too far, the worst of them break and it is brought to rest again. Observers see the beginning
+  // and the state after each increment, when they are due, and may change loads there. Ends early
+  // when the plate comes apart, which is a result, or when an observer breaks off. Throws what
+  // relax throws, with the state after the last increment that was completed.
   QuasistaticResult load_slowly(const QuasistaticOptions& options,
                                 std::span<Observer* const> observers = {});
 
@@ -159,9 +160,10 @@ class Simulation {
   void take_heat();
   void count_heat_work();
   void count_external_work();
-  double work_of_half_step() const;         // the ledger's, in units of the state's
-  double work_of_led_half_step() const;     // likewise
-  double lost_in_half_step() const;         // likewise
+  double work_of_half_step() const;      // the ledger's, in units of the state's
+  double work_of_led_half_step() const;  // likewise
+  double lost_in_half_step() const;      // likewise
+  void change_damping(double rate);
   std::vector<Vec2> accelerations() const;  // lattice units, by Grid::index, as if nothing were led
   double energy_unit() const;               // J/m
   void keep_f32_exact();

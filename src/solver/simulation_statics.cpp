@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How a simulation comes to rest.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -114,7 +115,7 @@ QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
         fmt::format("quasistatic: {} s in {} increments; there must be more than 0 s and at "
                     "least 1 increment",
                     options.duration, options.increments));
-  const double begin = time();
+  const double begin = time(), end = end_time_ + options.duration;
   if (!(begin + options.duration <= most_steps * dt_))
     throw Error(
         ErrorKind::refused,
@@ -129,10 +130,13 @@ QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
   QuasistaticResult result;
   break_off_ = false;
   let_look(observers);
-  for (int k = 1; k <= options.increments && result.bears && !break_off_; ++k) {
-    load_to(begin + options.duration * k / options.increments, options, result);
+  int k = 0;
+  while (++k <= options.increments && result.bears && !break_off_) {
+    load_to(begin + std::max(end - begin, 0.0) * k / options.increments, options, result);
     let_look(observers);
   }
+  // What a step or a run went too far is not owed, here as there.
+  if (k > options.increments && result.bears && !break_off_) end_time_ = end;
   return result;
 }
 

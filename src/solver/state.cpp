@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "solver/state.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "base/hash.hpp"
 
 namespace hackle {
@@ -19,6 +22,15 @@ template <class Real>
 void set(Values<Real>& x, Values<Real>& y, std::size_t at, const Vec2& value) {
   x[at] = static_cast<Real>(value.x());
   y[at] = static_cast<Real>(value.y());
+}
+
+// The order in which discs were said means nothing.
+std::vector<std::array<double, 4>> sorted(const std::vector<Disc>& discs) {
+  std::vector<std::array<double, 4>> list;
+  for (const auto& [centre, velocity] : discs)
+    list.push_back({centre.x(), centre.y(), velocity.x(), velocity.y()});
+  std::ranges::sort(list);
+  return list;
 }
 
 }  // namespace
@@ -72,9 +84,7 @@ std::string State::hash() const {
   for (const double* energy : {&damped, &released})
     if (*energy != 0.0) hash.add(std::span(energy, 1));
   hash.add(std::span(origin.data(), 2));
-  for (const Disc& disc : discs)
-    for (const Vec2* vector : {&disc.centre, &disc.velocity})
-      hash.add(std::span(vector->data(), 2));
+  for (const std::array<double, 4>& disc : sorted(discs)) hash.add(std::span<const double>(disc));
   return hash.hex();
 }
 

@@ -84,5 +84,22 @@ TEST(Memory, OfTheProcessIsWithinAThirdOfWhatWasSaid) {
     }
 }
 
+TEST(Memory, OfComingToRestIsWithinAThirdOfWhatWasSaid) {
+  constexpr int size = 400;
+  const std::string load =
+      "p:traction { edge = 'top', stress = {0, 1*MPa} } p:clamp { edge = 'bottom', depth = 4*mm }";
+  const auto peak = [&](int nodes) {
+    return peak_of(scene_of(nodes, "f64", load) + "\ns:relax { tolerance = 0.1 }");
+  };
+  Plate plate = test::bare_plate(1, 1);
+  plate.width = plate.height = size * 1e-3;
+  pull(plate);
+  plate.loads.supports.push_back({.region = strip(plate, Edge::bottom, 4e-3)});
+  const Memory memory = memory_of(plate, test::numerics(1e-3, 4e-3));
+  const double taken = peak(size) - peak(20), said = memory.all() + memory.statics;
+  EXPECT_LT(taken, 1.3 * said) << 1e-6 * taken << " MB of " << 1e-6 * said;
+  EXPECT_GT(taken, 0.6 * said);
+}
+
 }  // namespace
 }  // namespace hackle

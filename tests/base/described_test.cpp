@@ -19,11 +19,10 @@ struct Thing {
   double amount = 0.0;
 };
 template <>
-inline constexpr auto description_of<Thing> =
-    describe_noun("thing", "thing", member("size", &Thing::size, {.unit = "m"}),
-                  kind_member(&Thing::kind, &Thing::amount,
-                              std::to_array<std::string_view>({"length", "weight"}),
-                              std::to_array<About>({{.unit = "m"}, {.unit = "kg"}})));
+inline constexpr auto description_of<Thing> = describe_noun(
+    "thing", "thing", member("size", &Thing::size, {.unit = "m"}),
+    kind_member(&Thing::kind, &Thing::amount, std::to_array<std::string_view>({"length", "weight"}),
+                std::to_array<About>({{.unit = "m"}, {.unit = "kg"}})));
 
 namespace {
 

@@ -66,6 +66,14 @@ const std::vector<std::string> endless_scripts{
     "string.gsub('x', '.', function() while true do end end)",
     "load(function() while true do end end)",
     "require = nil while true do load('return 1')() end",
+    // Calls of Lua's library that take some milliseconds each.
+    "local s = string.rep('a', 200000) while true do s:gsub('a', 'b') end",
+    "while true do load('return ' .. ('1+'):rep(100000) .. '1') end",
+    "while true do string.format('%99d %s', 1, ('x'):rep(1e6)) end",
+    "coroutine.wrap(function() local s = string.rep('a', 200000) while true do s:gsub('a', 'b') "
+    "end "
+    "end)()",
+    "local s = string.rep('a', 200000) while true do pcall(s.gsub, s, 'a', 'b') end",
     "while true do plate { width = 1, height = 1, material = 'duran50' } end",
     "while true do pcall(plate, { width = -1 }) end",
     "p = plate { width = 1, height = 1, material = 'duran50' }\n"

@@ -45,5 +45,35 @@ TEST(LedgerRemark, NamesWhatTheSceneHas) {
   EXPECT_THAT(of(plate), HasSubstr("step = 1.05e-07 or less"));
 }
 
+// A plate that was only carried away, or warmed freely, has nothing in its ledger but rounding and
+// what is beyond linear.
+TEST(LedgerRemark, IsSilentWhereNothingHappened) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.material.alphaT = 1e-5;
+  plate.loads.heatings.push_back({{}, ScalarField(-300.0), ramp(3e-6)});
+  Simulation simulation(plate, test::numerics());
+  simulation.load_slowly({3e-6, 1, 1e-6, {}});
+  EXPECT_EQ(ledger_remark(simulation, energy(simulation)), std::nullopt);
+  Plate carried = test::bare_plate(20, 10);
+  carried.loads.supports.push_back(
+      {.region = strip(carried, Edge::top, 1e-3), .value = Vec2(14e-6, 0.0), .course = ramp(2e-6)});
+  Simulation moved(carried, test::numerics());
+  moved.load_slowly({3e-6, 3, 1e-6, {}});
+  moved.run(2e-6);
+  EXPECT_EQ(ledger_remark(moved, energy(moved)), std::nullopt);
+}
+
+TEST(LedgerRemark, AdvisesWhatHelps) {
+  Simulation simulation(test::bare_plate(20, 10), test::numerics());
+  EXPECT_THAT(ledger_remark(simulation, ledger(1.0, 2.0), true).value_or(""),
+              testing::AllOf(HasSubstr("a ramp"), testing::Not(HasSubstr("step ="))));
+  Plate pulled = test::bare_plate(20, 10);
+  pulled.loads.tractions = {{Edge::top, {0.0, 1e6}, 0.0, {}}, {Edge::bottom, {0.0, -1e6}, 0.0, {}}};
+  Simulation slow(pulled, test::numerics());
+  slow.load_slowly({1e-6, 1, 1e-6, {}});
+  EXPECT_THAT(ledger_remark(slow, ledger(1.0, 2.0)).value_or(""),
+              testing::AllOf(HasSubstr("more increments"), testing::Not(HasSubstr("step ="))));
+}
+
 }  // namespace
 }  // namespace hackle

@@ -109,13 +109,41 @@ TEST(ShockRemarks, TellOfColdThatBreaksBondsAtOnce) {
 
 TEST(ShockRemarks, TellOfJumpsToCome) {
   const auto of = [](double change, const Course& course) {
-    return load_remarks(Simulation(heated(change, course), test::numerics()), end);
+    return at_once_remarks(Simulation(heated(change, course), test::numerics()), end, true);
   };
   EXPECT_THAT(of(-1000.0, step_at(5e-6)), ElementsAre(HasSubstr("at once")));
   EXPECT_THAT(of(1000.0, Course({{0.0, 0.0}, {8e-6, 1.0}, {8e-6, 0.0}})),
               ElementsAre(HasSubstr("at once")));
   EXPECT_THAT(of(-1000.0, ramp(5e-6)), IsEmpty());
   EXPECT_THAT(of(-1000.0, step_at(50e-6)), IsEmpty());  // later
+}
+
+std::vector<std::string> remarks_on_grip(Support::Kind kind, double value, Course course,
+                                         bool fresh = true) {
+  Plate plate = test::bare_plate(40, 20);
+  Support grip{strip(plate, Edge::right, 1e-3), kind, {value, 0.0}};
+  grip.course = std::move(course);
+  plate.loads.supports.push_back(grip);
+  return at_once_remarks(Simulation(plate, test::numerics()), end, fresh);
+}
+
+// s0 times the spacing is 0.76 um here.
+TEST(AtOnceRemarks, TellOfGripsThatTearBondsInOneStep) {
+  using Kind = Support::Kind;
+  const auto displaced = [](double value, Course course) {
+    return remarks_on_grip(Kind::displacement, value, std::move(course));
+  };
+  for (const Course& course : {Course(), step_at(5e-6), pulse(5e-6, 2e-6)}) {
+    EXPECT_THAT(displaced(1e-6, course), ElementsAre(HasSubstr("its work is not known")));
+    EXPECT_THAT(displaced(0.1e-6, course), IsEmpty());
+  }
+  EXPECT_THAT(displaced(20e-6, ramp(15e-6)), IsEmpty());
+  EXPECT_THAT(displaced(-1e-6, {}), ElementsAre(HasSubstr("0.002, s0 is 0.001")));
+  EXPECT_THAT(remarks_on_grip(Kind::velocity, 1.0, {}), IsEmpty());
+  EXPECT_THAT(remarks_on_grip(Kind::velocity, 100.0, {}),
+              ElementsAre(HasSubstr("give a step of 7.6")));
+  // What has acted before does not come at once.
+  EXPECT_THAT(remarks_on_grip(Kind::velocity, 100.0, {}, false), IsEmpty());
 }
 
 }  // namespace

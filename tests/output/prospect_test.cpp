@@ -137,6 +137,7 @@ TEST_F(ProspectTest, WhatFollowsALookAtResultsIsUnknown) {
   prospect_.run(simulation_, 1e-6);
   prospect_.look();
   EXPECT_THAT(text(), testing::Not(testing::HasSubstr("unknown")));
+  EXPECT_THAT(text(), testing::HasSubstr("unless the script does more when it sees results"));
   prospect_.run(simulation_, 2e-6);
   EXPECT_THAT(text(), testing::HasSubstr("looked at results"));
 }

@@ -239,5 +239,16 @@ INSTANTIATE_TEST_SUITE_P(
                     BadDisc{{{-radius, NAN}, radius, {1, 0}, mass}, "centre is"},
                     BadDisc{{{-radius, 0.01}, radius, {INFINITY, 0}, mass}, "velocity is"}));
 
+TEST(Impact, TheOrderOfDiscsIsNotInTheHash) {
+  const auto hash = [](bool swapped) {
+    Plate plate = test::bare_plate(40, 20);
+    plate.loads.impactors = {{{-6e-3, 0.005}, 2e-3, {30.0, 0.0}, 0.2},
+                             {{0.026, 0.006}, 3e-3, {-20.0, 1.0}, 0.3}};
+    if (swapped) std::swap(plate.loads.impactors[0], plate.loads.impactors[1]);
+    return Simulation(plate, test::numerics(), {1}).state().hash();
+  };
+  EXPECT_EQ(hash(true), hash(false));
+}
+
 }  // namespace
 }  // namespace hackle

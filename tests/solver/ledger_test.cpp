@@ -351,5 +351,27 @@ TEST(Damping, OfAnyRateIsStable) {
   }
 }
 
+// Whenever it is said, it takes what there is and no more.
+TEST(Damping, SaidLaterTakesWhatThereIs) {
+  for (const double rate : {1e6, 5e6, 1e7, 1e8, 1e300}) {
+    Plate plate = test::bare_plate(20, 10);
+    plate.starts.push_back({std::nullopt, {0.0, 0.0}, {1.0, 0.0}});
+    Simulation simulation(plate, test::numerics(), {1});
+    const double there = simulation.kinetic_energy();
+    simulation.run(5e-6);
+    Loads loads = plate.loads;
+    loads.damping = rate;
+    simulation.set_loads(loads);
+    EXPECT_NEAR(simulation.kinetic_energy() + simulation.damped_energy(), there, 1e-9 * there);
+    simulation.run(40e-6);
+    EXPECT_NEAR(simulation.damped_energy(), there, 1e-9 * there) << rate;
+    EXPECT_LT(simulation.kinetic_energy(), 1e-9 * there) << rate;
+    loads.damping = 0.0;
+    simulation.set_loads(loads);
+    simulation.run(1e-6);
+    EXPECT_NEAR(simulation.damped_energy(), there, 1e-9 * there) << rate;
+  }
+}
+
 }  // namespace
 }  // namespace hackle

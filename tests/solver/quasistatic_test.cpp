@@ -161,5 +161,20 @@ TEST(Quasistatic, TheWorstBreakFirst) {
   EXPECT_TRUE(break_worst({}, bonds).losses.empty());
 }
 
+// A run goes to the first step at or after its end; what it went too far is not added up.
+TEST(Quasistatic, KeepsTheTimeThatWasAskedFor) {
+  Simulation simulation(test::bare_plate(20, 10), test::numerics(), {1});
+  simulation.run(1.03e-6);
+  simulation.load_slowly({0.5e-6, 2, 1e-6, {}});
+  EXPECT_NEAR(simulation.time(), 1.53e-6, 1e-15);
+  Simulation pieces(test::bare_plate(20, 10), test::numerics(), {1});
+  for (int k = 0; k < 40; ++k) {
+    pieces.run(1e-9);
+    pieces.load_slowly({1e-9, 1, 1e-6, {}});
+  }
+  EXPECT_NEAR(pieces.end_time(), 80e-9, 1e-15);
+  EXPECT_LT(pieces.time(), 80e-9 + pieces.dt());
+}
+
 }  // namespace
 }  // namespace hackle
