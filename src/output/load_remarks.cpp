@@ -235,17 +235,15 @@ std::vector<std::string> load_remarks(const Simulation& simulation, double end) 
   const Loads& loads = simulation.plate().loads;
   const double begin = simulation.time(), dt = simulation.dt();
   std::vector<std::string> list;
-  const auto look = [&](const auto& kind, const char* who) {
-    for (std::size_t k = 0; k < kind.size(); ++k) {
-      const std::string name = kind.size() == 1 ? who : fmt::format("{} {}", who, k + 1);
-      add_swing(name, kind[k].course, begin, end, dt, list);
-    }
-  };
-  look(loads.tractions, "traction");
-  look(loads.pressures, "pressure");
-  look(loads.body_forces, "body_force");
-  look(loads.supports, "support");
-  look(loads.heatings, "temperature");
+  for_each_list(loads, [&](const auto& kind) {
+    using Load = typename std::remove_cvref_t<decltype(kind)>::value_type;
+    if constexpr (requires(const Load& load) { load.course; })
+      for (std::size_t k = 0; k < kind.size(); ++k) {
+        const std::string_view who = description_of<Load>.noun;
+        add_swing(kind.size() == 1 ? std::string(who) : fmt::format("{} {}", who, k + 1),
+                  kind[k].course, begin, end, dt, list);
+      }
+  });
   return list;
 }
 
