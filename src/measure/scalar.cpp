@@ -99,6 +99,10 @@ Values stress_part(const Simulation& simulation) {
   return values;
 }
 
+double mean_in_plane(const Stress& stress) {
+  return 0.5 * (stress.xx + stress.yy);
+}
+
 Values closeness(const Simulation& simulation) {
   return as_floats(closest_to_breaking(simulation));
 }
@@ -172,6 +176,9 @@ constexpr std::array<Scalar, scalar_names.size()> all{{
      false, share<critical_stress, -50, 50>, stress_part<&Stress::first>},
     {"stress_2", "least stress", "Pa", "The smaller principal stress.", "vik", Sampling::mean,
      false, share<critical_stress, -50, 50>, stress_part<&Stress::second>},
+    {"stress_mean", "mean stress", "Pa",
+     "The mean of the principal stresses in the plane: above 0 it opens, below it presses.", "vik",
+     Sampling::mean, false, share<critical_stress, -50, 50>, stress_part<mean_in_plane>},
     {"von_mises", "von Mises", "Pa", "Von Mises' stress, with that across the thickness.",
      "viridis", Sampling::mean, false, share<critical_stress, 0, 50>,
      stress_part<&Stress::von_mises>},

@@ -121,6 +121,7 @@ class ByHand {
     if (field == "stress_xy") return xy;
     if (field == "stress_1") return 0.5 * (trace + root);
     if (field == "stress_2") return 0.5 * (trace - root);
+    if (field == "stress_mean") return 0.5 * trace;
     if (field == "shear") return 0.5 * root;
     if (field == "von_mises") return von_mises(xx, yy, xy, across(i, j, xx, yy));
     if (field == "fringes") return kind == nothing ? 0.0 : root / material.fringe;

@@ -58,6 +58,7 @@ TEST(Scalars, HaveTheEndsOfTheirDefinition) {
       {"stress_xy", {-0.5 * stress, 0.5 * stress}},
       {"stress_1", {-0.5 * stress, 0.5 * stress}},
       {"stress_2", {-0.5 * stress, 0.5 * stress}},
+      {"stress_mean", {-0.5 * stress, 0.5 * stress}},
       {"von_mises", {0.0, 0.5 * stress}},
       {"shear", {0.0, 0.25 * stress}},
       {"fringes", {0.0, stress / 136.5e3}},

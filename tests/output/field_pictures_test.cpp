@@ -63,6 +63,7 @@ std::map<std::string, double> expected(const Simulation& simulation) {
           {"stress_xy", sxy},
           {"stress_1", mean + shear},
           {"stress_2", mean - shear},
+          {"stress_mean", 0.5 * (sxx + syy)},
           {"von_mises", std::sqrt(sxx * sxx - sxx * syy + syy * syy + 3.0 * sxy * sxy)},
           {"shear", shear},
           {"fringes", 2.0 * shear * thickness / simulation.plate().material.fringe},
