@@ -13,7 +13,6 @@
 
 #include "base/error.hpp"
 #include "base/file_lock.hpp"
-#include "base/version.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -27,7 +26,6 @@ std::vector<fs::path> data_folders() {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   if (!program.empty()) folders.push_back(program.parent_path().parent_path() / "share/hackle");
-  folders.emplace_back(source_folder());
   return folders;
 }
 

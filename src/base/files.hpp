@@ -9,8 +9,8 @@
 namespace hackle {
 
 // The path of a file that ships with Hackle, e.g. data_file("shaders/colours.frag"). Looked for
-// below $HACKLE_DATA, then in ../share/hackle beside the program, then in the source tree it was
-// built from. Throws Error (files) with the places it looked in.
+// below $HACKLE_DATA, then in ../share/hackle beside the program, which in a build folder is a link
+// to the source tree. Throws Error (files) with the places it looked in.
 std::filesystem::path data_file(const std::filesystem::path& name);
 
 // The same, or nothing.

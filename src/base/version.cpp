@@ -14,8 +14,5 @@ std::string_view git_hash() {
 std::string_view compiler() {
   return HACKLE_COMPILER;
 }
-std::string_view source_folder() {
-  return HACKLE_SOURCE_FOLDER;
-}
 
 }  // namespace hackle
