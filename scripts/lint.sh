@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Checks the formatting (clang-format 14) and, with --tidy, the whole program with clang-tidy 14.
-# Installs both when they are missing and it may.
+# Checks the formatting (clang-format 14), the spelling (codespell) and, with --tidy, the whole program with
+# clang-tidy 14. Installs what is missing when it may.
 set -euo pipefail
 here=$(dirname -- "${BASH_SOURCE[0]}")
 cd "$("$here/plain_name.sh")"
 
 missing=()
-for tool in clang-format clang-tidy; do
+for tool in clang-format clang-tidy codespell; do
   command -v "$tool" >/dev/null || missing+=("$tool")
 done
 if [ ${#missing[@]} -gt 0 ]; then
@@ -20,6 +20,8 @@ fi
 
 git ls-files '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
 echo "formatting: clean"
+git ls-files -z | xargs -0 codespell --quiet-level 3
+echo "spelling: clean"
 
 if [ "${1:-}" = --tidy ]; then
   # A release is built in units of several sources, so that a header is read once for all of them. The kernels
