@@ -13,7 +13,9 @@ namespace {
 constexpr FunctionDoc contact_doc{
     .name = "contact",
     .owner = "p",
-    .sentence = "Lets the faces of cracks and fragments push each other away.",
+    .sentence =
+        "Lets the faces of cracks and fragments push each other away, in runs: a closed crack "
+        "bears pressure as the plate does and slides freely; slow loading takes no notice.",
     .options = options_of<Contact>,
     .example = "p:contact {}"};
 

@@ -28,6 +28,9 @@ class BondBits {
       words_[place] = 0;
   }
 
+  std::uint32_t word(std::ptrdiff_t at, int word) const {
+    return words_[static_cast<std::size_t>(word) * plane_ + static_cast<std::size_t>(at)];
+  }
   // Clears bits of one word of a place.
   void clear(std::ptrdiff_t at, int word, std::uint32_t bits) {
     words_[static_cast<std::size_t>(word) * plane_ + static_cast<std::size_t>(at)] &= ~bits;

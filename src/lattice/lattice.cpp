@@ -83,9 +83,12 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
       unbreakable(bonds_in_zones(plate.no_fail, grid, family)),
       strength(plate.scatter ? strengths(*plate.scatter, grid) : std::vector<float>()) {
   carve(plate.cutouts, material, grid, family, bonds);
+  const BondBits uncut = plate.contact ? bonds : BondBits();
   cut_all(plate.cracks, Born::absent, grid, family, bonds);
   born = degrees(grid, family, bonds);
   cut_all(plate.cracks, Born::broken, grid, family, bonds);
+  if (plate.contact)
+    for_each_missing(uncut, bonds, *this, [&](const KeptBond& bond) { cut.push_back(bond); });
 }
 
 double Lattice::micromodulus_at(int i, int j) const {
@@ -114,7 +117,7 @@ double step_limit(const Lattice& lattice, const Plate& plate) {
     rho = std::min(rho, entry.material.rho);
   }
   const double dx = lattice.grid.dx;
-  return step_limit(lattice.family, c, rho, dx, touching_stiffness(plate, dx));
+  return step_limit(lattice.family, c, rho, dx, touching_of(plate, dx));
 }
 
 std::vector<std::uint16_t> degrees(const Grid& grid, const Family& family, const BondBits& bonds) {

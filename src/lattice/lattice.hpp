@@ -2,6 +2,7 @@
 // The scene on a square lattice: everything that does not change while it is solved.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,13 @@ bool differ(const std::vector<MaterialOnLattice>& materials);
 // Whether any has an alpha above 0.
 bool have_history(const std::vector<MaterialOnLattice>& materials);
 
+// Of all bonds that node (i, j) keeps, the one of `bit` (see Family).
+struct KeptBond {
+  int i = 0;
+  int j = 0;
+  int bit = 0;
+};
+
 struct Lattice {
   Lattice(const Plate& plate, const Numerics& numerics);
 
@@ -41,6 +49,8 @@ struct Lattice {
   double step_limit;                // s, see step_limit() below, of the plate as it was described
   BondBits bonds;                   // at t = 0, after the cracks were cut
   std::vector<std::uint16_t> born;  // per node: initial bonds, the base of its damage
+  std::vector<KeptBond> cut;        // by cracks, broken and absent; empty where the plate has no
+                                    // contact, which alone asks for them
   BondBits unbreakable;             // bonds of no-fail zones; empty when there are none
   std::vector<float> strength;      // per node: its critical stretch over s0; empty when all are 1
 
@@ -62,6 +72,20 @@ struct Lattice {
   double least_stretch() const;  // the least critical stretch of all materials
   std::int64_t bonds_born() const;
 };
+
+// Calls visit(const KeptBond&) for every bond that is in `all` and not in `left`.
+template <class Visit>
+void for_each_missing(const BondBits& all, const BondBits& left, const Lattice& lattice,
+                      Visit visit) {
+  const NodeLayout layout = lattice.grid.layout();
+  for (int word = 0; word < lattice.family.words(); ++word)
+    for (int j = 0; j < lattice.grid.ny; ++j)
+      for (int i = 0; i < lattice.grid.nx; ++i)
+        for (std::uint32_t missing =
+                 all.word(layout.at(i, j), word) & ~left.word(layout.at(i, j), word);
+             missing != 0; missing &= missing - 1)
+          visit(KeptBond{i, j, 32 * word + std::countr_zero(missing)});
+}
 
 // The limit of the step, s: 2/omega_max of the stiffest and the lightest material, contacts and
 // impacts of `plate` included. Damping does not change it (see solver/damping.hpp).

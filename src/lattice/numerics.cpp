@@ -150,7 +150,7 @@ void check_against_limit(const Plate& plate, const Numerics& numerics, Problems&
   }
   if (!known || !numerics.step || numerics.force_step) return;
   const double limit =
-      step_limit(family, c, rho, numerics.spacing, touching_stiffness(plate, numerics.spacing));
+      step_limit(family, c, rho, numerics.spacing, touching_of(plate, numerics.spacing));
   if (*numerics.step <= limit) return;
   problems.add(fmt::format("simulate: step is {}, above the stability limit of {}",
                            quantity(*numerics.step, "s"), quantity(limit, "s")),

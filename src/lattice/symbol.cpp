@@ -86,9 +86,9 @@ double largest_frequency(const Family& family, double c, double rho, double dx) 
   return std::sqrt(c * dx * peak(family) / rho);
 }
 
-double step_limit(const Family& family, double c, double rho, double dx, double touching) {
-  return 2.0 / std::hypot(largest_frequency(family, c, rho, dx),
-                          std::sqrt(touching * c * dx / (family.m() * rho)));
+double step_limit(const Family& family, double c, double rho, double dx, const Touching& touching) {
+  return 2.0 / std::hypot(largest_frequency(family, touching.bonds * c, rho, dx),
+                          std::sqrt(touching.nodes * c * dx / (family.m() * rho)));
 }
 
 }  // namespace hackle

@@ -23,8 +23,15 @@ Branches symbol(const Family& family, double c, double dx, const Vec2& k);
 // eigenvalues, and heavier nodes lower the frequencies (src/lattice/README.md 4.3).
 double largest_frequency(const Family& family, double c, double rho, double dx);
 
-// Velocity Verlet is stable for steps up to 2/omega_max, in s. Contacts and impacts (touching.hpp)
-// add `touching` times c dx/m to rho omega^2.
-double step_limit(const Family& family, double c, double rho, double dx, double touching = 0.0);
+// What contacts and impacts (touching.hpp) make of rho omega^2: `bonds` times what it is, and
+// `nodes` times c dx/m more.
+struct Touching {
+  double bonds = 1.0;
+  double nodes = 0.0;
+};
+
+// Velocity Verlet is stable for steps up to 2/omega_max, in s.
+double step_limit(const Family& family, double c, double rho, double dx,
+                  const Touching& touching = {});
 
 }  // namespace hackle

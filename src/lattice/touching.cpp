@@ -6,14 +6,15 @@
 
 namespace hackle {
 
-double touching_stiffness(const Plate& plate, double dx) {
+Touching touching_of(const Plate& plate, double dx) {
   double recoil = 0.0;
   for (const Impactor& disc : plate.loads.impactors)
     recoil =
         std::max(recoil, std::min(1.0, 2.0 * disc.radius * dx * plate.material.rho / disc.mass));
   const double discs = std::min(2.0, static_cast<double>(plate.loads.impactors.size()));
-  return 4.0 * contact_stiffness(plate) +
-         discs * (1.0 + recoil) * plate.contact.value_or(Contact{}).stiffness;
+  return {plate.contact ? faces_bear : 1.0,
+          4.0 * contact_stiffness(plate) +
+              discs * (1.0 + recoil) * plate.contact.value_or(Contact{}).stiffness};
 }
 
 double longest_step_of_impact(const Plate& plate, double dx) {

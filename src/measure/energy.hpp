@@ -17,7 +17,8 @@ struct Energy {
   double damped = 0.0;    // kinetic energy taken by damping
   double released = 0.0;  // given off where a plate jumps from one state at rest to another, or is
                           // brought to rest: what would have become motion, and was taken away
-  double contact = 0.0;   // stored where faces and fragments touch
+  double contact = 0.0;   // stored where faces and fragments touch, or lost there when bonds broke;
+                          // less what is stored since the plate came to rest without them
   double external = 0.0;  // work done by loads, supports and impactors, what the start gave, and by
                           // how much changes of temperature raised the strain energy
   double residual() const {

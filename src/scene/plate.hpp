@@ -118,9 +118,10 @@ inline constexpr auto description_of<Scatter> = describe_noun(
     member("seed", &Scatter::seed,
            {.fallback = "1", .sentence = "Another whole number gives other flaws."}));
 
-// Nodes that lack bonds push each other away when they come near: with `stiffness` times the
-// micromodulus, below `reach` times their distance at rest (see contact_forces.hpp). By default as
-// in LAMMPS.
+// Faces of cracks and fragments that push each other away. Those of a closed crack bear pressure as
+// the plate does, and slide freely (see crack_faces.hpp). Nodes that lack bonds and come too near,
+// below `reach` times their distance at rest, push each other with `stiffness` times the
+// micromodulus (see contact_forces.hpp), by default as in LAMMPS.
 struct Contact {
   double stiffness = 15.0;
   double reach = 0.9;
@@ -132,13 +133,14 @@ inline constexpr auto description_of<Contact> = describe_noun(
     member("stiffness", &Contact::stiffness,
            {.range = above_up_to(0.0, 100.0),
             .fallback = "15",
-            .sentence = "Of the repulsion, over that of a bond; the default is LAMMPS's."}),
-    member(
-        "reach", &Contact::reach,
-        {.range = above_up_to(0.0, 1.0),
-         .fallback = "0.9",
-         .sentence = "Nodes touch below so much of their distance at rest, or of 1.5 spacings if "
-                     "that is less."}));
+            .sentence =
+                "Of the repulsion of nodes that come too near, over that of a bond; the default "
+                "is LAMMPS's."}),
+    member("reach", &Contact::reach,
+           {.range = above_up_to(0.0, 1.0),
+            .fallback = "0.9",
+            .sentence = "Nodes come too near below so much of their distance at rest, or of 1.5 "
+                        "spacings if that is less."}));
 
 // Thin, free of stress across its thickness, or thick, held from straining across it. Bond-based
 // theory makes Poisson's ratio 1/3 in plane stress and 1/4 in plane strain

@@ -26,7 +26,8 @@ std::int64_t cell_at(const Vec2& place, int right, int up) {
 }  // namespace
 
 ContactForces::ContactForces(const Contact& contact, const Lattice& lattice, double dt)
-    : reach_(contact.reach),
+    : faces_(lattice, dt),
+      reach_(contact.reach),
       strength_(contact.stiffness * lattice.calibration.c * lattice.grid.dx * dt * dt /
                 (lattice.rho * lattice.family.m())),
       unit_(lattice.grid.dx / (dt * dt)) {
@@ -38,30 +39,43 @@ void ContactForces::begin(const Lattice& lattice, const State& state) {
   open_.clear();
   cells_.clear();
   pairs_.clear();
+  faces_.clear();
+  stored_before_.reset();
   const auto degree = degrees(grid, lattice.family, state.bonds);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       if (degree[grid.index(i, j)] < lattice.family.bonds() && !lattice.is_void(i, j))
         open(lattice, state, i, j);
+  for (const KeptBond& bond : lattice.cut) lose(lattice, state, bond.i, bond.j, bond.bit);
+  for_each_missing(lattice.bonds, state.bonds, lattice,
+                   [&](const KeptBond& bond) { lose(lattice, state, bond.i, bond.j, bond.bit); });
+  faces_.find_near(open_, slack);
 }
 
 // Nodes that are new among the open ones are paired with all others; those that were open before
 // are a pair from now on.
 void ContactForces::take_note(const Lattice& lattice, const State& state,
-                              std::span<const Loss> losses) {
+                              const std::vector<double>& heat, std::span<const Loss> losses) {
+  if (losses.empty()) return;
+  follow(lattice.grid, state);
+  stored_before_ = faces_.energy(open_, heat);
   const NodeLayout layout = lattice.grid.layout();
   const int open_before = static_cast<int>(open_.size());
   for (const Loss& loss : losses) {
     const auto j = static_cast<int>(loss.at / layout.stride());
     const auto i = static_cast<int>(loss.at - layout.at(0, j));
-    const int lost = 32 * loss.word + std::countr_zero(loss.bit);
-    const int one = open(lattice, state, i, j);
-    lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-      if (bit != lost) return;
-      const int other = open(lattice, state, i + a, j + b);
-      if (one < open_before && other < open_before) pair_up(one, other, lattice);
-    });
+    const Pair pair = lose(lattice, state, i, j, 32 * loss.word + std::countr_zero(loss.bit));
+    if (std::max(pair.one, pair.other) < open_before) pair_up(pair.one, pair.other, lattice);
   }
+}
+
+ContactForces::Pair ContactForces::lose(const Lattice& lattice, const State& state, int i, int j,
+                                        int bit) {
+  const auto [columns, rows] = faces_.way(bit);
+  const int one = open(lattice, state, i, j);
+  const int other = open(lattice, state, i + columns, j + rows);
+  faces_.lose(lattice, open_, one, other, bit);
+  return {one, other};
 }
 
 // Where in open_ the node is.
@@ -71,20 +85,20 @@ int ContactForces::open(const Lattice& lattice, const State& state, int i, int j
   if (place >= 0) return place;
   place = static_cast<int>(open_.size());
   const Vec2 u = state.u(i, j);
-  open_.push_back({i, j, grid.from_centre(i, j) + u, u, {}});
+  open_.push_back({i, j, grid.index(i, j), grid.from_centre(i, j) + u, u, {}});
   find_pairs(place, lattice, state.bonds);
   return place;
 }
 
 // With all nodes in the cells around it, and into its own.
 void ContactForces::find_pairs(int node, const Lattice& lattice, const BondBits& bonds) {
-  const Open& own = open_[static_cast<std::size_t>(node)];
+  const OpenNode& own = open_[static_cast<std::size_t>(node)];
   for (int up = -1; up <= 1; ++up)
     for (int right = -1; right <= 1; ++right) {
       const auto found = cells_.find(cell_at(own.home, right, up));
       if (found == cells_.end()) continue;
       for (const int index : found->second) {
-        const Open& other = open_[static_cast<std::size_t>(index)];
+        const OpenNode& other = open_[static_cast<std::size_t>(index)];
         if ((other.home - own.home).norm() < farthest + 2.0 * slack &&
             !holds(lattice.grid, lattice.family, bonds, own.i, own.j, other.i - own.i,
                    other.j - own.j))
@@ -95,8 +109,8 @@ void ContactForces::find_pairs(int node, const Lattice& lattice, const BondBits&
 }
 
 void ContactForces::pair_up(int one, int other, const Lattice& lattice) {
-  const Open& p = open_[static_cast<std::size_t>(one)];
-  const Open& q = open_[static_cast<std::size_t>(other)];
+  const OpenNode& p = open_[static_cast<std::size_t>(one)];
+  const OpenNode& q = open_[static_cast<std::size_t>(other)];
   const double distance = reach_ * std::min(std::hypot(q.i - p.i, q.j - p.j), farthest);
   if ((q.home - p.home).norm() >= distance + 2.0 * slack) return;
   const double c = 0.5 * (lattice.micromodulus_at(p.i, p.j) + lattice.micromodulus_at(q.i, q.j));
@@ -105,7 +119,7 @@ void ContactForces::pair_up(int one, int other, const Lattice& lattice) {
 
 bool ContactForces::follow(const Grid& grid, const State& state) {
   bool near = true;
-  for (Open& node : open_) {
+  for (OpenNode& node : open_) {
     node.u = state.u(node.i, node.j);
     node.force = {};
     near &= (grid.from_centre(node.i, node.j) + node.u - node.home).norm() < slack;
@@ -117,23 +131,33 @@ void ContactForces::renew(const Lattice& lattice, const State& state) {
   cells_.clear();
   pairs_.clear();
   for (int node = 0; node < static_cast<int>(open_.size()); ++node) {
-    Open& own = open_[static_cast<std::size_t>(node)];
+    OpenNode& own = open_[static_cast<std::size_t>(node)];
     own.home = lattice.grid.from_centre(own.i, own.j) + state.u(own.i, own.j);
     find_pairs(node, lattice, state.bonds);
   }
+  faces_.find_near(open_, slack);
 }
 
-void ContactForces::update(const Lattice& lattice, const State& state) {
+void ContactForces::update(const Lattice& lattice, const State& state,
+                           const std::vector<double>& heat) {
   if (!follow(lattice.grid, state)) renew(lattice, state);
   OrderFreeSum energy;
   for (const Pair& pair : pairs_) energy.add({push(pair), 0.0});
-  energy_ = energy.value().x();
+  const double stored = faces_.push(open_, heat);
+  lost_ = stored_before_ ? *stored_before_ - stored : 0.0;
+  stored_before_.reset();
+  energy_ = energy.value().x() + stored;
   collect(lattice);
 }
 
+double ContactForces::heat_work(const std::vector<double>& before,
+                                const std::vector<double>& after) const {
+  return faces_.energy(open_, after) - faces_.energy(open_, before);
+}
+
 double ContactForces::push(const Pair& pair) {
-  Open& p = open_[static_cast<std::size_t>(pair.one)];
-  Open& q = open_[static_cast<std::size_t>(pair.other)];
+  OpenNode& p = open_[static_cast<std::size_t>(pair.one)];
+  OpenNode& q = open_[static_cast<std::size_t>(pair.other)];
   const Vec2 apart = Vec2(q.i - p.i, q.j - p.j) + (q.u - p.u);
   const double r = apart.norm();
   if (!(r < pair.distance && r > 0.0)) return 0.0;
@@ -146,7 +170,7 @@ double ContactForces::push(const Pair& pair) {
 
 void ContactForces::collect(const Lattice& lattice) {
   forces_.clear();
-  for (const Open& node : open_) {
+  for (const OpenNode& node : open_) {
     if (node.force.is_zero()) continue;
     const double inertia = lattice.material_at(node.i, node.j).material.rho / lattice.rho;
     forces_.push_back({node.i, node.j, node.force.value() * (unit_ / inertia), inertia});

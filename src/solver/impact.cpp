@@ -8,12 +8,13 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "lattice/carve.hpp"
 #include "solver/order_free_sum.hpp"
 
 namespace hackle {
 namespace {
 
-// Nodes that come within so many spacings of a disc are looked at in every step.
+// Nodes whose cells come within so many spacings of a disc are looked at in every step.
 constexpr double margin = 2.0;
 
 // Where a node is now, in dx from the centre of the lattice.
@@ -21,8 +22,17 @@ Vec2 place_of(const Grid& grid, const State& state, int i, int j) {
   return grid.from_centre(i, j) + state.origin + state.u(i, j);
 }
 
+// From the centre of a disc to the nearest point of the cell of a node there, in dx.
+Vec2 way_to_cell(const Vec2& node, const Vec2& centre) {
+  const auto shortened = [](double way) {
+    return std::copysign(std::max(std::abs(way) - 0.5, 0.0), way);
+  };
+  const Vec2 way = node - centre;
+  return {shortened(way.x()), shortened(way.y())};
+}
+
 template <class Visit>
-void for_nodes(const Lattice& lattice, const Visit& visit) {
+void for_solid_nodes(const Lattice& lattice, const Visit& visit) {
   for (int j = 0; j < lattice.grid.ny; ++j)
     for (int i = 0; i < lattice.grid.nx; ++i)
       if (!lattice.is_void(i, j)) visit(i, j);
@@ -74,10 +84,10 @@ void Impact::check_start(const RigidDisc& disc, const Disc& place, const Lattice
                          const State& state) const {
   const Grid& grid = lattice.grid;
   double nearest = std::numeric_limits<double>::max();
-  for_nodes(lattice, [&](int i, int j) {
-    nearest = std::min(nearest, (place_of(grid, state, i, j) - place.centre).norm());
+  for_solid_nodes(lattice, [&](int i, int j) {
+    nearest = std::min(nearest, way_to_cell(place_of(grid, state, i, j), place.centre).norm());
   });
-  if (nearest >= disc.radius) return;
+  if (nearest > disc.radius - tie) return;
   throw Error(ErrorKind::refused,
               fmt::format("impactor: at its start it overlaps the plate by {}",
                           quantity((disc.radius - nearest) * grid.dx, "m")),
@@ -92,11 +102,11 @@ void Impact::watch(const Lattice& lattice, const State& state) {
     discs_[k].near.clear();
     fastest_disc = std::max(fastest_disc, state.discs[k].velocity.norm());
   }
-  for_nodes(lattice, [&](int i, int j) {
+  for_solid_nodes(lattice, [&](int i, int j) {
     const Vec2 place = place_of(lattice.grid, state, i, j);
     fastest = std::max(fastest, state.v(i, j).norm());
     for (std::size_t k = 0; k < discs_.size(); ++k)
-      if ((place - state.discs[k].centre).norm() < discs_[k].radius + margin)
+      if (way_to_cell(place, state.discs[k].centre).norm() < discs_[k].radius + margin)
         discs_[k].near.push_back(lattice.grid.index(i, j));
   });
   const double approach = 2.0 * (fastest + fastest_disc);
@@ -121,11 +131,11 @@ std::vector<LoadedNode> Impact::push(RigidDisc& disc, const Vec2& centre, const 
   for (const std::size_t node : disc.near) {
     const auto columns = static_cast<std::size_t>(grid.nx);
     const int i = static_cast<int>(node % columns), j = static_cast<int>(node / columns);
-    const Vec2 apart = place_of(grid, state, i, j) - centre;
-    const double r = apart.norm();
+    const Vec2 way = way_to_cell(place_of(grid, state, i, j), centre);
+    const double r = way.norm();
     if (!(r < disc.radius && r > 0.0)) continue;
     const double strength = strength_ * lattice.micromodulus_at(i, j) / lattice.calibration.c;
-    const Vec2 force = (strength * (disc.radius - r) / r) * apart;
+    const Vec2 force = (strength * (disc.radius - r) / r) * way;
     const double inertia = lattice.material_at(i, j).material.rho / lattice.rho;
     pushed.push_back({i, j, force * (unit / inertia), inertia});
     back.subtract(force);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Rigid discs that fly freely in the plane of the plate and push every node they cover outwards, by
-// the law of contact (contact_forces.hpp) with the overlap R - r for d - r. What pushes a node
-// pushes the disc back.
+// Rigid discs that fly freely in the plane of the plate and push every node whose cell they reach
+// into, by the law of contact (contact_forces.hpp) with the overlap R - r for d - r: r is the way
+// to the nearest point of the cell, the square of one spacing around the node that pictures show,
+// and the push is along it. So a disc touches what is drawn. What pushes a node pushes the disc
+// back.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +24,7 @@ class Impact {
 
   // Puts the discs that the state does not have yet where they start. To be called before anything
   // else, and whenever a state is not the one of the last step. Throws Error (refused) when one
-  // covers a node; the state is then as before.
+  // reaches into a cell; the state is then as before.
   void begin(const Lattice& lattice, State& state);
   // Finds what is pushed at the time of u.
   void update(const Lattice& lattice, const State& state);
@@ -38,7 +40,7 @@ class Impact {
     double radius;                  // dx
     double mass;                    // of a node of the plate's own material
     Vec2 push{0, 0};                // of the plate on the disc, in units of rho dx^3/dt^2
-    std::vector<std::size_t> near;  // nodes that it may cover until watch_again_
+    std::vector<std::size_t> near;  // nodes that it may push until watch_again_
   };
 
   Disc start_of(const RigidDisc& disc, const Lattice& lattice) const;

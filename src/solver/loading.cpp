@@ -139,23 +139,24 @@ void Loading::begin(const Lattice& lattice, State& state) {
   fresh_ = true;
 }
 
-void Loading::follow(const Lattice& lattice, State& state, std::span<const Loss> losses,
-                     LoadSeconds& seconds) {
+void Loading::follow(const Lattice& lattice, State& state, const std::vector<double>& heat,
+                     std::span<const Loss> losses, LoadSeconds& seconds) {
   const Stopwatch all(seconds.all);
   impact_.fly(state);
   if (!contact_) return;
   const Stopwatch watch(seconds.contact);
-  contact_->take_note(lattice, state, losses);
+  contact_->take_note(lattice, state, heat, losses);
 }
 
-bool Loading::update(const Lattice& lattice, const State& state, LoadSeconds& seconds) {
+bool Loading::update(const Lattice& lattice, const State& state, const std::vector<double>& heat,
+                     LoadSeconds& seconds) {
   const Stopwatch all(seconds.all);
   const bool changed = std::exchange(fresh_, false) || varies_;
   if (changed) {
     sum_forces([&](const Force& part) { return part.amplitude.at(state.clock, state.step, dt_); });
     lead(state, [&](const Lead& part) { return part.amplitude.at(state.clock, state.step, dt_); });
   }
-  const bool touched = touch(lattice, state, seconds);
+  const bool touched = touch(lattice, state, heat, seconds);
   if (!changed && !touched) return false;
   all_ = sum_of(forces_, impact_.forces(), lattice.grid);
   if (contact_) all_ = sum_of(all_, contact_->forces(), lattice.grid);
@@ -163,7 +164,8 @@ bool Loading::update(const Lattice& lattice, const State& state, LoadSeconds& se
 }
 
 // True when something touches, or did in the last step.
-bool Loading::touch(const Lattice& lattice, const State& state, LoadSeconds& seconds) {
+bool Loading::touch(const Lattice& lattice, const State& state, const std::vector<double>& heat,
+                    LoadSeconds& seconds) {
   const auto touched = [this] {
     return !impact_.forces().empty() || (contact_ && !contact_->forces().empty());
   };
@@ -174,7 +176,7 @@ bool Loading::touch(const Lattice& lattice, const State& state, LoadSeconds& sec
   }
   if (contact_) {
     const Stopwatch watch(seconds.contact);
-    contact_->update(lattice, state);
+    contact_->update(lattice, state, heat);
   }
   return before || touched();
 }

@@ -71,11 +71,13 @@ class Loading {
   // Takes up a state that is not the one of the last step: bonds, and the discs that it does not
   // have yet. Throws what Impact::begin throws.
   void begin(const Lattice& lattice, State& state);
-  // A step has been done, and these bonds broke in it.
-  void follow(const Lattice& lattice, State& state, std::span<const Loss> losses,
-              LoadSeconds& seconds);
+  // A step has been done, and these bonds broke in it. `heat` is the thermal strain by Grid::index,
+  // empty for 0, here as below.
+  void follow(const Lattice& lattice, State& state, const std::vector<double>& heat,
+              std::span<const Loss> losses, LoadSeconds& seconds);
   // Finds what acts in the step that begins with this state. True when it is not what it was.
-  bool update(const Lattice& lattice, const State& state, LoadSeconds& seconds);
+  bool update(const Lattice& lattice, const State& state, const std::vector<double>& heat,
+              LoadSeconds& seconds);
   // Finds what acts on a plate that stands still at the time of u: loads and displacements of this
   // very moment, whatever the step; without contacts and impacts. Nodes that are led at a velocity
   // go as far as that makes in the time that has `passed` since they were where they are, s.
@@ -91,8 +93,15 @@ class Loading {
   // when they vary, the half of those that acted at its beginning; what acts at its end does the
   // other half.
   void add_work(const Lattice& lattice, const State& state, double& work) const;
-  // What is stored in contacts at the time of update(). Both in units of rho dx^4/dt^2.
+  // What is stored in contacts at the time of update(), and what bonds that broke in the step
+  // before it took from that. All three in units of rho dx^4/dt^2.
   double contact_energy() const { return contact_ ? contact_->energy() : 0.0; }
+  double contact_lost() const { return contact_ ? contact_->lost() : 0.0; }
+  // How much of contact_energy() a change of the thermal strain adds while nodes stay.
+  double contact_heat_work(const std::vector<double>& before,
+                           const std::vector<double>& after) const {
+    return contact_ ? contact_->heat_work(before, after) : 0.0;
+  }
   // Of all that grows with the plate, whatever acts on it.
   std::size_t bytes() const { return contact_ ? contact_->bytes() : 0; }
 
@@ -116,7 +125,8 @@ class Loading {
   void add(const std::vector<SpreadSupport>& supports, const Lattice& lattice);
   template <class Factor>
   void sum_forces(const Factor& factor);
-  bool touch(const Lattice& lattice, const State& state, LoadSeconds& seconds);
+  bool touch(const Lattice& lattice, const State& state, const std::vector<double>& heat,
+             LoadSeconds& seconds);
   template <class Factor>
   void lead(const State& state, const Factor& factor);
 

@@ -164,6 +164,7 @@ Simulation::Simulation(Plate plate, Numerics numerics, Execution execution,
   if (!plate_.starts.empty() || !heat_.empty()) start();
   throw_if_interrupted();
   prepare();
+  state_.external_work += loading_.contact_energy();  // of faces that the start presses
 }
 
 EngineOptions Simulation::options() const {
@@ -220,9 +221,9 @@ double Simulation::energy_of_state() const {
 }
 
 void Simulation::prepare() {
-  loading_.begin(lattice_, state_);
-  loading_.update(lattice_, state_, step_seconds_.loads);
   heat_.update(lattice_, state_);
+  loading_.begin(lattice_, state_);
+  loading_.update(lattice_, state_, heat_.values(), step_seconds_.loads);
   std::visit(
       [this](auto& engine) {
         engine.set_loads(loading_);
@@ -248,9 +249,8 @@ void Simulation::set_loads(Loads loads) {
   loading.begin(lattice_, state_);
   const bool rebuild = heat.empty() != heat_.empty();
   if (!heat.empty() || !heat_.empty())
-    state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_),
-                                      heat.before(lattice_, state_), threads_) /
-                            energy_unit();
+    state_.external_work +=
+        heat_work_between(heat_.before(lattice_, state_), heat.before(lattice_, state_));
   const double work = work_of_half_step(), loss = lost_in_half_step();
   const double damping = plate.loads.damping;
   plate.loads.damping = plate_.loads.damping;
@@ -330,10 +330,12 @@ double Simulation::lost_in_half_step() const {
 void Simulation::take_loads() {
   std::visit(
       [this](auto& engine) {
-        loading_.follow(lattice_, state_, engine.losses(), step_seconds_.loads);
-        if (loading_.update(lattice_, state_, step_seconds_.loads)) engine.set_loads(loading_);
+        loading_.follow(lattice_, state_, heat_.values(), engine.losses(), step_seconds_.loads);
+        if (loading_.update(lattice_, state_, heat_.values(), step_seconds_.loads))
+          engine.set_loads(loading_);
       },
       engine_);
+  state_.contact_lost += loading_.contact_lost();
   if (loading_.varies()) loading_.add_work(lattice_, state_, state_.external_work);
 }
 
@@ -341,9 +343,14 @@ void Simulation::take_loads() {
 void Simulation::count_heat_work() {
   if (!heat_.changes_around(state_)) return;
   const Stopwatch watch(step_seconds_.heat);
-  state_.external_work += heat_work(lattice_, state_, heat_.before(lattice_, state_),
-                                    heat_.after(lattice_, state_), threads_) /
-                          energy_unit();
+  state_.external_work +=
+      heat_work_between(heat_.before(lattice_, state_), heat_.after(lattice_, state_));
+}
+
+double Simulation::heat_work_between(const std::vector<double>& before,
+                                     const std::vector<double>& after) const {
+  return heat_work(lattice_, state_, before, after, threads_) / energy_unit() +
+         loading_.contact_heat_work(before, after);
 }
 
 void Simulation::take_heat() {
@@ -504,14 +511,14 @@ double Simulation::energy_unit() const {
 }
 
 double Simulation::external_work() const {
-  double work = (state_.external_work + work_of_led_half_step()) * energy_unit();
+  double work = state_.external_work + work_of_led_half_step();
   if (!heat_.empty() && heat_.changes_until(state_))
-    work += heat_work(lattice_, state_, heat_.before(lattice_, state_), heat_.values(), threads_);
-  return work;
+    work += heat_work_between(heat_.before(lattice_, state_), heat_.values());
+  return work * energy_unit();
 }
 
 double Simulation::contact_energy() const {
-  return loading_.contact_energy() * energy_unit();
+  return (loading_.contact_energy() + state_.contact_lost) * energy_unit();
 }
 
 double Simulation::damped_energy() const {

@@ -122,9 +122,11 @@ class Simulation {
   double end_time() const { return end_time_; }  // s, asked for
   double external_work() const;                  // done by loads, supports and heat so far, J/m
   double damped_energy() const;                  // taken by damping so far, J/m
-  double released_energy() const;         // given off by jumps and on the way to rest so far, J/m
-  double kinetic_energy() const;          // now, J/m
-  double contact_energy() const;          // stored in contacts now, J/m
+  double released_energy() const;  // given off by jumps and on the way to rest so far, J/m
+  double kinetic_energy() const;   // now, J/m
+  // Stored in contacts now, or lost there when bonds broke; less what they store since the plate
+  // came to rest, which took no notice of them. J/m.
+  double contact_energy() const;
   Vec2 displacement(int i, int j) const;  // m
   std::vector<Vec2> velocities() const;   // m/s, now, by Grid::index
   // Whether the bond of node (i, j) to (i + column, j + row) holds.
@@ -159,6 +161,9 @@ class Simulation {
   void take_loads();
   void take_heat();
   void count_heat_work();
+  // In bonds and contacts, in units of the state's work.
+  double heat_work_between(const std::vector<double>& before,
+                           const std::vector<double>& after) const;
   void count_external_work();
   double work_of_half_step() const;      // the ledger's, in units of the state's
   double work_of_led_half_step() const;  // likewise

@@ -80,14 +80,17 @@ Equilibrium Simulation::settle(Relaxation& relaxation, const RelaxOptions& optio
   return rest;
 }
 
-// Leaves the plate at rest under the loads that act since Loading::halt().
+// Leaves the plate at rest under the loads that act since Loading::halt(). Contacts took no part:
+// what is stored in them now and was not before came from nowhere.
 void Simulation::come_to_rest(std::vector<Loss> losses) {
   borne_ = loading_.forces();
   for (int j = 0; j < lattice_.grid.ny; ++j)
     for (int i = 0; i < lattice_.grid.nx; ++i) state_.set_v(i, j, {0, 0});
   state_.start = state_.step;
   if (state_.precision() == Precision::f32) keep_f32_exact();
+  const double stored = loading_.contact_energy();
   prepare();
+  state_.contact_lost -= loading_.contact_energy() - stored;
   std::visit([&](auto& engine) { engine.note_losses(std::move(losses)); }, engine_);
 }
 

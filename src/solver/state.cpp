@@ -81,7 +81,7 @@ std::string State::hash() const {
     hash.add(std::span(&clock.moment, 1));
     hash.add(std::span(&clock.since, 1));
   }
-  for (const double* energy : {&damped, &released})
+  for (const double* energy : {&damped, &released, &contact_lost})
     if (*energy != 0.0) hash.add(std::span(energy, 1));
   hash.add(std::span(origin.data(), 2));
   for (const std::array<double, 4>& disc : sorted(discs)) hash.add(std::span<const double>(disc));

@@ -56,6 +56,8 @@ struct State {
                                // up to half a step ago, in units of rho dx^4/dt^2 (J/m)
   double damped = 0.0;         // taken by damping up to a step ago, in the same units
   double released = 0.0;       // energy released by jumps and on the way to rest so far, likewise
+  double contact_lost = 0.0;   // stored in contacts and gone when bonds broke there, less what is
+                               // stored there since the plate came to rest without them, likewise
   Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u
   std::vector<Disc> discs;     // in the order of the impactors of the plate
 

@@ -19,18 +19,19 @@ Impactor disc(double speed) {
 
 TEST(Touching, CountsContactsAndTwoDiscsAtMost) {
   Plate plate = test::bare_plate(20, 10);
-  EXPECT_EQ(touching_stiffness(plate, spacing), 0.0);
+  EXPECT_EQ(touching_of(plate, spacing).nodes, 0.0);
+  EXPECT_EQ(touching_of(plate, spacing).bonds, 1.0);
   const double recoil = 2.0 * 2e-3 * spacing * 2235.0 / 0.1;
   for (int discs = 1; discs <= 3; ++discs) {
     plate.loads.impactors.push_back(disc(1.0));
-    EXPECT_DOUBLE_EQ(touching_stiffness(plate, spacing),
-                     std::min(discs, 2) * 15.0 * (1.0 + recoil));
+    EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes, std::min(discs, 2) * 15.0 * (1.0 + recoil));
   }
   plate.loads.impactors.clear();
   plate.contact = Contact{20.0, 0.9};
-  EXPECT_DOUBLE_EQ(touching_stiffness(plate, spacing), 80.0);
+  EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes, 80.0);
+  EXPECT_EQ(touching_of(plate, spacing).bonds, faces_bear);
   plate.loads.impactors.push_back(disc(1.0));
-  EXPECT_DOUBLE_EQ(touching_stiffness(plate, spacing), 80.0 + 20.0 * (1.0 + recoil));
+  EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes, 80.0 + 20.0 * (1.0 + recoil));
 }
 
 TEST(Touching, LowersTheLimitOfTheLattice) {

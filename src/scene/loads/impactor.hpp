@@ -20,7 +20,7 @@ inline constexpr auto description_of<Impactor> = describe_noun(
     member("centre", &Impactor::centre,
            {.unit = "m",
             .required = true,
-            .sentence = "Where it starts, beside the plate or in a hole."}),
+            .sentence = "Where it starts, beside the plate as it is drawn, or in a hole."}),
     member("radius", &Impactor::radius,
            {.unit = "m", .range = above(0.0), .required = true, .sentence = "At least a spacing."}),
     member("velocity", &Impactor::velocity,
