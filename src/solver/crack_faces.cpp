@@ -47,13 +47,14 @@ void CrackFaces::lose(const Lattice& lattice, std::span<const OpenNode> nodes, i
                       int bit) {
   const OpenNode &p = at(nodes, one), &q = at(nodes, other);
   const double c = 0.5 * (lattice.micromodulus_at(p.i, p.j) + lattice.micromodulus_at(q.i, q.j));
-  LostBond bond{one, other, bit, 0.0};
+  LostBond bond{one, other, bit};
   bond.pull = offset_of(bond).weight * c / lattice.calibration.c;
+  bond.stiffness = 0.5 * bond.pull * offset_of(bond).length / horizon_;
   near_.push_back(static_cast<int>(bonds_.size()));
   bonds_.push_back(bond);
   stiffness_.resize(nodes.size());
   for (const int end : {one, other})
-    stiffness_[static_cast<std::size_t>(end)].add({stiffness_of(bond), 0.0});
+    stiffness_[static_cast<std::size_t>(end)].add({bond.stiffness, 0.0});
 }
 
 void CrackFaces::find_near(std::span<const OpenNode> nodes, double slack) {
@@ -80,7 +81,7 @@ bool CrackFaces::find_closed(std::span<const OpenNode> nodes,
   for (const int place : near_) {
     const LostBond& bond = bonds_[static_cast<std::size_t>(place)];
     const double s = stretches_.emplace_back(stretch_of(bond, nodes, heat));
-    const Vec2 nearer(stiffness_of(bond) * counted(s), 0.0);
+    const Vec2 nearer(bond.stiffness * counted(s), 0.0);
     for (const int end : {bond.one, bond.other})
       nearing_[static_cast<std::size_t>(end)].add(nearer);
   }

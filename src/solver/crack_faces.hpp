@@ -60,15 +60,12 @@ class CrackFaces {
     int one = 0;
     int other = 0;
     int bit = 0;
-    double pull = 0.0;  // c w, over c of the plate's own material
+    double pull = 0.0;       // c w, over c of the plate's own material
+    double stiffness = 0.0;  // K/2, which is what an end has of it, with lengths in horizons
   };
 
   const Offset& offset_of(const LostBond& bond) const {
     return offsets_[static_cast<std::size_t>(bond.bit)];
-  }
-  // Of half a bond, which is what an end has of it: c of the plate's own material and horizons.
-  double stiffness_of(const LostBond& bond) const {
-    return 0.5 * bond.pull * offset_of(bond).length / horizon_;
   }
   double stretch_of(const LostBond& bond, std::span<const OpenNode> nodes,
                     const std::vector<double>& heat) const;

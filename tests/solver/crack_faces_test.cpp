@@ -174,7 +174,9 @@ TEST(CrackFaces, AreNotSeenBySlowLoading) {
   Plate plate = across();
   plate.loads.tractions.push_back({Edge::top, {0.0, -20e6}});
   plate.loads.tractions.push_back({Edge::bottom, {0.0, 20e6}});
-  Simulation simulation(plate, test::numerics(), {1}), open(across(false), test::numerics(), {1});
+  Numerics numerics = test::numerics();
+  numerics.step = 20e-9;  // it begins with a blow
+  Simulation simulation(plate, numerics, {1}), open(across(false), numerics, {1});
   open.set_loads(plate.loads);
   simulation.relax();
   open.relax();
@@ -185,7 +187,7 @@ TEST(CrackFaces, AreNotSeenBySlowLoading) {
   const Energy ledger = energy(simulation);
   EXPECT_LT(ledger.contact, -1e-3 * work);
   EXPECT_GT(ledger.kinetic, 0.0);
-  EXPECT_LT(std::abs(ledger.residual()), 1e-3 * work);
+  EXPECT_LT(std::abs(ledger.residual()), 2e-3 * std::abs(ledger.contact));
 }
 
 // Faces that a start presses hold energy from the start.

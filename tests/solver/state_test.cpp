@@ -24,6 +24,7 @@ State busy(Precision precision) {
   state.external_work = 1.0;
   state.damped = 3.0;
   state.released = 3.25;
+  state.contact_lost = 3.125;
   state.clock = {1e-6, 2};
   state.origin = {4.0, 5.0};
   state.discs = {{{6.0, 7.0}, {8.0, 9.0}}, {{1.0, 2.0}, {3.0, 4.0}}};
@@ -53,6 +54,7 @@ TEST(StateHash, KnowsEveryMember) {
       {"external_work", [](State& s) { s.external_work = 1.5; }},
       {"damped", [](State& s) { s.damped = 3.5; }},
       {"released", [](State& s) { s.released = 3.75; }},
+      {"contact_lost", [](State& s) { s.contact_lost = 4.25; }},
       {"moment of the clock", [](State& s) { s.clock.moment = 2e-6; }},
       {"step of the clock", [](State& s) { s.clock.since = 3; }},
       {"origin x", [](State& s) { s.origin.x() = 4.5; }},
