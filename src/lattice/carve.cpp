@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "lattice/lattice.hpp"
 
 namespace hackle {
 
@@ -46,12 +45,10 @@ std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& gri
   for (const Cutout& cutout : plate.cutouts) {
     const Shape shape = transformed(cutout.shape, grid.centre, 1.0 / grid.dx);
     for_nodes(nodes_near(bounds(shape), grid, 1), [&](int i, int j) {
-      if (is_inside(shape, grid.from_centre(i, j), tie))
-        material[grid.index(i, j)] = Lattice::void_node;
+      if (is_inside(shape, grid.from_centre(i, j), tie)) material[grid.index(i, j)] = void_node;
     });
   }
-  if (std::ranges::count(material, Lattice::void_node) ==
-      static_cast<std::ptrdiff_t>(material.size()))
+  if (std::ranges::count(material, void_node) == static_cast<std::ptrdiff_t>(material.size()))
     throw Error(ErrorKind::refused, "plate: its cut-outs leave no node of it",
                 "make them smaller, or the spacing finer");
   return material;
@@ -63,7 +60,7 @@ namespace {
 void carve_at(int i, int j, const Shape& shape, const std::vector<std::uint8_t>& material,
               const Grid& grid, const Family& family, BondBits& bonds) {
   const auto is_void = [&](int column, int row) {
-    return material[grid.index(column, row)] == Lattice::void_node;
+    return material[grid.index(column, row)] == void_node;
   };
   if (is_void(i, j)) return bonds.clear_all(grid.layout().at(i, j));
   const Vec2 here = grid.from_centre(i, j), reach = Vec2::Constant(family.reach());

@@ -10,6 +10,9 @@
 
 namespace hackle {
 
+// Marks, among the materials of nodes, those that cut-outs removed.
+inline constexpr std::uint8_t void_node = 255;
+
 // nx columns and ny rows of nodes, each the centre of a cell of dx by dx. The lattice is centred on
 // the plate. Nodes are numbered row by row from the lower left: index = j * nx + i.
 struct Grid {

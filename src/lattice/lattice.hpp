@@ -55,7 +55,7 @@ struct Lattice {
   std::vector<float> strength;      // per node: its critical stretch over s0; empty when all are 1
 
   // Marks nodes that cut-outs removed: they have no bonds, loads or motion.
-  static constexpr std::uint8_t void_node = 255;
+  static constexpr std::uint8_t void_node = hackle::void_node;
   bool is_void(int i, int j) const {
     return !material.empty() && material[grid.index(i, j)] == void_node;
   }

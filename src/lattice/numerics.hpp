@@ -128,10 +128,4 @@ inline constexpr double step_fraction = 0.9;
 inline constexpr double least_m = 2.0;
 inline constexpr double most_m = 16.0;
 
-// Adds a problem for every numerical choice that cannot work on this plate, and for a lattice that
-// would need more memory (see needs.hpp) than `memory` bytes. One problem does not hide another,
-// unless the second cannot be decided without the first: no limit of the step without a family,
-// constants that apply and a material.
-void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems);
-
 }  // namespace hackle

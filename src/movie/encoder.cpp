@@ -14,7 +14,7 @@
 #include "base/stopwatch.hpp"
 #include "base/worker.hpp"
 #include "movie/ffmpeg.hpp"
-#include "movie/film.hpp"
+#include "movie/make_film.hpp"
 
 namespace hackle {
 namespace {

@@ -2,11 +2,7 @@
 // The file of a movie as it grows, frame by frame.
 #pragma once
 
-#include <filesystem>
-#include <memory>
-
 #include "base/image.hpp"
-#include "movie/movie_format.hpp"
 
 namespace hackle {
 
@@ -24,8 +20,5 @@ class Film {
   // Completes the partial file. Once only. Throws Error (files).
   virtual void finish() = 0;
 };
-
-// The one for the ending of `path`; opens the partial file. Throws as Encoder does.
-std::unique_ptr<Film> make_film(const std::filesystem::path& path, const MovieFormat& format);
 
 }  // namespace hackle

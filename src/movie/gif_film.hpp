@@ -4,6 +4,7 @@
 
 #include "movie/byte_file.hpp"
 #include "movie/film.hpp"
+#include "movie/movie_format.hpp"
 #include "movie/palette.hpp"
 
 namespace hackle {

@@ -4,6 +4,7 @@
 
 #include "movie/codec.hpp"
 #include "movie/film.hpp"
+#include "movie/movie_format.hpp"
 
 namespace hackle {
 

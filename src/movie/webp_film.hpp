@@ -8,6 +8,7 @@
 #include "movie/codec.hpp"
 #include "movie/film.hpp"
 #include "movie/film_length.hpp"
+#include "movie/movie_format.hpp"
 
 namespace hackle {
 

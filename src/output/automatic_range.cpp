@@ -8,7 +8,7 @@
 #include <limits>
 #include <string_view>
 
-#include "output/painting.hpp"
+#include "output/field_choice.hpp"
 
 namespace hackle {
 namespace {

@@ -2,8 +2,9 @@
 // What charts show of a simulation at the present moment.
 #pragma once
 
-#include "output/run.hpp"
+#include "output/picture.hpp"
 #include "render/chart.hpp"
+#include "solver/simulation.hpp"
 
 namespace hackle {
 

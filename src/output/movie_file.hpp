@@ -8,8 +8,10 @@
 #include <memory>
 #include <string>
 
+#include "base/progress.hpp"
 #include "movie/encoder.hpp"
-#include "output/run.hpp"
+#include "output/movie_options.hpp"
+#include "store/run_file.hpp"
 
 namespace hackle {
 

@@ -12,7 +12,6 @@
 #include "output/output.hpp"
 #include "output/output_names.hpp"
 #include "output/painting.hpp"
-#include "output/run.hpp"
 #include "output/schedule.hpp"
 
 namespace hackle {

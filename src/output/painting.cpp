@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "measure/links.hpp"
 #include "output/automatic_range.hpp"
 #include "output/chart_data.hpp"
+#include "output/field_choice.hpp"
 #include "output/view.hpp"
 #include "render/colour_map.hpp"
 
@@ -19,36 +19,6 @@ namespace hackle {
 namespace {
 
 constexpr int least_width = 320, most_width = 7680;  // px
-
-// A field and how it is to be painted.
-struct FieldChoice {
-  const Scalar& scalar;
-  std::optional<Ends> range;
-  std::string colours;
-  bool logarithmic = false;
-  double thickness = 0.0;  // m
-
-  bool is_fringes() const { return scalar.name == fringes_name; }
-};
-
-FieldChoice first_field(const PictureOptions& options) {
-  const Scalar& scalar = scalar_of(options.field);
-  return {scalar, options.range, options.colours, options.logarithmic.value_or(scalar.logarithmic),
-          options.thickness};
-}
-
-FieldChoice second_field(const PictureOptions& options) {
-  const Scalar& scalar = scalar_of(*options.second);
-  return {scalar, options.second_range, "", scalar.logarithmic, options.thickness};
-}
-
-// What suits the field; a logarithmic scale of four decades where it has none of its own.
-Ends usual_ends(const FieldChoice& field, const Simulation& simulation) {
-  Ends ends = field.scalar.ends(simulation);
-  if (field.is_fringes()) ends.most *= field.thickness;
-  if (field.logarithmic && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
-  return ends;
-}
 
 FieldStyle style_of(const FieldChoice& field, const Simulation& simulation) {
   FieldStyle style;
@@ -61,18 +31,6 @@ FieldStyle style_of(const FieldChoice& field, const Simulation& simulation) {
   style.label = field.scalar.label;
   style.unit = field.scalar.unit;
   return style;
-}
-
-// nan where there is no material: pictures show the background there.
-std::vector<float> values_of(const FieldChoice& field, const Simulation& simulation) {
-  std::vector<float> values = field.scalar.values(simulation);
-  if (field.is_fringes())
-    for (float& order : values) order *= static_cast<float>(field.thickness);
-  const std::vector<std::uint8_t>& material = simulation.lattice().material;
-  for (std::size_t node = 0; node < material.size(); ++node)
-    if (material[node] == Lattice::void_node)
-      values[node] = std::numeric_limits<float>::quiet_NaN();
-  return values;
 }
 
 void check_field(const char* output, const std::string& name, Problems& problems) {
@@ -142,18 +100,6 @@ void check_percentile(const char* output, const PictureOptions& options, Problem
 }
 
 }  // namespace
-
-bool is_logarithmic(const PictureOptions& options) {
-  return first_field(options).logarithmic;
-}
-
-Ends usual_ends(const PictureOptions& options, const Simulation& simulation) {
-  return usual_ends(first_field(options), simulation);
-}
-
-std::vector<float> field_values(const PictureOptions& options, const Simulation& simulation) {
-  return values_of(first_field(options), simulation);
-}
 
 void refuse_percentile(const char* output, const PictureOptions& options) {
   if (options.percentile)

@@ -23,14 +23,6 @@ void refuse_percentile(const char* output, const PictureOptions& options);
 // background, which only a PNG by itself can have.
 void check_opaque(const char* output, const PictureOptions& options);
 
-// Whether the colour bar is.
-bool is_logarithmic(const PictureOptions& options);
-// The range that suits the field, whatever is asked for: it depends on the plate alone.
-Ends usual_ends(const PictureOptions& options, const Simulation& simulation);
-
-// What is painted of the field, by Grid::index; nan where there is no material.
-std::vector<float> field_values(const PictureOptions& options, const Simulation& simulation);
-
 // Without a range in the options it is the one of the state as it is, or what suits the field.
 // Throws Error (refused) when the materials lack what the field needs.
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation);

@@ -5,10 +5,12 @@
 #include <memory>
 
 #include "base/file_lock.hpp"
+#include "base/progress.hpp"
 #include "output/output.hpp"
 #include "output/output_names.hpp"
-#include "output/run.hpp"
+#include "output/record_options.hpp"
 #include "output/schedule.hpp"
+#include "store/run_file.hpp"
 
 namespace hackle {
 

@@ -14,6 +14,7 @@
 #include "base/units.hpp"
 #include "output/automatic_range.hpp"
 #include "output/chart_data.hpp"
+#include "output/field_choice.hpp"
 #include "output/movie_file.hpp"
 #include "output/movie_output.hpp"
 #include "output/painting.hpp"

@@ -10,8 +10,8 @@
 
 #include "base/image.hpp"
 #include "base/progress.hpp"
+#include "output/movie_options.hpp"
 #include "output/output_names.hpp"
-#include "output/run.hpp"
 #include "render/contact_sheet.hpp"
 #include "store/recording.hpp"
 

@@ -10,35 +10,16 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "movie/movie_kind.hpp"
+#include "output/movie_options.hpp"
 #include "output/output_names.hpp"
 #include "output/picture.hpp"
+#include "output/record_options.hpp"
 #include "output/rehearsal.hpp"
 #include "output/summary.hpp"
-#include "render/overlay_text.hpp"
 #include "solver/simulation.hpp"
 #include "store/run_file.hpp"
 
 namespace hackle {
-
-struct MovieOptions {
-  PictureOptions picture;
-  double every = 0.0;  // simulated seconds from frame to frame, at least a step
-  double fps = 30.0;   // frames a second when played, 1..240 and no more than its kind can say
-  Profile profile = Profile::web;
-  std::optional<int> crf;  // in the range of the kind; what the profile sets if not given
-  double hold = 1.0;       // s of played time for which the last frame stays
-  bool fallback = false;   // to the next best kind when an encoder is missing
-};
-
-// How many times slower than it was a movie shows what happened.
-inline double slow_motion_of(const MovieOptions& options) {
-  return 1.0 / (options.every * options.fps);
-}
-
-struct RecordOptions {
-  double every = 0.0;  // simulated seconds from record to record, at least a step
-};
 
 inline constexpr double default_output_limit = 20e9;  // bytes
 

@@ -14,6 +14,7 @@
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
 #include "lattice/carve.hpp"
+#include "lattice/check_numerics.hpp"
 #include "lattice/touching.hpp"
 #include "solver/bond_energy.hpp"
 #include "solver/damping.hpp"

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/machine.hpp"
+#include "lattice/check_numerics.hpp"
 #include "store/hdf5_reader.hpp"
 #include "store/inputs_reader.hpp"
 #include "store/lattice_hash.hpp"

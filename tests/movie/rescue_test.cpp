@@ -15,7 +15,7 @@
 #include "base/files.hpp"
 #include "base/partial_file.hpp"
 #include "movie/encoder.hpp"
-#include "movie/film.hpp"
+#include "movie/make_film.hpp"
 #include "movie/pictures.hpp"
 #include "movie/player.hpp"
 #include "support/folder.hpp"

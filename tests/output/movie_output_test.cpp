@@ -11,7 +11,7 @@
 #include "base/hash.hpp"
 #include "base/partial_file.hpp"
 #include "base/version.hpp"
-#include "movie/film.hpp"
+#include "movie/make_film.hpp"
 #include "movie/remux.hpp"
 #include "support/folder.hpp"
 #include "support/scenes.hpp"

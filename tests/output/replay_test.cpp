@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "output/field_choice.hpp"
 #include "output/painting.hpp"
 #include "store/run_file.hpp"
 #include "support/folder.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lattice/numerics.hpp"
+#include "lattice/check_numerics.hpp"
 
 #include <algorithm>
 #include <cmath>

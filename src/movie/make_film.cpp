@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "movie/film.hpp"
+#include "movie/make_film.hpp"
 
 #include "movie/gif_film.hpp"
 #include "movie/stream_film.hpp"

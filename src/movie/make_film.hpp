@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The film for the kind of a movie.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "movie/film.hpp"
+#include "movie/movie_format.hpp"
+
+namespace hackle {
+
+// The one for the ending of `path`; opens the partial file. Throws as Encoder does.
+std::unique_ptr<Film> make_film(const std::filesystem::path& path, const MovieFormat& format);
+
+}  // namespace hackle
