@@ -15,7 +15,7 @@
 #include "base/streams.hpp"
 #include "base/text.hpp"
 #include "console/console.hpp"
-#include "console/reference.hpp"
+#include "console/vocabulary.hpp"
 #include "movie/movie_kind.hpp"
 
 namespace hackle {

@@ -2,24 +2,20 @@
 // The arguments of one call, checked against the schema of the function.
 #pragma once
 
+#include <any>
 #include <cstdint>
 #include <initializer_list>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <type_traits>
 #include <vector>
 
 #include "base/error.hpp"
 #include "console/lua_function.hpp"
 #include "console/schema.hpp"
-#include "render/overlay_text.hpp"
-#include "scene/course.hpp"
-#include "scene/field_of_place.hpp"
-#include "scene/material.hpp"
+#include "console/value_reader.hpp"
 #include "scene/vec2.hpp"
-#include "store/recording.hpp"
 
 namespace hackle {
 
@@ -49,18 +45,12 @@ class Arguments {
   Vec2 pair(std::string_view name, const Vec2& fallback = {0, 0}) const;
   Eigen::Vector3d window(std::string_view name) const;  // x, y and half the width
   std::vector<Vec2> points(std::string_view name) const;
-  std::vector<Marker> markers(std::string_view name) const;
   std::vector<double> numbers(std::string_view name) const;
-  std::vector<std::shared_ptr<Recording>> recordings(std::string_view name) const;
-  Material material(std::string_view name) const;
-  VectorField vector_field(std::string_view name) const;
-  ScalarField scalar_field(std::string_view name) const;
-  Course course(std::string_view name) const;
   // Of an option that has() one.
   LuaFunction function(std::string_view name) const;
   // The text itself of a choice.
   std::string text_of_choice(std::string_view name, std::string_view fallback) const;
-  // Of any of the types above.
+  // Of any type, also of those that an option's own reader makes.
   template <class T>
   T get(std::string_view name, const T& fallback) const {
     if constexpr (std::is_enum_v<T>)
@@ -81,15 +71,8 @@ class Arguments {
   Problems problems;
 
  private:
-  struct Choice {
-    std::size_t index = 0;
-  };
-  using Value = std::variant<double, std::int64_t, std::string, bool, Vec2, Eigen::Vector3d,
-                             Material, Choice, VectorField, ScalarField, Course, LuaFunction,
-                             std::vector<Vec2>, std::vector<std::string>, std::vector<double>,
-                             std::vector<Marker>, std::vector<std::shared_ptr<Recording>>>;
   struct Slot {
-    std::optional<Value> value;
+    std::any value;  // what read_value() says
     bool bad = false;
   };
 
@@ -98,49 +81,20 @@ class Arguments {
   const Slot& at(std::string_view name) const;
   template <class T>
   T value_or(std::string_view name, T fallback) const {
-    const std::optional<Value>& value = at(name).value;
-    return value ? std::get<T>(*value) : fallback;
+    const std::any& value = at(name).value;
+    return value.has_value() ? std::any_cast<const T&>(value) : fallback;
   }
 
   void read_table(lua_State* L, int index);
   void read_positional(lua_State* L, int index, const Option& option);
   void report_others(lua_State* L, int index, bool first_is_known);
   void report_more(lua_State* L, int index);  // what stands there or beyond
-  void read_value(lua_State* L, int index, const Option& option);
+  void take(lua_State* L, int index, const Option& option);
   void require_all();
-  void wrong(const Option& option, std::string what, std::string remedy = {});
-  void wrong_type(lua_State* L, int index, const Option& option);
   void unknown_name(std::string_view name);
-
-  void take_number(lua_State* L, int index, const Option& option);
-  void take_integer(lua_State* L, int index, const Option& option);
-  void take_text(lua_State* L, int index, const Option& option);
-  void take_caption(lua_State* L, int index, const Option& option);
-  void take_texts(lua_State* L, int index, const Option& option);
-  void take_flag(lua_State* L, int index, const Option& option);
-  void take_point(lua_State* L, int index, const Option& option);
-  void take_pair(lua_State* L, int index, const Option& option);
-  void take_window(lua_State* L, int index, const Option& option);
-  void take_points(lua_State* L, int index, const Option& option);
-  void take_markers(lua_State* L, int index, const Option& option);
-  bool is_list(lua_State* L, int index, const Option& option);
-  void take_numbers(lua_State* L, int index, const Option& option);
-  void take_recordings(lua_State* L, int index, const Option& option);
-  void take_choice(lua_State* L, int index, const Option& option);
-  void take_material(lua_State* L, int index, const Option& option);
-  void take_vector_field(lua_State* L, int index, const Option& option);
-  void take_scalar_field(lua_State* L, int index, const Option& option);
-  void take_function(lua_State* L, int index, const Option& option);
-  void take_course(lua_State* L, int index, const Option& option);
-  // "traction: stress"
-  std::string full_name(const Option& option) const;
-  void keep(const Option& option, Value value);
 
   const FunctionDoc* doc_;
   std::vector<Slot> slots_;  // one an option
 };
-
-// [-0, +0] What is at `index`, for a message: "the text 'abc'", "3.5", "a table", "nothing".
-std::string description(lua_State* L, int index);
 
 }  // namespace hackle

@@ -13,6 +13,7 @@
 #include "console/raw_value.hpp"
 #include "console/reference.hpp"
 #include "console/session.hpp"
+#include "console/vocabulary.hpp"
 
 namespace hackle {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "base/files.hpp"
 #include "console/guard.hpp"
+#include "console/help.hpp"
 #include "console/interrupt_hook.hpp"
 #include "console/lua_function.hpp"
 #include "console/lua_state.hpp"
@@ -18,11 +19,15 @@
 #include "console/plate_binding.hpp"
 #include "console/process_binding.hpp"
 #include "console/recording_binding.hpp"
-#include "console/reference.hpp"
+#include "console/scripted_material.hpp"
+#include "console/scripted_plate.hpp"
+#include "console/scripted_recording.hpp"
+#include "console/scripted_run.hpp"
 #include "console/simulation_binding.hpp"
 #include "console/standard_library.hpp"
 #include "console/units_binding.hpp"
 #include "console/value_text.hpp"
+#include "console/vocabulary.hpp"
 
 namespace hackle {
 namespace {
@@ -153,6 +158,7 @@ struct Console::Parts {
       const std::string text = place(L, 1);
       return text.substr(0, text.find_last_of(':'));
     };
+    session.help_on = help_on;
     protect(L, [this](lua_State*) { open(); });
   }
 

@@ -10,6 +10,7 @@
 #include "console/guard.hpp"
 #include "console/picture_options.hpp"
 #include "console/recording_binding.hpp"
+#include "console/scripted_recording.hpp"
 #include "console/session.hpp"
 #include "output/replay.hpp"
 #include "render/contact_sheet.hpp"
@@ -33,6 +34,7 @@ constexpr auto sheet_options = joined(
                .sentence = "PNGs that exist already, in the output folder if relative."},
         Option{.name = "recordings",
                .type = OptionType::recordings,
+               .read = read_recordings,
                .range = at_least(1.0),
                .alternative = true,
                .sentence = "Or runs, what recording returned: a row for each."},

@@ -2,7 +2,9 @@
 // help(), help(plate), help "crack"
 #pragma once
 
-#include "console/object_type.hpp"
+#include <span>
+
+#include "console/schema.hpp"
 
 namespace hackle {
 

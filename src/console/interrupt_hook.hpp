@@ -27,13 +27,21 @@ class InterruptWatch {
   lua_State* before_;
 };
 
+// While an object of this class lives, a signal reaches this coroutine of the state that is watched.
+// Null changes nothing.
+class InterruptTarget {
+ public:
+  explicit InterruptTarget(lua_State* coroutine);
+  ~InterruptTarget();
+  InterruptTarget(const InterruptTarget&) = delete;
+  InterruptTarget& operator=(const InterruptTarget&) = delete;
+
+ private:
+  lua_State* before_;
+};
+
 // From now on looks at every instruction: a script that catches the first error with pcall is
 // stopped at its next step.
 void insist_on_interrupt(lua_State* L);
-
-// Replaces what of Lua's library would let a script outlast that, as no hook is called in it:
-// xpcall calls its handler while the error is being raised, and coroutine.wrap closes the variables
-// of a coroutine that an error has ended.
-void open_interruptible(lua_State* L);
 
 }  // namespace hackle

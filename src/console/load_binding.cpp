@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "console/load_docs.hpp"
-#include "console/plate_binding.hpp"
-#include "console/plate_memory.hpp"
-#include "console/simulation_binding.hpp"
+#include "console/object_type.hpp"
+#include "console/scripted_plate.hpp"
+#include "console/scripted_run.hpp"
 
 namespace hackle {
 namespace {

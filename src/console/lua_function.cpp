@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "console/arguments.hpp"
-#include "console/guard.hpp"
+#include "console/description.hpp"
+#include "console/error_object.hpp"
 
 namespace hackle {
 

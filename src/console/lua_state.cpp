@@ -66,6 +66,20 @@ void release_memory(lua_State* L, std::size_t bytes) {
   memory_of(L).release(bytes);
 }
 
+void push_text(lua_State* L, std::string_view text) {
+  lua_pushlstring(L, text.data(), text.size());
+}
+
+void set_number(lua_State* L, const char* name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
+void set_integer(lua_State* L, const char* name, std::int64_t value) {
+  lua_pushinteger(L, value);
+  lua_setfield(L, -2, name);
+}
+
 std::uint64_t birth_of(lua_State* L, int index) {
   const char* object = static_cast<const char*>(lua_topointer(L, index));
   if (lua_isthread(L, index)) object -= LUA_EXTRASPACE;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include <lua.hpp>
 
@@ -35,6 +36,12 @@ Error out_of_memory(lua_State* L);
 // See LuaMemory::hold; collects garbage where there is no room. Throws what out_of_memory says.
 void hold_memory(lua_State* L, std::size_t bytes);
 void release_memory(lua_State* L, std::size_t bytes);
+
+// [-0, +1]
+void push_text(lua_State* L, std::string_view text);
+// [-0, +0] Into the table on top.
+void set_number(lua_State* L, const char* name, double value);
+void set_integer(lua_State* L, const char* name, std::int64_t value);
 
 // Says which of two tables, functions, coroutines or full userdata was made first: it has the
 // lesser number. Not of functions of C without upvalues, which are not made.

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "console/noun_options.hpp"
+#include "console/object_type.hpp"
+#include "console/scripted_material.hpp"
 #include "console/session.hpp"
 
 namespace hackle {
@@ -21,6 +23,7 @@ constexpr auto material_options = [] {
   return joined(
       own, std::array{Option{.name = "like",
                              .type = OptionType::material,
+                             .read = read_material,
                              .alternative = true,
                              .sentence = "Another material, of which it has all that is not given "
                                          "here."}});
@@ -48,7 +51,7 @@ void require_all_values(Arguments& arguments) {
 }
 
 Material material_of(const Arguments& arguments) {
-  Material material = arguments.material("like");
+  Material material = arguments.get<Material>("like", {});
   if (!arguments.has("like")) material.nu = 1.0 / 3.0;
   const std::string like = arguments.has("like") ? "like " + material.name : "own material";
   material.name = like;

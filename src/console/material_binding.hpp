@@ -2,13 +2,11 @@
 // material "duran50", material { E = 65*GPa, ... }
 #pragma once
 
-#include "console/object_type.hpp"
-#include "scene/material.hpp"
+#include <span>
+
+#include "console/schema.hpp"
 
 namespace hackle {
-
-template <>
-inline constexpr const char* type_name<Material> = "hackle.material";
 
 const TypeDoc& material_type();
 std::span<const Function> material_functions();

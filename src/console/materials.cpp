@@ -7,7 +7,7 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "console/guard.hpp"
+#include "console/error_object.hpp"
 #include "console/units_binding.hpp"
 
 namespace hackle {

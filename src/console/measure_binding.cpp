@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "console/arguments.hpp"
-#include "console/simulation_binding.hpp"
+#include "console/object_type.hpp"
+#include "console/scripted_run.hpp"
 #include "measure/cracks.hpp"
 
 namespace hackle {

@@ -7,6 +7,9 @@
 
 #include "base/described.hpp"
 #include "console/arguments.hpp"
+#include "console/scripted_material.hpp"
+#include "scene/course.hpp"
+#include "scene/field_of_place.hpp"
 
 namespace hackle {
 
@@ -39,6 +42,7 @@ constexpr Option option_of(std::string_view name, const About& about) {
                 .alternative = about.alternative,
                 .sentence = about.sentence};
   if constexpr (std::is_enum_v<T>) option.choices = enum_names<T>;
+  if constexpr (std::is_same_v<T, Material>) option.read = read_material;
   return option;
 }
 

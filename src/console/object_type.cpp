@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "console/arguments.hpp"
+#include "console/description.hpp"
 
 namespace hackle {
 namespace {
@@ -76,20 +76,6 @@ void open_functions(lua_State* L, std::span<const Function> functions) {
 void refuse_self(const FunctionDoc& doc) {
   throw Error(ErrorKind::script, fmt::format("{}: it is called with a colon", doc.name),
               fmt::format("as in {}", doc.example));
-}
-
-void push_text(lua_State* L, std::string_view text) {
-  lua_pushlstring(L, text.data(), text.size());
-}
-
-void set_number(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
-void set_integer(lua_State* L, const char* name, std::int64_t value) {
-  lua_pushinteger(L, value);
-  lua_setfield(L, -2, name);
 }
 
 }  // namespace hackle

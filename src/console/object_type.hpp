@@ -2,7 +2,6 @@
 // How types and functions of the scene language become known to Lua.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -28,11 +27,5 @@ T& self(lua_State* L, const FunctionDoc& doc) {
   if (object == nullptr) refuse_self(doc);
   return *object;
 }
-
-// [-0, +1]
-void push_text(lua_State* L, std::string_view text);
-// [-0, +0] Into the table on top.
-void set_number(lua_State* L, const char* name, double value);
-void set_integer(lua_State* L, const char* name, std::int64_t value);
 
 }  // namespace hackle

@@ -7,6 +7,9 @@
 
 namespace hackle {
 
+// A list of Marker: {x, y, "label"}.
+std::any read_markers(const GivenValue& given);
+
 inline constexpr std::array overlay_options{
     Option{.name = "title",
            .type = OptionType::caption,
@@ -34,6 +37,7 @@ inline constexpr std::array overlay_options{
            .sentence = "Kinetic, strain and broken energy over time so far; for movies."},
     Option{.name = "markers",
            .type = OptionType::markers,
+           .read = read_markers,
            .unit = "m",
            .range = at_least(1.0),
            .fallback = "none",

@@ -7,8 +7,9 @@
 #include "console/contact_binding.hpp"
 #include "console/load_binding.hpp"
 #include "console/noun_options.hpp"
-#include "console/plate_memory.hpp"
+#include "console/object_type.hpp"
 #include "console/region_options.hpp"
+#include "console/scripted_plate.hpp"
 #include "console/shape_binding.hpp"
 #include "console/strength_binding.hpp"
 

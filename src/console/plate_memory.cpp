@@ -3,9 +3,6 @@
 
 #include <variant>
 
-#include "console/plate_binding.hpp"
-#include "console/session.hpp"
-
 namespace hackle {
 namespace {
 
@@ -58,24 +55,6 @@ std::size_t PlateMemory::grown(const Plate& plate) {
                       added(loads.supports, counted_[8]) + added(loads.heatings, counted_[9]);
   total_ += bytes;
   return bytes;
-}
-
-int return_plate(lua_State* L) {
-  const Plate* plate = object_at<Plate>(L, 1);
-  PlateMemory& known = session_of(L).plates[plate];
-  PlateMemory grown = known;
-  hold_memory(L, grown.grown(*plate));
-  known = grown;
-  lua_settop(L, 1);
-  return 1;
-}
-
-int destroy_plate(lua_State* L) {
-  const Plate* plate = object_at<Plate>(L, 1);
-  if (plate == nullptr) return 0;
-  const auto node = session_of(L).plates.extract(plate);
-  if (!node.empty()) release_memory(L, node.mapped().total());
-  return destroy_object<Plate>(L);
 }
 
 }  // namespace hackle

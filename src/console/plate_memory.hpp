@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 
-#include "console/lua_state.hpp"
 #include "scene/plate.hpp"
 
 namespace hackle {
@@ -22,12 +21,5 @@ class PlateMemory {
   std::array<std::size_t, 10> counted_{};
   std::size_t total_ = 0;
 };
-
-// How every method of a plate ends: [-all, +1] its stack holds the plate alone, so that calls can
-// be chained. Throws Error (script) when the script has no memory left for what was added.
-int return_plate(lua_State* L);
-
-// As destroy_object<Plate>; gives its memory back.
-int destroy_plate(lua_State* L);
 
 }  // namespace hackle

@@ -3,7 +3,7 @@
 
 #include "console/lua_tokens.hpp"
 #include "console/object_type.hpp"
-#include "console/reference.hpp"
+#include "console/vocabulary.hpp"
 
 namespace hackle {
 namespace {

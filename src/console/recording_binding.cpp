@@ -10,10 +10,11 @@
 #include "base/units.hpp"
 #include "console/arguments.hpp"
 #include "console/background_binding.hpp"
+#include "console/movie_options.hpp"
 #include "console/object_type.hpp"
 #include "console/recording_docs.hpp"
+#include "console/scripted_recording.hpp"
 #include "console/session.hpp"
-#include "console/simulation_binding.hpp"
 #include "output/chart_data.hpp"
 #include "output/painting.hpp"
 #include "output/replay.hpp"
@@ -167,7 +168,7 @@ constexpr std::array fields{
 
 Tiles tiles_of(Arguments& arguments, const char* who) {
   Tiles tiles;
-  for (const auto& recording : arguments.recordings("recordings"))
+  for (const auto& recording : arguments.get<Recordings>("recordings", {}))
     tiles.push_back({recording, recording->path().stem().string()});
   if (tiles.size() == 1) tiles.front().title.clear();  // its pictures say enough
   const std::vector<std::string> titles = arguments.texts("titles");

@@ -6,6 +6,7 @@
 
 #include "console/picture_options.hpp"
 #include "console/schema.hpp"
+#include "console/scripted_recording.hpp"
 #include "console/simulation_docs.hpp"
 
 namespace hackle {
@@ -63,6 +64,7 @@ inline constexpr FunctionDoc recorded_movie_doc{
 
 inline constexpr Option recordings_option{.name = "recordings",
                                           .type = OptionType::recordings,
+                                          .read = read_recordings,
                                           .range = at_least(1.0),
                                           .required = true,
                                           .sentence = "The runs, what recording returned."};

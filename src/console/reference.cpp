@@ -10,18 +10,9 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
-#include "console/background_binding.hpp"
-#include "console/contact_sheet_binding.hpp"
-#include "console/help_binding.hpp"
-#include "console/load_binding.hpp"
-#include "console/material_binding.hpp"
 #include "console/option_row.hpp"
-#include "console/options_binding.hpp"
-#include "console/plate_binding.hpp"
-#include "console/recording_binding.hpp"
 #include "console/see_also.hpp"
-#include "console/show_binding.hpp"
-#include "console/simulation_binding.hpp"
+#include "console/vocabulary.hpp"
 #include "measure/scalar.hpp"
 
 namespace hackle {
@@ -200,38 +191,6 @@ std::string page_of_scalar(std::string_view name) {
 }
 
 }  // namespace
-
-std::vector<const TypeDoc*> all_types() {
-  return {&material_type(), &plate_type(), &simulation_type(), &recording_type()};
-}
-
-std::vector<Function> all_functions() {
-  std::vector<Function> list;
-  for (const auto functions :
-       {material_functions(), plate_functions(), course_functions(), simulation_functions(),
-        background_functions(), show_functions(), recording_functions(), contact_sheet_functions(),
-        options_functions(), help_functions()})
-    list.insert(list.end(), functions.begin(), functions.end());
-  return list;
-}
-
-std::vector<const FunctionDoc*> all_docs() {
-  std::vector<const FunctionDoc*> docs;
-  for (const Function& function : all_functions()) docs.push_back(function.doc);
-  for (const TypeDoc* type : all_types())
-    for (const Function& method : type->methods) docs.push_back(method.doc);
-  return docs;
-}
-
-const TypeDoc* find_type(std::string_view name) {
-  for (const TypeDoc* type : all_types())
-    if (type->name == name) return type;
-  return nullptr;
-}
-
-std::string call_name(const FunctionDoc& doc) {
-  return doc.owner.empty() ? std::string(doc.name) : fmt::format("{}:{}", doc.owner, doc.name);
-}
 
 std::string list_of_functions() {
   std::string text = function_lines(all_functions());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything the scene language knows, and what help() tells about it.
+// What help() tells about everything that the scene language knows.
 #pragma once
 
 #include <span>
@@ -13,17 +13,6 @@ namespace hackle {
 
 // Texts are laid out for a terminal this wide.
 inline constexpr std::size_t reference_width = 80;
-
-// Every type, and every global function in the order in which a script needs them.
-std::vector<const TypeDoc*> all_types();
-std::vector<Function> all_functions();
-// All functions and all methods.
-std::vector<const FunctionDoc*> all_docs();
-// The type of this name, or null.
-const TypeDoc* find_type(std::string_view name);
-
-// "plate", "p:crack"
-std::string call_name(const FunctionDoc& doc);
 
 // Functions and methods, a sentence each.
 std::string list_of_functions();

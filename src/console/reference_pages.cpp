@@ -12,6 +12,7 @@
 #include "console/reference.hpp"
 #include "console/see_also.hpp"
 #include "console/tour.hpp"
+#include "console/vocabulary.hpp"
 #include "measure/scalar.hpp"
 
 namespace hackle {

@@ -5,7 +5,8 @@
 
 #include "base/files.hpp"
 #include "console/arguments.hpp"
-#include "console/simulation_binding.hpp"
+#include "console/object_type.hpp"
+#include "console/scripted_run.hpp"
 
 namespace hackle {
 namespace {

@@ -17,6 +17,10 @@ std::string option_names(const FunctionDoc& doc) {
 
 }  // namespace
 
+std::string call_name(const FunctionDoc& doc) {
+  return doc.owner.empty() ? std::string(doc.name) : fmt::format("{}:{}", doc.owner, doc.name);
+}
+
 std::string signature(const FunctionDoc& doc) {
   const std::string name =
       doc.owner.empty() ? std::string(doc.name) : fmt::format("{}:{}", doc.owner, doc.name);

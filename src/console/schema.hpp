@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <any>
 #include <array>
 #include <span>
 #include <string>
@@ -36,10 +37,15 @@ enum class OptionType {
   function,      // of Lua
 };
 
+struct GivenValue;
+// What it makes of a value, or nothing after adding a problem (value_reader.hpp).
+using ValueReader = std::any (*)(const GivenValue& given);
+
 struct Option {
   std::string_view name;
   OptionType type = OptionType::number;
-  std::string_view unit{};  // "" for none
+  ValueReader read = nullptr;  // of markers, recordings and material; beside their bindings
+  std::string_view unit{};     // "" for none
   Range range{};
   bool required = false;
   bool positional = false;      // may be given as [1], without its name
@@ -109,6 +115,9 @@ struct TypeDoc {
   lua_CFunction to_text = nullptr;
   lua_CFunction destroy = nullptr;
 };
+
+// "plate", "p:crack"
+std::string call_name(const FunctionDoc& doc);
 
 // "p:crack { from, to, born }", "s:run(duration)"
 std::string signature(const FunctionDoc& doc);

@@ -23,6 +23,8 @@
 #include "output/run.hpp"
 #include "store/recording.hpp"
 
+struct lua_State;
+
 namespace hackle {
 
 // What a script is run for: its results, to see whether it makes sense and what it would take, or
@@ -122,6 +124,7 @@ class Session {
   std::map<std::string, std::string> declared_options;  // and their defaults, by options { ... }
   std::optional<int> exit_code;                         // asked for with os.exit
   MakeRoom make_room;                                   // before anything is printed, or none
+  std::function<std::string(lua_State*)> help_on;       // see help.hpp, set by the console
   std::shared_ptr<OutputNames> names = std::make_shared<OutputNames>();  // of what is written
   std::int64_t said = 0;   // lines of the prompt and of the script so far
   int pictures_shown = 0;  // in files, by show(s)

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "console/arguments.hpp"
-#include "console/plate_binding.hpp"
-#include "console/plate_memory.hpp"
+#include "console/object_type.hpp"
+#include "console/scripted_plate.hpp"
 #include "console/session.hpp"
 #include "console/shape_docs.hpp"
 #include "output/mask.hpp"
@@ -107,7 +107,7 @@ int add_inclusion(lua_State* L) {
   const std::optional<Shape> shape = shape_of(arguments, "inclusion");
   if (shape) check(plate, *shape, "inclusion", arguments.problems);
   arguments.problems.throw_if_any();
-  plate.inclusions.push_back({*shape, arguments.material("material")});
+  plate.inclusions.push_back({*shape, arguments.get<Material>("material", {})});
   return return_plate(L);
 }
 
@@ -131,7 +131,7 @@ int add_mask(lua_State* L) {
   if (cut)
     plate.cutouts.push_back({shape, arguments.text("name")});
   else
-    plate.inclusions.push_back({shape, arguments.material("material")});
+    plate.inclusions.push_back({shape, arguments.get<Material>("material", {})});
   return return_plate(L);
 }
 

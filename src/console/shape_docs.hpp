@@ -185,6 +185,7 @@ inline constexpr std::array mask_options{
            .sentence = "Where its upper right corner goes."},
     Option{.name = "material",
            .type = OptionType::material,
+           .read = read_material,
            .alternative = true,
            .sentence = "Makes the pixels of this material in place of cutting them out."},
     name_options[0],

@@ -9,12 +9,13 @@
 
 #include "base/streams.hpp"
 #include "console/arguments.hpp"
-#include "console/guard.hpp"
+#include "console/description.hpp"
 #include "console/live_view.hpp"
+#include "console/object_type.hpp"
 #include "console/picture_options.hpp"
 #include "console/picture_text.hpp"
-#include "console/recording_binding.hpp"
-#include "console/simulation_binding.hpp"
+#include "console/scripted_recording.hpp"
+#include "console/scripted_run.hpp"
 #include "output/chart_data.hpp"
 #include "output/painting.hpp"
 

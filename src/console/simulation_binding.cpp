@@ -8,17 +8,21 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
 #include "base/units.hpp"
 #include "console/arguments.hpp"
 #include "console/background_binding.hpp"
+#include "console/description.hpp"
 #include "console/load_binding.hpp"
 #include "console/measure_binding.hpp"
-#include "console/plate_binding.hpp"
+#include "console/movie_options.hpp"
+#include "console/object_type.hpp"
 #include "console/relax_binding.hpp"
+#include "console/scripted_plate.hpp"
+#include "console/scripted_run.hpp"
 #include "console/show_binding.hpp"
 #include "console/simulation_docs.hpp"
 #include "console/steering_binding.hpp"
+#include "lattice/check_numerics.hpp"
 #include "lattice/needs.hpp"
 
 namespace hackle {
@@ -249,21 +253,6 @@ std::vector<Function> all_methods_of_simulation() {
 }
 
 }  // namespace
-
-void ScriptedRun::check_still_writable() const {
-  for (const std::filesystem::path& path : promised) check_writable(path);
-}
-
-MovieOptions movie_of(const Arguments& arguments) {
-  MovieOptions options;
-  options.picture = sized_picture_of(arguments);
-  options.fps = arguments.number("fps", options.fps);
-  options.profile = arguments.choice("profile", options.profile);
-  if (arguments.has("crf")) options.crf = static_cast<int>(arguments.integer("crf"));
-  options.hold = arguments.number("hold", options.hold);
-  options.fallback = arguments.flag("fallback");
-  return options;
-}
 
 const TypeDoc& simulation_type() {
   static const std::vector<Function> all = all_methods_of_simulation();

@@ -8,7 +8,7 @@
 
 #include "console/file_binding.hpp"
 #include "console/guard.hpp"
-#include "console/interrupt_hook.hpp"
+#include "console/interruptible.hpp"
 #include "console/key_order.hpp"
 #include "console/module_binding.hpp"
 #include "console/object_name.hpp"

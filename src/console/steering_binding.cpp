@@ -8,8 +8,10 @@
 
 #include "console/arguments.hpp"
 #include "console/background_binding.hpp"
+#include "console/description.hpp"
+#include "console/object_type.hpp"
 #include "console/region_options.hpp"
-#include "console/simulation_binding.hpp"
+#include "console/scripted_run.hpp"
 #include "console/watcher.hpp"
 
 namespace hackle {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "console/noun_options.hpp"
-#include "console/plate_binding.hpp"
-#include "console/plate_memory.hpp"
+#include "console/object_type.hpp"
+#include "console/scripted_plate.hpp"
 
 namespace hackle {
 namespace {

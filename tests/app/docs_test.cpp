@@ -10,7 +10,7 @@
 #include "app/voice.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "console/reference.hpp"
+#include "console/vocabulary.hpp"
 #include "support/skipping.hpp"
 
 namespace hackle {

@@ -5,10 +5,12 @@
 
 #include <gmock/gmock.h>
 
-#include "console/guard.hpp"
 #include "console/material_binding.hpp"
+#include "console/object_type.hpp"
 #include "console/plate_binding.hpp"
-#include "console/reference.hpp"
+#include "console/vocabulary.hpp"
+#include "console/scripted_material.hpp"
+#include "console/scripted_plate.hpp"
 #include "console/scripts.hpp"
 #include "console/units_binding.hpp"
 
@@ -25,7 +27,7 @@ constexpr std::array options{
     Option{.name = "film", .type = OptionType::flag},
     Option{.name = "place", .type = OptionType::point, .unit = "m"},
     Option{.name = "colour", .type = OptionType::choice, .choices = colours},
-    Option{.name = "material", .type = OptionType::material},
+    Option{.name = "material", .type = OptionType::material, .read = read_material},
 };
 constexpr FunctionDoc thing{.name = "thing", .options = options, .example = "thing { size = 1*m }"};
 
@@ -77,7 +79,7 @@ TEST_F(ArgumentsTest, ReadsEveryType) {
   EXPECT_EQ(arguments.point("place"), Vec2(1.0, 2.0));
   EXPECT_EQ(arguments.choice<int>("colour"), 1);
   EXPECT_EQ(arguments.text_of_choice("colour", "red"), "green");
-  EXPECT_DOUBLE_EQ(arguments.material("material").E, 65e9);
+  EXPECT_DOUBLE_EQ(arguments.get<Material>("material", {}).E, 65e9);
 }
 
 TEST_F(ArgumentsTest, WhatIsLeftOutReadsAsItsFallback) {

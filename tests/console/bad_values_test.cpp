@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "console/reference.hpp"
+#include "console/vocabulary.hpp"
 #include "console/scripts.hpp"
 
 namespace hackle {

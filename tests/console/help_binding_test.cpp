@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "console/reference.hpp"
+#include "console/vocabulary.hpp"
 #include "console/scripts.hpp"
 #include "console/tour.hpp"
 #include "measure/scalar.hpp"

@@ -11,7 +11,7 @@
 #include "console/load_docs.hpp"
 #include "console/material_binding.hpp"
 #include "console/plate_binding.hpp"
-#include "console/reference.hpp"
+#include "console/vocabulary.hpp"
 #include "console/scripts.hpp"
 #include "console/shape_docs.hpp"
 #include "console/simulation_binding.hpp"

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "console/picture_options.hpp"
-#include "console/reference.hpp"
+#include "console/vocabulary.hpp"
 #include "console/scripts.hpp"
 #include "console/see_also.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "console/reference.hpp"
+#include "console/vocabulary.hpp"
 #include "console/scripts.hpp"
 
 namespace hackle {

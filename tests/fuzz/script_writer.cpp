@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "console/reference.hpp"
+#include "console/vocabulary.hpp"
 
 namespace hackle::test {
 namespace {
