@@ -12,8 +12,8 @@
 #include "base/machine.hpp"
 #include "base/streams.hpp"
 #include "base/version.hpp"
-#include "console/line_reader.hpp"
-#include "console/prompt.hpp"
+#include "console/prompt/line_reader.hpp"
+#include "console/prompt/prompt.hpp"
 
 namespace hackle {
 namespace {

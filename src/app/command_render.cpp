@@ -15,7 +15,7 @@
 #include "base/streams.hpp"
 #include "base/text.hpp"
 #include "console/console.hpp"
-#include "console/vocabulary.hpp"
+#include "console/reference/vocabulary.hpp"
 #include "movie/movie_kind.hpp"
 
 namespace hackle {

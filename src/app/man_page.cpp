@@ -9,7 +9,7 @@
 #include "app/exit_code.hpp"
 #include "base/markup.hpp"
 #include "base/version.hpp"
-#include "console/reference_pages.hpp"
+#include "console/reference/reference_pages.hpp"
 
 namespace hackle {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "console/completion.hpp"
-#include "console/idle.hpp"
+#include "console/prompt/completion.hpp"
+#include "console/prompt/idle.hpp"
 #include "console/session.hpp"
 
 namespace hackle {

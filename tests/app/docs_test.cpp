@@ -10,7 +10,7 @@
 #include "app/voice.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "console/vocabulary.hpp"
+#include "console/reference/vocabulary.hpp"
 #include "support/skipping.hpp"
 
 namespace hackle {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "console/vocabulary.hpp"
+#include "console/reference/vocabulary.hpp"
 
 namespace hackle::test {
 namespace {

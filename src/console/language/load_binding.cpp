@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "console/language/load_binding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "console/language/load_docs.hpp"
+#include "console/language/scripted_plate.hpp"
+#include "console/language/scripted_run.hpp"
+#include "console/schema/object_type.hpp"
+
+namespace hackle {
+namespace {
+
+// A region that must be given.
+Region required_region(Arguments& arguments, const Plate& plate, std::string_view who) {
+  Region region = region_of(arguments, plate, who);
+  if (!region && arguments.problems.empty())
+    arguments.problems.add(std::string(who) + ": no area is given",
+                           "give edge and depth, or from and to, or centre and radius");
+  return region;
+}
+
+void set_axes(const Arguments& arguments, Support& support) {
+  const auto axis = arguments.text_of_choice("axis", "both");
+  support.along_x = axis != "y";
+  support.along_y = axis != "x";
+}
+
+// What the options of a load leave to be said: an area, axes, another word for a member.
+
+void complete(Traction&, Arguments&, const Plate&, const FunctionDoc&) {
+}
+void complete(Pressure&, Arguments&, const Plate&, const FunctionDoc&) {
+}
+
+void complete(BodyForce& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+  load.region = region_of(arguments, plate, doc.name);
+}
+
+void complete(Heating& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+  load.region = region_of(arguments, plate, doc.name);
+}
+
+// A clamp is a velocity of 0: it stays where it is, also in the middle of a run.
+void complete(Support& support, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+  support.region = required_region(arguments, plate, doc.name);
+  set_axes(arguments, support);
+  if (!arguments.takes("velocity")) {
+    support.kind = Support::Kind::velocity;
+    return;
+  }
+  if (arguments.has("velocity") == arguments.has("displacement") &&
+      arguments.good({"velocity", "displacement"}))
+    arguments.problems.add("move: it is not clear how", "give velocity or displacement");
+}
+
+void complete(Impactor& impactor, Arguments& arguments, const Plate&, const FunctionDoc&) {
+  constexpr double steel = 7850.0;  // kg/m3
+  if (arguments.has("mass") && arguments.has("density"))
+    arguments.problems.add("impactor: both a mass and a density are given", "give one of them");
+  const double area = std::numbers::pi * impactor.radius * impactor.radius;
+  if (!arguments.has("mass")) impactor.mass = area * arguments.number("density", steel);
+}
+
+template <class Load>
+Load load_of(Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+  auto load = noun_of<Load>(arguments);
+  complete(load, arguments, plate, doc);
+  arguments.problems.throw_if_any();
+  return load;
+}
+
+int return_self(lua_State* L) {
+  lua_settop(L, 1);
+  return 1;
+}
+
+template <class Load, const FunctionDoc& doc>
+int add_to_plate(lua_State* L) {
+  Plate& plate = self<Plate>(L, doc);
+  Arguments arguments = Arguments::from_table(L, 2, doc);
+  Loads loads = plate.loads;
+  all_of<Load>(loads).push_back(load_of<Load>(arguments, plate, doc));
+  check(loads, arguments.problems);
+  arguments.problems.throw_if_any();
+  plate.loads = std::move(loads);
+  return return_plate(L);
+}
+
+template <class Load, const FunctionDoc& doc>
+int change_in_run(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, doc);
+  Arguments arguments = Arguments::from_table(L, 2, doc);
+  const Plate& plate = scripted.simulation().plate();
+  auto load = load_of<Load>(arguments, plate, doc);
+  Loads loads = plate.loads;
+  std::vector<Load>& list = all_of<Load>(loads);
+  std::erase_if(list, [&](const Load& other) { return same_place(load, other); });
+  list.push_back(std::move(load));
+  scripted.run().set_loads(std::move(loads));
+  return return_self(L);
+}
+
+double read_damping(lua_State* L, const FunctionDoc& doc) {
+  const Arguments arguments = Arguments::from_table(L, 2, doc);
+  arguments.problems.throw_if_any();
+  return arguments.number("rate");
+}
+
+int damp_plate(lua_State* L) {
+  Plate& plate = self<Plate>(L, plate_damping_doc);
+  plate.loads.damping = read_damping(L, plate_damping_doc);
+  return return_plate(L);
+}
+
+int damp_run(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, run_damping_doc);
+  Loads loads = scripted.simulation().plate().loads;
+  loads.damping = read_damping(L, run_damping_doc);
+  scripted.run().set_loads(std::move(loads));
+  return return_self(L);
+}
+
+int release(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, release_doc);
+  Arguments arguments = Arguments::from_table(L, 2, release_doc);
+  const Plate& plate = scripted.simulation().plate();
+  const Region region = region_of(arguments, plate, "release");
+  arguments.problems.throw_if_any();
+  Loads loads = plate.loads;
+  const auto gone = std::erase_if(
+      loads.supports, [&](const Support& support) { return !region || support.region == region; });
+  if (gone == 0)
+    throw Error(ErrorKind::refused, "release: nothing is clamped or moved there",
+                "name the area as clamp or move named it, or none for all");
+  scripted.run().set_loads(std::move(loads));
+  return return_self(L);
+}
+
+int add_start(lua_State* L) {
+  Plate& plate = self<Plate>(L, start_doc);
+  Arguments arguments = Arguments::from_table(L, 2, start_doc);
+  auto start = noun_of<Start>(arguments);
+  start.region = region_of(arguments, plate, "start");
+  if (!arguments.has("displacement") && !arguments.has("velocity") &&
+      arguments.good({"displacement", "velocity"}))
+    arguments.problems.add("start: no motion is given", "give velocity, displacement or both");
+  arguments.problems.throw_if_any();
+  plate.starts.push_back(std::move(start));
+  return return_plate(L);
+}
+
+constexpr std::array plate_methods{
+    Function{&plate_traction_doc, guarded<add_to_plate<Traction, plate_traction_doc>>},
+    Function{&plate_pressure_doc, guarded<add_to_plate<Pressure, plate_pressure_doc>>},
+    Function{&plate_body_force_doc, guarded<add_to_plate<BodyForce, plate_body_force_doc>>},
+    Function{&plate_clamp_doc, guarded<add_to_plate<Support, plate_clamp_doc>>},
+    Function{&plate_move_doc, guarded<add_to_plate<Support, plate_move_doc>>},
+    Function{&plate_temperature_doc, guarded<add_to_plate<Heating, plate_temperature_doc>>},
+    Function{&plate_impactor_doc, guarded<add_to_plate<Impactor, plate_impactor_doc>>},
+    Function{&plate_damping_doc, guarded<damp_plate>},
+    Function{&start_doc, guarded<add_start>},
+};
+
+constexpr std::array simulation_methods{
+    Function{&run_traction_doc, guarded<change_in_run<Traction, run_traction_doc>>},
+    Function{&run_pressure_doc, guarded<change_in_run<Pressure, run_pressure_doc>>},
+    Function{&run_body_force_doc, guarded<change_in_run<BodyForce, run_body_force_doc>>},
+    Function{&run_clamp_doc, guarded<change_in_run<Support, run_clamp_doc>>},
+    Function{&run_move_doc, guarded<change_in_run<Support, run_move_doc>>},
+    Function{&run_temperature_doc, guarded<change_in_run<Heating, run_temperature_doc>>},
+    Function{&run_impactor_doc, guarded<change_in_run<Impactor, run_impactor_doc>>},
+    Function{&run_damping_doc, guarded<damp_run>},
+    Function{&release_doc, guarded<release>},
+};
+
+void push_course(lua_State* L, const Course& course) {
+  lua_createtable(L, static_cast<int>(course.points().size()), 0);
+  lua_Integer place = 0;
+  for (const Vec2& point : course.points()) {
+    lua_createtable(L, 2, 0);
+    lua_pushnumber(L, point.x());
+    lua_rawseti(L, -2, 1);
+    lua_pushnumber(L, point.y());
+    lua_rawseti(L, -2, 2);
+    lua_rawseti(L, -2, ++place);
+  }
+}
+
+template <const FunctionDoc& doc, Course (*make)(const Arguments&)>
+int push(lua_State* L) {
+  const Arguments arguments = Arguments::from_values(L, 1, doc);
+  arguments.problems.throw_if_any();
+  push_course(L, make(arguments));
+  return 1;
+}
+
+Course make_ramp(const Arguments& arguments) {
+  return ramp(arguments.number("duration"));
+}
+Course make_pulse(const Arguments& arguments) {
+  return pulse(arguments.number("duration"), arguments.number("start"));
+}
+Course make_step(const Arguments& arguments) {
+  return step_at(arguments.number("start"));
+}
+
+constexpr std::array courses{
+    Function{&ramp_doc, guarded<push<ramp_doc, make_ramp>>},
+    Function{&pulse_doc, guarded<push<pulse_doc, make_pulse>>},
+    Function{&step_at_doc, guarded<push<step_at_doc, make_step>>},
+};
+
+}  // namespace
+
+std::span<const Function> load_methods_of_plate() {
+  return plate_methods;
+}
+
+std::span<const Function> load_methods_of_simulation() {
+  return simulation_methods;
+}
+
+std::span<const Function> course_functions() {
+  return courses;
+}
+
+}  // namespace hackle

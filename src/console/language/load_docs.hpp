@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// What the functions take that load and hold a plate, or a simulation between two runs.
+#pragma once
+
+#include <array>
+
+#include "console/language/noun_options.hpp"
+#include "console/language/region_options.hpp"
+#include "scene/plate.hpp"
+
+namespace hackle {
+
+inline constexpr std::array axis_names = std::to_array<std::string_view>({"both", "x", "y"});
+
+inline constexpr Option axis_option{.name = "axis",
+                                    .type = OptionType::choice,
+                                    .fallback = "both",
+                                    .choices = axis_names,
+                                    .sentence = "Along which axis; the other stays free."};
+
+inline constexpr auto body_force_options = joined(options_of<BodyForce>, region_options);
+
+inline constexpr auto clamp_options = joined(std::array{axis_option}, region_options);
+
+inline constexpr auto move_options = joined(
+    joined(without("along_x", without("along_y", options_of<Support>)), std::array{axis_option}),
+    region_options);
+
+inline constexpr auto temperature_options = joined(options_of<Heating>, region_options);
+
+inline constexpr auto impactor_options = joined(
+    options_of<Impactor>,
+    std::array{Option{.name = "density",
+                      .unit = "kg/m3",
+                      .range = above(0.0),
+                      .fallback = "7850",
+                      .sentence = "Of the disc, instead of a mass; 7850 is that of steel."}});
+
+// The rate is a number of the loads, not a noun.
+inline constexpr std::array damping_options{
+    Option{.name = "rate",
+           .unit = "1/s",
+           .range = at_least(0.0),
+           .required = true,
+           .sentence = "Velocities die away as exp(-rate t); stable for any rate."},
+};
+
+inline constexpr auto start_options = joined(options_of<Start>, region_options);
+
+inline constexpr FunctionDoc plate_traction_doc{
+    .name = "traction",
+    .owner = "p",
+    .sentence = "Pulls, pushes or shears an edge.",
+    .options = options_of<Traction>,
+    .example = "p:traction { edge = \"top\", stress = {0, 12*MPa}, time = ramp(1*us) }"};
+inline constexpr FunctionDoc plate_pressure_doc{
+    .name = "pressure",
+    .owner = "p",
+    .sentence = "Pushes at the rim of a hole or a notch.",
+    .options = options_of<Pressure>,
+    .example =
+        "p:hole { centre = {70*mm, 20*mm}, radius = 4*mm, name = \"bore\" }\n"
+        "p:pressure { rim = \"bore\", pressure = 5*MPa }"};
+inline constexpr FunctionDoc plate_body_force_doc{
+    .name = "body_force",
+    .owner = "p",
+    .sentence = "A force on all the material of an area, or of the plate.",
+    .options = body_force_options,
+    .example = "p:body_force { force = {0, -2235*9.81} }"};
+inline constexpr FunctionDoc plate_clamp_doc{
+    .name = "clamp",
+    .owner = "p",
+    .sentence = "Holds an area where it is.",
+    .options = clamp_options,
+    .example = "p:clamp { edge = \"left\", depth = 2*mm }"};
+inline constexpr FunctionDoc plate_move_doc{
+    .name = "move",
+    .owner = "p",
+    .sentence = "Moves an area as told, whatever pulls at it.",
+    .options = move_options,
+    .example = "p:move { edge = \"top\", depth = 2*mm, velocity = {0, 5}, axis = \"y\" }"};
+inline constexpr FunctionDoc plate_temperature_doc{
+    .name = "temperature",
+    .owner = "p",
+    .sentence = "Warms or cools an area, or the plate; its bonds want to be longer or shorter.",
+    .options = temperature_options,
+    .example =
+        "p = plate { width = 10*mm, height = 4*mm, material = material { like = \"duran50\", "
+        "alphaT = 3.3e-6 } }\n"
+        "p:temperature { change = function(x, y) return -100*y/(4*mm) end }"};
+inline constexpr FunctionDoc plate_impactor_doc{
+    .name = "impactor",
+    .owner = "p",
+    .sentence = "Throws a rigid disc at the plate, in its plane.",
+    .options = impactor_options,
+    .example = "p:impactor { centre = {-6*mm, 20*mm}, radius = 5*mm, velocity = {50, 0} }"};
+inline constexpr FunctionDoc plate_damping_doc{.name = "damping",
+                                               .owner = "p",
+                                               .sentence = "Lets all motion die away.",
+                                               .options = damping_options,
+                                               .example = "p:damping { rate = 1e5 }"};
+inline constexpr FunctionDoc start_doc{
+    .name = "start",
+    .owner = "p",
+    .sentence = "Gives an area, or the plate, a motion to start with; several add up.",
+    .options = start_options,
+    .example = "p:start { velocity = function(x, y) return 0, 3*(y - 20*mm)/(20*mm) end }"};
+
+// The same of a simulation: from now on, instead of the like load at the same place.
+constexpr FunctionDoc of_simulation(FunctionDoc doc, std::string_view example) {
+  doc.owner = "s";
+  doc.example = example;
+  return doc;
+}
+
+inline constexpr FunctionDoc run_traction_doc = of_simulation(
+    plate_traction_doc, "s:traction { edge = \"top\", stress = {0, 6*MPa} }  -- changes the load");
+inline constexpr FunctionDoc run_pressure_doc =
+    of_simulation(plate_pressure_doc,
+                  "p:hole { centre = {70*mm, 20*mm}, radius = 4*mm, name = \"bore\" }\n"
+                  "s = simulate(p, { spacing = 0.5*mm })\n"
+                  "s:pressure { rim = \"bore\", pressure = 5*MPa }");
+inline constexpr FunctionDoc run_body_force_doc =
+    of_simulation(plate_body_force_doc, "s:body_force { force = {0, -2235*9.81} }");
+inline constexpr FunctionDoc run_clamp_doc =
+    of_simulation(plate_clamp_doc, "s:clamp { edge = \"left\", depth = 2*mm }");
+inline constexpr FunctionDoc run_move_doc =
+    of_simulation(plate_move_doc, "s:move { edge = \"top\", depth = 2*mm, velocity = {0, 5} }");
+inline constexpr FunctionDoc run_temperature_doc = of_simulation(
+    plate_temperature_doc,
+    "p = plate { width = 10*mm, height = 4*mm, material = material { like = \"duran50\", alphaT = "
+    "3.3e-6 } }\n"
+    "s = simulate(p, { spacing = 0.5*mm })\n"
+    "s:temperature { change = -100 }");
+inline constexpr FunctionDoc run_impactor_doc =
+    of_simulation(plate_impactor_doc,
+                  "s:impactor { centre = {-6*mm, 20*mm}, radius = 5*mm, velocity = {50, 0} }");
+inline constexpr FunctionDoc run_damping_doc =
+    of_simulation(plate_damping_doc, "s:damping { rate = 1e5 }");
+inline constexpr FunctionDoc release_doc{
+    .name = "release",
+    .owner = "s",
+    .sentence = "Lets go of what is clamped or moved there, or anywhere.",
+    .options = region_options,
+    .example =
+        "s:clamp { edge = \"left\", depth = 2*mm }\n"
+        "s:release { edge = \"left\", depth = 2*mm }"};
+
+inline constexpr std::array duration_option{Option{.name = "duration",
+                                                   .unit = "s",
+                                                   .range = above(0.0),
+                                                   .required = true,
+                                                   .sentence = "How long it takes."}};
+inline constexpr std::array pulse_options{
+    Option{.name = "duration",
+           .unit = "s",
+           .range = above(0.0),
+           .required = true,
+           .sentence = "How long it lasts."},
+    Option{.name = "start",
+           .unit = "s",
+           .range = at_least(0.0),
+           .fallback = "0",
+           .sentence = "When it begins."},
+};
+inline constexpr std::array step_at_options{Option{.name = "start",
+                                                   .unit = "s",
+                                                   .range = at_least(0.0),
+                                                   .required = true,
+                                                   .sentence = "When it begins."}};
+
+inline constexpr FunctionDoc ramp_doc{.name = "ramp",
+                                      .call = Call::values,
+                                      .sentence = "A time course from 0 to 1, then 1.",
+                                      .options = duration_option,
+                                      .example = "ramp(2*us)"};
+inline constexpr FunctionDoc pulse_doc{.name = "pulse",
+                                       .call = Call::values,
+                                       .sentence = "A time course that is 1 for a while.",
+                                       .options = pulse_options,
+                                       .example = "pulse(1*us, 3*us)"};
+inline constexpr FunctionDoc step_at_doc{.name = "step_at",
+                                         .call = Call::values,
+                                         .sentence = "A time course that is 0 before, 1 after.",
+                                         .options = step_at_options,
+                                         .example = "step_at(5*us)"};
+
+}  // namespace hackle

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "console/language/measure_binding.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "console/language/scripted_run.hpp"
+#include "console/schema/arguments.hpp"
+#include "console/schema/object_type.hpp"
+#include "measure/cracks.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr std::array cracks_options{
+    Option{.name = "from",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Lower left corner of the area; default: the whole plate."},
+    Option{.name = "to",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Its upper right corner."},
+};
+constexpr FunctionDoc cracks_doc{
+    .name = "cracks",
+    .owner = "s",
+    .sentence =
+        "Where nodes have lost more than 0.35 of their bonds: nodes, left, right, bottom, top, "
+        "bands (the most above each other, a horizon apart), fork (the x where the middle lines of "
+        "two branches meet, the first from the left, or nil).",
+    .options = cracks_options,
+    .example = "tip = s:cracks { from = {0, 10*mm}, to = {100*mm, 30*mm} }.right"};
+
+constexpr FunctionDoc pieces_doc{
+    .name = "pieces",
+    .owner = "s",
+    .call = Call::values,
+    .sentence = "The nodes of each part that hangs together, the largest first, as a list.",
+    .example = "print(#s:pieces())"};
+
+constexpr std::array at_options{
+    Option{.name = "place",
+           .type = OptionType::point,
+           .unit = "m",
+           .required = true,
+           .sentence = "The node nearest to it is meant."},
+};
+constexpr FunctionDoc at_doc{
+    .name = "at",
+    .owner = "s",
+    .call = Call::values,
+    .sentence = "What one node does: x, y (its place at birth), ux, uy (m), damage.",
+    .options = at_options,
+    .example = "print(s:at({50*mm, 30*mm}).uy)"};
+
+void push_cracks(lua_State* L, const Cracks& found) {
+  lua_createtable(L, 0, 7);
+  set_integer(L, "nodes", found.nodes);
+  set_integer(L, "bands", found.bands);
+  if (found.fork) set_number(L, "fork", *found.fork);
+  if (found.nodes == 0) return;
+  set_number(L, "left", found.box.least.x());
+  set_number(L, "right", found.box.most.x());
+  set_number(L, "bottom", found.box.least.y());
+  set_number(L, "top", found.box.most.y());
+}
+
+// The area that was given, or all there is.
+Box area_of(Arguments& arguments) {
+  if (arguments.has("from") != arguments.has("to"))
+    arguments.problems.add("cracks: from and to are given together or not at all");
+  if (!arguments.has("from") || !arguments.has("to")) return everywhere();
+  Box area{arguments.point("from"), arguments.point("to")};
+  if ((area.least.array() >= area.most.array()).any())
+    arguments.problems.add("cracks: the area is empty", "from is its lower left corner");
+  return area;
+}
+
+int find_cracks(lua_State* L) {
+  const Simulation& simulation = self<ScriptedRun>(L, cracks_doc).results();
+  Arguments arguments = Arguments::from_table(L, 2, cracks_doc);
+  const Box area = area_of(arguments);
+  arguments.problems.throw_if_any();
+  push_cracks(L, cracks(simulation, area));
+  return 1;
+}
+
+int pieces(lua_State* L) {
+  const Simulation& simulation = self<ScriptedRun>(L, pieces_doc).results();
+  Arguments::from_values(L, 2, pieces_doc).problems.throw_if_any();
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const int size : piece_sizes(simulation)) {
+    lua_pushinteger(L, size);
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+// The column or row of the node nearest to `x` spacings from the lower left corner.
+int nearest(double x, int count, const char* axis) {
+  if (!(x >= 0.0 && x <= count))
+    throw Error(ErrorKind::refused,
+                fmt::format("at: the place lies beyond the plate along {}", axis),
+                "the origin is its lower left corner");
+  return std::min(static_cast<int>(x), count - 1);
+}
+
+int at(lua_State* L) {
+  const Simulation& simulation = self<ScriptedRun>(L, at_doc).results();
+  const Arguments arguments = Arguments::from_values(L, 2, at_doc);
+  arguments.problems.throw_if_any();
+  const Grid& grid = simulation.lattice().grid;
+  const Vec2 place = grid.from_centre(arguments.point("place"));
+  const int i = nearest(place.x() + 0.5 * grid.nx, grid.nx, "x");
+  const int j = nearest(place.y() + 0.5 * grid.ny, grid.ny, "y");
+  const Vec2 x = grid.position(i, j), u = simulation.displacement(i, j);
+  lua_createtable(L, 0, 5);
+  set_number(L, "x", x.x());
+  set_number(L, "y", x.y());
+  set_number(L, "ux", u.x());
+  set_number(L, "uy", u.y());
+  set_number(L, "damage", static_cast<double>(damage(simulation).values[grid.index(i, j)]));
+  return 1;
+}
+
+}  // namespace
+
+std::span<const Function> measure_methods() {
+  static constexpr std::array methods{Function{&cracks_doc, guarded<find_cracks>},
+                                      Function{&pieces_doc, guarded<pieces>},
+                                      Function{&at_doc, guarded<at>}};
+  return methods;
+}
+
+}  // namespace hackle

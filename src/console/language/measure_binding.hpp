@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// What a script can ask of the state of a simulation: s:cracks, s:pieces, s:at.
+#pragma once
+
+#include <span>
+
+#include "console/schema/schema.hpp"
+
+namespace hackle {
+
+std::span<const Function> measure_methods();
+
+}  // namespace hackle

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// options { name = default, ... }: what a script lets its user set with --set name=value.
+#pragma once
+
+#include "console/schema/object_type.hpp"
+
+namespace hackle {
+
+std::span<const Function> options_functions();
+
+}  // namespace hackle

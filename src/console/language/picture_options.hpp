@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// What a picture shows and how large it is, as several functions take it.
+#pragma once
+
+#include "console/language/overlay_options.hpp"
+#include "console/schema/arguments.hpp"
+#include "output/run.hpp"
+#include "render/colour_map.hpp"
+
+namespace hackle {
+
+inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
+// The default of what each field has for itself.
+inline constexpr std::string_view suits_the_field = "what suits the field";
+
+inline constexpr std::string_view not_chosen = "none";
+
+// The choices of an option that may be nothing.
+template <std::size_t N>
+constexpr std::array<std::string_view, N + 1> or_none(
+    const std::array<std::string_view, N>& names) {
+  std::array<std::string_view, N + 1> all{not_chosen};
+  std::ranges::copy(names, all.begin() + 1);
+  return all;
+}
+inline constexpr auto second_names = or_none(scalar_names);
+inline constexpr auto follow_names = or_none(toward_names);
+
+// What of the plate a picture shows, and how.
+inline constexpr std::array view_options{
+    Option{.name = "field",
+           .type = OptionType::choice,
+           .fallback = "damage",
+           .choices = scalar_names,
+           .sentence = "What is painted."},
+    Option{.name = "range",
+           .type = OptionType::pair,
+           .fallback = suits_the_field,
+           .sentence = "Values at the two ends of the colour bar, in SI units."},
+    Option{.name = "percentile",
+           .range = between(50.0, 100.0),
+           .alternative = true,
+           .sentence = "Instead of a range: it spans this share of the values, in %."},
+    Option{.name = "scale",
+           .type = OptionType::choice,
+           .fallback = suits_the_field,
+           .choices = scale_names,
+           .sentence = "Of the colour bar."},
+    Option{.name = "colours",
+           .type = OptionType::choice,
+           .fallback = suits_the_field,
+           .choices = colour_map_names,
+           .sentence = "Of the colour bar."},
+    Option{.name = "second",
+           .type = OptionType::choice,
+           .fallback = not_chosen,
+           .choices = second_names,
+           .sentence = "A second field in the same picture."},
+    Option{.name = "arrange",
+           .type = OptionType::choice,
+           .fallback = "below",
+           .choices = arrangement_names,
+           .sentence =
+               "The second field: below or right of the midline, over the first one, or beside "
+               "it."},
+    Option{.name = "second_range",
+           .type = OptionType::pair,
+           .fallback = suits_the_field,
+           .sentence = "Range of the second field."},
+    Option{.name = "cracks",
+           .type = OptionType::flag,
+           .fallback = "true",
+           .sentence = "Cracks are gaps, except in a picture of damage."},
+    Option{.name = "thickness",
+           .unit = "m",
+           .range = above(0.0),
+           .fallback = "0.005",
+           .sentence = "Of the plate, for a picture of fringes."},
+    Option{.name = "zoom",
+           .type = OptionType::window,
+           .unit = "m",
+           .range = above(0.0),
+           .fallback = "the plate",
+           .sentence = "Middle and half the width of what is seen; it has the shape of the plate."},
+    Option{.name = "follow",
+           .type = OptionType::choice,
+           .fallback = not_chosen,
+           .choices = follow_names,
+           .sentence = "The zoom goes where the damage is that is foremost in this direction."},
+    Option{.name = "rotate",
+           .unit = "rad",
+           .range = between(-6.3, 6.3),
+           .fallback = "0",
+           .sentence = "Turns the picture counterclockwise; 90*deg for a plate on end."},
+    Option{.name = "deformed",
+           .type = OptionType::flag,
+           .fallback = "false",
+           .sentence = "The plate as it is displaced, magnified."},
+    Option{.name = "magnify",
+           .range = between(0.0, 1e9),
+           .fallback = "what suits the plate",
+           .sentence = "How many times as large displacements are shown, in a deformed plate."},
+    Option{.name = "bonds",
+           .type = OptionType::flag,
+           .fallback = "false",
+           .sentence = "Draws every bond of what is seen, for a zoom on a few nodes."},
+    Option{.name = "background",
+           .type = OptionType::choice,
+           .fallback = "dark",
+           .choices = background_names,
+           .sentence = "Around the plate; transparent in a PNG alone."},
+};
+// What every picture takes.
+inline constexpr auto picture_options = joined(view_options, overlay_options);
+inline constexpr Option width_option{.name = "width",
+                                     .type = OptionType::integer,
+                                     .unit = "px",
+                                     .range = between(320.0, 7680.0),
+                                     .fallback = "1280",
+                                     .sentence = "Of the picture, even."};
+inline constexpr Option scale_option{.name = "px_per_mm",
+                                     .range = above(0.0),
+                                     .alternative = true,
+                                     .sentence = "Instead of the width: px that a mm takes."};
+// All but the width.
+PictureOptions picture_of(const Arguments& arguments);
+
+// The width too.
+PictureOptions sized_picture_of(const Arguments& arguments);
+
+}  // namespace hackle

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "console/language/picture_text.hpp"
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "measure/field.hpp"
+#include "output/view.hpp"
+
+namespace hackle {
+namespace {
+
+// With texts where there are pixels enough to read them.
+Image paint_for(const Terminal& terminal, const Simulation& simulation, PictureOptions options) {
+  if (terminal.graphics != Graphics::symbols)
+    options.width = widest_picture(options, simulation, room_for_picture(terminal));
+  if (terminal.graphics != Graphics::symbols && options.width > 0)
+    return paint(simulation, options);
+  const Window window = window_of(options, simulation);
+  const double shape = static_cast<double>(window.nx) / window.ny;
+  return paint(simulation, options, bare_picture(terminal, shape));
+}
+
+}  // namespace
+
+std::string caption(const Simulation& simulation, const PictureOptions& options) {
+  std::string text =
+      fmt::format("{} at {}, {} bonds broken", options.field, quantity(simulation.time(), "s"),
+                  grouped(count_damage(simulation).broken_bonds));
+  if (options.zoom) text += fmt::format(", {} wide", quantity(2.0 * options.zoom->half_width, "m"));
+  return text;
+}
+
+std::string picture_text(const Simulation& simulation, const PictureOptions& options,
+                         const Terminal& terminal) {
+  return text_of(paint_for(terminal, simulation, options), terminal) +
+         caption(simulation, options) + "\n";
+}
+
+}  // namespace hackle

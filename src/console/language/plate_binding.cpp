@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "console/language/plate_binding.hpp"
+
+#include <array>
+#include <vector>
+
+#include "console/language/contact_binding.hpp"
+#include "console/language/load_binding.hpp"
+#include "console/language/noun_options.hpp"
+#include "console/language/region_options.hpp"
+#include "console/language/scripted_plate.hpp"
+#include "console/language/shape_binding.hpp"
+#include "console/language/strength_binding.hpp"
+#include "console/schema/object_type.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr FunctionDoc plate_doc{
+    .name = "plate",
+    .sentence = "A rectangular plate; its lower left corner is the origin, x right, y up.",
+    .options = options_of<Plate>,
+    .example = "p = plate { width = 100*mm, height = 40*mm, material = \"duran50\" }"};
+
+constexpr FunctionDoc nofail_doc{
+    .name = "nofail",
+    .owner = "p",
+    .sentence = "A strip along an edge, a rectangle or a disc in which no bond breaks.",
+    .options = region_options,
+    .example = "p:nofail { edge = \"top\", depth = 2*mm }"};
+
+int make_plate(lua_State* L) {
+  Arguments arguments = Arguments::from_table(L, 1, plate_doc);
+  arguments.problems.throw_if_any();
+  auto plate = noun_of<Plate>(arguments);
+  check(plate, arguments.problems);
+  arguments.problems.throw_if_any();
+  push_object(L, std::move(plate));
+  return 1;
+}
+
+int add_nofail(lua_State* L) {
+  Plate& plate = self<Plate>(L, nofail_doc);
+  Arguments arguments = Arguments::from_table(L, 2, nofail_doc);
+  const Region zone = region_of(arguments, plate, "nofail");
+  if (!zone && arguments.problems.empty())
+    arguments.problems.add("nofail: no area is given",
+                           "give edge and depth, or from and to, or centre and radius");
+  if (zone) check_no_fail(plate, *zone, arguments.problems);
+  arguments.problems.throw_if_any();
+  plate.no_fail.push_back(*zone);
+  return return_plate(L);
+}
+
+constexpr std::array own_methods_of_plate{Function{&nofail_doc, guarded<add_nofail>}};
+
+int to_text(lua_State* L) {
+  push_text(L, describe(*object_at<Plate>(L, 1)));
+  return 1;
+}
+
+template <double Plate::*value>
+int push_value(lua_State* L) {
+  lua_pushnumber(L, object_at<Plate>(L, 1)->*value);
+  return 1;
+}
+
+constexpr std::array fields{
+    Property{"width", "m", "Size along x.", push_value<&Plate::width>},
+    Property{"height", "m", "Size along y.", push_value<&Plate::height>},
+};
+
+// Of all files that bind methods of a plate.
+std::vector<Function> all_methods_of_plate() {
+  std::vector<Function> all;
+  for (const std::span<const Function> part :
+       {shape_methods(), std::span<const Function>(own_methods_of_plate), load_methods_of_plate(),
+        strength_methods(), contact_methods()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace
+
+const TypeDoc& plate_type() {
+  static const std::vector<Function> all = all_methods_of_plate();
+  static const TypeDoc type{.name = "plate",
+                            .sentence = "A plate with its cracks and loads; simulate copies it.",
+                            .methods = all,
+                            .fields = fields,
+                            .to_text = guarded<to_text>,
+                            .destroy = destroy_plate};
+  return type;
+}
+
+std::span<const Function> plate_functions() {
+  static constexpr std::array functions{Function{&plate_doc, guarded<make_plate>}};
+  return functions;
+}
+
+}  // namespace hackle

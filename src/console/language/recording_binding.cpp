@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "console/language/recording_binding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "console/language/background_binding.hpp"
+#include "console/language/movie_options.hpp"
+#include "console/language/recording_docs.hpp"
+#include "console/language/scripted_recording.hpp"
+#include "console/schema/arguments.hpp"
+#include "console/schema/object_type.hpp"
+#include "console/session.hpp"
+#include "output/chart_data.hpp"
+#include "output/painting.hpp"
+#include "output/replay.hpp"
+
+namespace hackle {
+namespace {
+
+// A script that is only checked may want to open what it would have written by then.
+void check_is_there(const Session& session, const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (session.settings.purpose == Purpose::check && !std::filesystem::exists(path, ignored))
+    throw Error(ErrorKind::script, fmt::format("recording: '{}' is not there yet", path.string()));
+}
+
+int open_recording(lua_State* L) {
+  Session& session = session_of(L);
+  const Arguments arguments = Arguments::from_table(L, 1, recording_doc);
+  arguments.problems.throw_if_any();
+  const auto path = session.input_path("recording", arguments.text("file"));
+  check_is_there(session, path);
+  collect_simulations(L);
+  push_object(L, ScriptedRecording{session.open_recording(path)});
+  return 1;
+}
+
+int frame(lua_State* L) {
+  Recording& recording = *self<ScriptedRecording>(L, recorded_frame_doc).recording;
+  const Arguments arguments = Arguments::from_table(L, 2, recorded_frame_doc);
+  arguments.problems.throw_if_any();
+  Session& session = session_of(L);
+  const PictureOptions options = sized_picture_of(arguments);
+  check("frame", options, recording.simulation().lattice().grid);
+  check_recorded("frame", options);
+  check_alone("frame", options);
+  session.write_picture("frame", arguments.text("file"), [&] {
+    recording.go_to(recording.nearest(arguments.number("time", recording.times().back())));
+    return paint(recording.simulation(), options);
+  });
+  return 0;
+}
+
+std::optional<double> optional_number(const Arguments& arguments, std::string_view name) {
+  return arguments.has(name) ? std::optional(arguments.number(name)) : std::nullopt;
+}
+
+Moments moments_of(const Arguments& arguments) {
+  return {optional_number(arguments, "from"), optional_number(arguments, "to"),
+          optional_number(arguments, "every")};
+}
+
+// Under the ending that it is going to have.
+std::filesystem::path claim_movie(Session& session, const char* who, const Arguments& arguments) {
+  const bool fallback = arguments.flag("fallback");
+  return session.claim(who, makeable(arguments.text("file"), fallback).path, FileKind::movie);
+}
+
+// Films what is claimed. A call that is refused, or breaks off, has no name any more.
+void make_claimed(OutputNames& names, const std::filesystem::path& path, const auto& make) {
+  try {
+    make();
+  } catch (...) {
+    names.take_back(path);
+    throw;
+  }
+  names.complete(path);
+}
+
+int movie(lua_State* L) {
+  const auto recording = self<ScriptedRecording>(L, recorded_movie_doc).recording;
+  const Arguments arguments = Arguments::from_table(L, 2, recorded_movie_doc);
+  arguments.problems.throw_if_any();
+  Session& session = session_of(L);
+  const auto path = claim_movie(session, "movie", arguments);
+  if (session.settings.purpose != Purpose::results) return 0;
+  make_claimed(*session.names, path, [&] {
+    film(recording, path, movie_of(arguments), moments_of(arguments), session.settings.talk,
+         session.names);
+  });
+  return 0;
+}
+
+int side_by_side(lua_State* L) {
+  Arguments arguments = Arguments::from_table(L, 1, side_by_side_doc);
+  const Tiles tiles = tiles_of(arguments, "side_by_side");
+  arguments.problems.throw_if_any();
+  Session& session = session_of(L);
+  const auto path = claim_movie(session, "side_by_side", arguments);
+  if (session.settings.purpose != Purpose::results) return 0;
+  make_claimed(*session.names, path, [&] {
+    MovieOptions options = movie_of(arguments);
+    options.picture.width = static_cast<int>(arguments.integer("width", 640));
+    film_side_by_side(tiles, path, options, moments_of(arguments),
+                      static_cast<int>(arguments.integer("columns", 2)), session.settings.talk,
+                      *session.names);
+  });
+  return 0;
+}
+
+Recording& recording_of(lua_State* L) {
+  return *object_at<ScriptedRecording>(L, 1)->recording;
+}
+
+int to_text(lua_State* L) {
+  const Recording& recording = recording_of(L);
+  push_text(
+      L,
+      fmt::format("{} records from {} to {}, {} nodes, {}",
+                  grouped(static_cast<std::int64_t>(recording.times().size())),
+                  quantity(recording.times().front(), "s"), quantity(recording.times().back(), "s"),
+                  grouped(static_cast<std::int64_t>(recording.simulation().lattice().grid.nodes())),
+                  describe(recording.plate())));
+  return 1;
+}
+
+int push_times(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const double time : recording_of(L).times()) {
+    lua_pushnumber(L, time);
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+int push_nodes(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(recording_of(L).simulation().lattice().grid.nodes()));
+  return 1;
+}
+
+int push_file(lua_State* L) {
+  push_text(L, recording_of(L).path().string());
+  return 1;
+}
+
+int push_script(lua_State* L) {
+  push_text(L, recording_of(L).origin().script_name);
+  return 1;
+}
+
+constexpr std::array methods{Function{&recorded_frame_doc, guarded<frame>},
+                             Function{&recorded_movie_doc, guarded<movie>}};
+
+constexpr std::array fields{
+    Property{"times", "s", "Of the records, a list.", push_times},
+    Property{"nodes", "", "Of the lattice.", push_nodes},
+    Property{"file", "", "Where it is.", push_file},
+    Property{"script", "", "Name of the script that made the run.", push_script},
+};
+
+}  // namespace
+
+Tiles tiles_of(Arguments& arguments, const char* who) {
+  Tiles tiles;
+  for (const auto& recording : arguments.get<Recordings>("recordings", {}))
+    tiles.push_back({recording, recording->path().stem().string()});
+  if (tiles.size() == 1) tiles.front().title.clear();  // its pictures say enough
+  const std::vector<std::string> titles = arguments.texts("titles");
+  if (tiles.empty() || titles.empty()) return tiles;
+  if (titles.size() != tiles.size())
+    arguments.problems.add(
+        fmt::format("{}: there are {} titles for {} recordings", who, titles.size(), tiles.size()),
+        "give as many, or none");
+  for (std::size_t k = 0; k < std::min(titles.size(), tiles.size()); ++k)
+    tiles[k].title = titles[k];
+  return tiles;
+}
+
+const TypeDoc& recording_type() {
+  static constexpr TypeDoc type{.name = "recording",
+                                .sentence = "A recorded run, to be looked at again.",
+                                .methods = methods,
+                                .fields = fields,
+                                .to_text = guarded<to_text>,
+                                .destroy = destroy_object<ScriptedRecording>};
+  return type;
+}
+
+std::span<const Function> recording_functions() {
+  static constexpr std::array functions{Function{&recording_doc, guarded<open_recording>},
+                                        Function{&side_by_side_doc, guarded<side_by_side>}};
+  return functions;
+}
+
+}  // namespace hackle

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Where something acts, as several functions take it: a strip along an edge, a rectangle or a disc.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "console/schema/arguments.hpp"
+#include "scene/plate.hpp"
+
+namespace hackle {
+
+inline constexpr std::array region_options{
+    Option{.name = "edge",
+           .type = OptionType::choice,
+           .choices = enum_names<Edge>,
+           .alternative = true,
+           .sentence = "The edge of a strip, with depth."},
+    Option{.name = "depth",
+           .unit = "m",
+           .range = above(0.0),
+           .alternative = true,
+           .sentence = "How far the strip reaches into the plate; one horizon is usual."},
+    Option{.name = "from",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Lower left corner of a rectangle, instead of edge and depth."},
+    Option{.name = "to",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Upper right corner of the rectangle."},
+    Option{.name = "centre",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Middle of a disc, instead."},
+    Option{.name = "radius",
+           .unit = "m",
+           .range = above(0.0),
+           .alternative = true,
+           .sentence = "Of the disc."},
+};
+
+// What the arguments of a function with region_options say; nothing when they give none of them.
+// Adds a problem when they mix the ways or give half of one.
+Region region_of(Arguments& arguments, const Plate& plate, std::string_view who);
+
+}  // namespace hackle

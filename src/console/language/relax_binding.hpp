@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// What brings a simulation to rest: s:relax and s:quasistatic.
+#pragma once
+
+#include <span>
+
+#include "console/schema/schema.hpp"
+
+namespace hackle {
+
+std::span<const Function> relax_methods();
+
+}  // namespace hackle

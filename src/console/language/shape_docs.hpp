@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// What the functions of shape_binding.cpp take.
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <string_view>
+
+#include "console/language/noun_options.hpp"
+#include "console/language/region_options.hpp"
+#include "console/language/shape_options.hpp"
+#include "scene/notch.hpp"
+
+namespace hackle {
+
+inline constexpr std::array<std::string_view, 2> remove_names{"dark", "light"};
+
+inline constexpr auto born_options = without("points", options_of<Crack>);
+inline constexpr auto name_options = options_of<Cutout>;
+
+inline constexpr auto hole_options = joined(shape_options, name_options);
+
+inline constexpr FunctionDoc hole_doc{
+    .name = "hole",
+    .owner = "p",
+    .sentence = "Cuts out a circle, an ellipse, a polygon or a slot.",
+    .options = hole_options,
+    .example = "p:hole { centre = {70*mm, 20*mm}, radius = 5*mm, name = \"bore\" }"};
+
+inline constexpr std::array notch_options{
+    Option{.name = "at",
+           .type = OptionType::point,
+           .unit = "m",
+           .required = true,
+           .sentence = "Where it begins: a point on an edge."},
+    Option{.name = "depth",
+           .unit = "m",
+           .range = above(0.0),
+           .required = true,
+           .sentence = "From there to its tip."},
+    Option{.name = "width",
+           .unit = "m",
+           .range = above(0.0),
+           .required = true,
+           .sentence = "Across its direction; of a V where it begins."},
+    Option{.name = "shape",
+           .type = OptionType::choice,
+           .fallback = "slot",
+           .choices = notch_names,
+           .sentence = "A flat end, a sharp tip, or a round end."},
+    Option{.name = "angle",
+           .unit = "rad",
+           .range = between(-1.4, 1.4),
+           .fallback = "0",
+           .sentence = "Anticlockwise from the perpendicular of the edge."},
+    name_options[0],
+};
+
+inline constexpr FunctionDoc notch_doc{
+    .name = "notch",
+    .owner = "p",
+    .sentence = "Removes material from an edge inwards.",
+    .options = notch_options,
+    .example = "p:notch { at = {0, 10*mm}, depth = 8*mm, width = 2*mm, shape = \"v\" }"};
+
+inline constexpr std::array straight_crack_options{
+    Option{.name = "from",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "One end of a straight crack, on the plate."},
+    Option{.name = "to",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Its other end."},
+};
+
+inline constexpr std::array arc_options{
+    Option{.name = "centre",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Middle of a crack along an arc."},
+    Option{.name = "radius",
+           .unit = "m",
+           .range = above(0.0),
+           .alternative = true,
+           .sentence = "Of the arc."},
+    Option{.name = "angles",
+           .type = OptionType::pair,
+           .unit = "rad",
+           .range = between(-100.0, 100.0),
+           .alternative = true,
+           .sentence = "From where to where the arc goes, from x anticlockwise; at most once "
+                       "around."},
+};
+
+inline constexpr auto crack_options =
+    joined(straight_crack_options, joined(options_of<Crack>, arc_options));
+
+inline constexpr FunctionDoc crack_doc{
+    .name = "crack",
+    .owner = "p",
+    .sentence = "Cuts every bond that meets a straight crack, a polyline or an arc.",
+    .options = crack_options,
+    .example = "p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }"};
+
+inline constexpr std::array random_cracks_options{
+    Option{.name = "count",
+           .type = OptionType::integer,
+           .range = between(1, 100000),
+           .required = true,
+           .sentence = "How many."},
+    Option{.name = "length",
+           .type = OptionType::pair,
+           .unit = "m",
+           .range = above(0.0),
+           .required = true,
+           .sentence = "Between {least, most}, all as likely."},
+    Option{.name = "angle",
+           .type = OptionType::pair,
+           .unit = "rad",
+           .range = between(-100.0, 100.0),
+           .fallback = "{0, 180*deg}",
+           .sentence = "Between {least, most}, from x anticlockwise, all as likely."},
+    Option{.name = "seed",
+           .type = OptionType::integer,
+           .fallback = "1",
+           .sentence = "Another one gives other cracks."},
+    Option{.name = "from",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Lower left corner of the area they lie in; default: the plate."},
+    Option{.name = "to",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Upper right corner of the area."},
+    born_options[0],
+};
+
+inline constexpr FunctionDoc random_cracks_doc{
+    .name = "random_cracks",
+    .owner = "p",
+    .sentence = "Straight cracks at random places, the same for the same seed everywhere.",
+    .options = random_cracks_options,
+    .example = "p:random_cracks { count = 10, length = {2*mm, 6*mm}, seed = 3 }"};
+
+inline constexpr auto inclusion_options = joined(options_of<Inclusion>, shape_options);
+
+inline constexpr FunctionDoc inclusion_doc{
+    .name = "inclusion",
+    .owner = "p",
+    .sentence = "Makes a circle, an ellipse, a polygon or a slot of another material.",
+    .options = inclusion_options,
+    .example = "p:inclusion { material = \"duran50\", centre = {30*mm, 20*mm}, radius = 4*mm }"};
+
+inline constexpr std::array mask_options{
+    Option{
+        .name = "file",
+        .type = OptionType::text,
+        .required = true,
+        .positional = true,
+        .sentence = "A PNG beside the script, in the output folder or named on the command line."},
+    Option{.name = "remove",
+           .type = OptionType::choice,
+           .fallback = "dark",
+           .choices = remove_names,
+           .sentence = "Which pixels are cut out; what is transparent lies on white."},
+    Option{.name = "threshold",
+           .range = between(0.0, 1.0),
+           .fallback = "0.5",
+           .sentence = "Pixels below it are dark; black is 0, white is 1."},
+    Option{.name = "from",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Where its lower left corner goes; default: the whole plate."},
+    Option{.name = "to",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Where its upper right corner goes."},
+    Option{.name = "material",
+           .type = OptionType::material,
+           .read = read_material,
+           .alternative = true,
+           .sentence = "Makes the pixels of this material in place of cutting them out."},
+    name_options[0],
+};
+
+inline constexpr FunctionDoc mask_doc{
+    .name = "mask",
+    .owner = "p",
+    .sentence = "Lays a picture over the plate and cuts out its dark or light pixels.",
+    .options = mask_options,
+    .example =
+        "-- p:mask { \"grains.png\", remove = \"dark\", from = {0, 0}, to = {20*mm, 20*mm} }"};
+
+}  // namespace hackle

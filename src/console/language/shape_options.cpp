@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "console/language/shape_options.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+
+namespace hackle {
+namespace {
+
+using Names = std::array<std::string_view, 2>;
+
+constexpr Names circle{"centre", "radius"};
+constexpr Names ellipse{"centre", "radii"};
+constexpr std::array<std::string_view, 1> turned{"angle"};
+constexpr std::array<std::string_view, 1> polygon{"points"};
+constexpr std::array<std::string_view, 3> slot{"from", "to", "width"};
+constexpr std::array shapes{Form{circle}, Form{ellipse, turned}, Form{polygon}, Form{slot}};
+
+bool holds(std::span<const std::string_view> names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::set<std::string_view> names_in(std::span<const Form> forms) {
+  std::set<std::string_view> names;
+  for (const Form& form : forms) {
+    names.insert(form.needed.begin(), form.needed.end());
+    names.insert(form.allowed.begin(), form.allowed.end());
+  }
+  return names;
+}
+
+// "give centre, radius; or centre, radii and maybe angle; or points"
+std::string ways(std::span<const Form> forms) {
+  std::string text;
+  for (const Form& form : forms) {
+    text += (text.empty() ? "give " : "; or ") + comma_list(form.needed);
+    if (!form.allowed.empty()) text += " and maybe " + comma_list(form.allowed);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::size_t> form_of(Arguments& arguments, std::span<const Form> forms,
+                                   std::string_view who, std::string_view what) {
+  std::set<std::string_view> given;
+  for (const std::string_view name : names_in(forms)) {
+    if (!arguments.good({name})) return std::nullopt;
+    if (arguments.has(name)) given.insert(name);
+  }
+  for (std::size_t k = 0; k < forms.size(); ++k) {
+    const auto has = [&](std::string_view name) { return given.contains(name); };
+    const auto known = [&](std::string_view name) {
+      return holds(forms[k].needed, name) || holds(forms[k].allowed, name);
+    };
+    if (std::ranges::all_of(forms[k].needed, has) && std::ranges::all_of(given, known)) return k;
+  }
+  arguments.problems.add(fmt::format("{}: {} is not clear", who, what), ways(forms));
+  return std::nullopt;
+}
+
+std::optional<Shape> shape_of(Arguments& arguments, std::string_view who) {
+  const auto form = form_of(arguments, shapes, who, "the shape");
+  if (!form) return std::nullopt;
+  switch (*form) {
+    case 0:
+      return Ellipse{arguments.point("centre"), Vec2::Constant(arguments.number("radius")), 0.0};
+    case 1:
+      return Ellipse{arguments.point("centre"), arguments.pair("radii"), arguments.number("angle")};
+    case 2:
+      return Polygon{arguments.points("points")};
+    default:
+      return Capsule{{arguments.point("from"), arguments.point("to")},
+                     0.5 * arguments.number("width")};
+  }
+}
+
+}  // namespace hackle

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// An area as several functions take it: a circle, an ellipse, a polygon or a slot.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "console/schema/arguments.hpp"
+#include "scene/shape.hpp"
+
+namespace hackle {
+
+inline constexpr std::array shape_options{
+    Option{.name = "centre",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Middle of a circle or an ellipse."},
+    Option{.name = "radius",
+           .unit = "m",
+           .range = above(0.0),
+           .alternative = true,
+           .sentence = "Of a circle."},
+    Option{.name = "radii",
+           .type = OptionType::pair,
+           .unit = "m",
+           .range = above(0.0),
+           .alternative = true,
+           .sentence = "Half axes of an ellipse, {a, b}."},
+    Option{.name = "angle",
+           .unit = "rad",
+           .fallback = "0",
+           .sentence = "Of the first half axis from x, anticlockwise; 30*deg is 30 degrees."},
+    Option{.name = "points",
+           .type = OptionType::points,
+           .unit = "m",
+           .range = between(3, most_points),
+           .alternative = true,
+           .sentence = "Corners of a polygon; where it overlaps itself it counts as outside."},
+    Option{.name = "from",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Where the middle line of a slot with round ends begins."},
+    Option{.name = "to",
+           .type = OptionType::point,
+           .unit = "m",
+           .alternative = true,
+           .sentence = "Where it ends."},
+    Option{.name = "width",
+           .unit = "m",
+           .range = above(0.0),
+           .alternative = true,
+           .sentence = "Of the slot."},
+};
+
+// One way to say something: the options it needs, and those it may have besides.
+struct Form {
+  std::span<const std::string_view> needed;
+  std::span<const std::string_view> allowed{};
+};
+
+// Which of the forms the options given make; nothing when it is none, after adding a problem that
+// names all forms, or when some of their options were wrong. `what` is "the shape".
+std::optional<std::size_t> form_of(Arguments& arguments, std::span<const Form> forms,
+                                   std::string_view who, std::string_view what);
+
+// The shape that the arguments of a function with shape_options say. Nothing, and a problem, when
+// they do not make one.
+std::optional<Shape> shape_of(Arguments& arguments, std::string_view who);
+
+}  // namespace hackle

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "console/language/show_binding.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/streams.hpp"
+#include "console/language/live_view.hpp"
+#include "console/language/picture_options.hpp"
+#include "console/language/picture_text.hpp"
+#include "console/language/scripted_recording.hpp"
+#include "console/language/scripted_run.hpp"
+#include "console/lua/description.hpp"
+#include "console/schema/arguments.hpp"
+#include "console/schema/object_type.hpp"
+#include "output/chart_data.hpp"
+#include "output/painting.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr auto show_options = joined(
+    std::array{Option{.name = "time",
+                      .unit = "s",
+                      .alternative = true,
+                      .sentence = "Of a recording: the record that is shown, or that of the end."}},
+    picture_options);
+
+constexpr FunctionDoc show_doc{
+    .name = "show",
+    .leading = "s",
+    .sentence =
+        "Shows a simulation as it is, or a recording, in the terminal; where there is none, as "
+        "show_1.png, show_2.png, ... in the output folder.",
+    .options = show_options,
+    .example = "show(s) show(s, { zoom = {60*mm, 20*mm, 10*mm} })"};
+
+constexpr auto watch_options = joined(
+    std::array{Option{
+        .name = "every",
+        .unit = "s",
+        .range = above(0.0),
+        .alternative = true,
+        .sentence = "Simulated time from picture to picture; without it no more are drawn."}},
+    picture_options);
+
+constexpr FunctionDoc watch_doc{
+    .name = "watch",
+    .owner = "s",
+    .sentence =
+        "Draws it in the terminal again and again while it runs, each time in the same "
+        "place; elsewhere nothing.",
+    .options = watch_options,
+    .example = "s:watch { every = 0.5*us } s:run(2*us) s:watch()"};
+
+// show { s, zoom = ... } means show(s, { zoom = ... }): what stands in the braces is copied, the
+// simulation aside.
+void open_braces(lua_State* L) {
+  if (lua_type(L, 1) != LUA_TTABLE) return;
+  lua_settop(L, 1);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, 2);
+  }
+  lua_rawgeti(L, 1, 1);
+  lua_replace(L, 1);
+  lua_pushnil(L);
+  lua_rawseti(L, 2, 1);
+}
+
+void check_is_shown(lua_State* L, int index) {
+  if (object_at<ScriptedRun>(L, index) != nullptr) return;
+  if (object_at<ScriptedRecording>(L, index) != nullptr) return;
+  throw Error(ErrorKind::refused,
+              fmt::format("show: expected a simulation first, got {}", description(L, index)),
+              fmt::format("as in {}", show_doc.example));
+}
+
+// What is shown: a simulation as it is, or a recording at the time that is asked for.
+const Simulation& simulation_at(lua_State* L, int index, const Arguments& arguments) {
+  if (const ScriptedRun* scripted = object_at<ScriptedRun>(L, index)) {
+    if (arguments.has("time"))
+      throw Error(ErrorKind::refused, "show: time is for recordings",
+                  "a simulation is shown as it is; s:run() goes on");
+    return scripted->simulation();
+  }
+  Recording& recording = *object_at<ScriptedRecording>(L, index)->recording;
+  recording.go_to(recording.nearest(arguments.number("time", recording.times().back())));
+  return recording.simulation();
+}
+
+void show_in_terminal(const Session& session, const Simulation& simulation,
+                      const PictureOptions& options) {
+  const Terminal terminal = terminal_of(STDOUT_FILENO);
+  std::string text = picture_text(simulation, options, terminal);
+  // A function called in the middle of a run finds its progress bar here.
+  if (session.settings.talk == Talk::animated) text.insert(0, "\r\033[K");
+  flush(stdout);
+  write_picture(text, terminal, STDOUT_FILENO);
+}
+
+// A run keeps account of the pictures that were made of it; a recording has none.
+void show_in_file(Session& session, Run* run, const Simulation& simulation,
+                  const PictureOptions& options) {
+  const std::string name = fmt::format("show_{}.png", ++session.pictures_shown);
+  const auto path = session.output_path("show", name);
+  if (run != nullptr)
+    run->frame(path, options);
+  else
+    session.write_picture("show", name, [&] { return paint(simulation, options); });
+  std::FILE* file = session.settings.print_to_stderr ? stderr : stdout;
+  write_to(file, fmt::format("{}: {}\n", caption(simulation, options), path.string()));
+  flush(file);
+}
+
+int show(lua_State* L) {
+  open_braces(L);
+  check_is_shown(L, 1);
+  if (lua_isnoneornil(L, 2)) {
+    lua_settop(L, 1);
+    lua_newtable(L);
+  }
+  const Arguments arguments = Arguments::from_table(L, 2, show_doc);
+  arguments.problems.throw_if_any();
+  const PictureOptions options = picture_of(arguments);
+  const Simulation& simulation = simulation_at(L, 1, arguments);
+  check("show", options, simulation.lattice().grid);
+  check_alone("show", options);
+  if (object_at<ScriptedRecording>(L, 1) != nullptr) check_recorded("show", options);
+  Session& session = session_of(L);
+  const ScriptedRun* scripted = object_at<ScriptedRun>(L, 1);
+  if (session.settings.show_in_terminal)
+    show_in_terminal(session, simulation, options);
+  else
+    show_in_file(session, scripted != nullptr ? &scripted->run() : nullptr, simulation, options);
+  return 0;
+}
+
+int watch(lua_State* L) {
+  ScriptedRun& scripted = self<ScriptedRun>(L, watch_doc);
+  const Arguments arguments = Arguments::from_table(L, 2, watch_doc);
+  arguments.problems.throw_if_any();
+  const PictureOptions options = picture_of(arguments);
+  const Simulation& simulation = scripted.simulation();
+  check("watch", options, simulation.lattice().grid);
+  Session& session = session_of(L);
+  std::shared_ptr<LiveView> view;
+  if (arguments.has("every") && session.settings.show_in_terminal) {
+    view = std::make_shared<LiveView>(session, options, arguments.number("every"), simulation);
+    scripted.run().watch(view);
+  }
+  if (scripted.view) scripted.view->end();
+  scripted.view = std::move(view);
+  return 0;
+}
+
+}  // namespace
+
+std::span<const Function> show_methods() {
+  static constexpr std::array methods{Function{&watch_doc, guarded<watch>}};
+  return methods;
+}
+
+std::span<const Function> show_functions() {
+  static constexpr std::array functions{Function{&show_doc, guarded<show>}};
+  return functions;
+}
+
+}  // namespace hackle

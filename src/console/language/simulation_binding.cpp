@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include "console/language/simulation_binding.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "console/language/background_binding.hpp"
+#include "console/language/load_binding.hpp"
+#include "console/language/measure_binding.hpp"
+#include "console/language/movie_options.hpp"
+#include "console/language/relax_binding.hpp"
+#include "console/language/scripted_plate.hpp"
+#include "console/language/scripted_run.hpp"
+#include "console/language/show_binding.hpp"
+#include "console/language/simulation_docs.hpp"
+#include "console/language/steering_binding.hpp"
+#include "console/lua/description.hpp"
+#include "console/schema/arguments.hpp"
+#include "console/schema/object_type.hpp"
+#include "lattice/check_numerics.hpp"
+#include "lattice/needs.hpp"
+
+namespace hackle {
+namespace {
+
+const Plate& plate_at(lua_State* L, int index) {
+  if (const Plate* plate = object_at<Plate>(L, index)) return *plate;
+  throw Error(ErrorKind::refused,
+              fmt::format("simulate: expected a plate first, got {}", description(L, index)),
+              fmt::format("as in {}", simulate_doc.example));
+}
+
+// Options that were wrong read as their defaults; the limit of the step is then not that of what
+// was meant.
+void check_numerics(const Plate& plate, Numerics numerics, std::uint64_t memory,
+                    Arguments& arguments) {
+  if (!arguments.has("spacing")) return;
+  if (!arguments.good({"horizon", "quadrature", "micromodulus", "constants"}))
+    numerics.step.reset();
+  check(plate, numerics, memory, arguments.problems);
+}
+
+int simulate(lua_State* L) {
+  Session& session = session_of(L);
+  if (session.settings.purpose == Purpose::options) session.leave(0);  // it has none
+  session.check_overrides_used();
+  const Plate& plate = plate_at(L, 1);
+  Arguments arguments = Arguments::from_table(L, 2, simulate_doc);
+  const Numerics numerics = noun_of<Numerics>(arguments);
+  check(plate, arguments.problems);
+  collect_simulations(L);
+  check_numerics(plate, numerics, session.memory_left(), arguments);
+  arguments.problems.throw_if_any();
+  push_object(L, ScriptedRun(session.simulate(plate, numerics), session));
+  remember_simulation(L, -1);
+  return 1;
+}
+
+int run(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, run_doc);
+  const Arguments arguments = Arguments::from_values(L, 2, run_doc);
+  arguments.problems.throw_if_any();
+  scripted.check_still_writable();
+  scripted.run().run(arguments.number("duration"));
+  return 0;
+}
+
+int step(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, step_doc);
+  const Arguments arguments = Arguments::from_values(L, 2, step_doc);
+  arguments.problems.throw_if_any();
+  scripted.check_still_writable();
+  scripted.run().step(arguments.integer("count", 1));
+  return 0;
+}
+
+int movie(lua_State* L) {
+  ScriptedRun& scripted = self<ScriptedRun>(L, movie_doc);
+  const Arguments arguments = Arguments::from_table(L, 2, movie_doc);
+  arguments.problems.throw_if_any();
+  MovieOptions options = movie_of(arguments);
+  options.every = arguments.number("every");
+  const auto path = session_of(L).output_path("movie", arguments.text("file"));
+  scripted.promised.push_back(scripted.run().movie(path, options));
+  return 0;
+}
+
+int frame(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, frame_doc);
+  const Arguments arguments = Arguments::from_table(L, 2, frame_doc);
+  arguments.problems.throw_if_any();
+  scripted.run().frame(session_of(L).output_path("frame", arguments.text("file")),
+                       sized_picture_of(arguments));
+  return 0;
+}
+
+int record(lua_State* L) {
+  ScriptedRun& scripted = self<ScriptedRun>(L, record_doc);
+  const Arguments arguments = Arguments::from_table(L, 2, record_doc);
+  arguments.problems.throw_if_any();
+  RecordOptions options;
+  options.every = arguments.number("every");
+  const auto path = session_of(L).output_path("record", arguments.text("file"));
+  scripted.run().record(path, options);
+  scripted.promised.push_back(path);
+  return 0;
+}
+
+int report(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, report_doc);
+  Arguments::from_values(L, 2, report_doc).problems.throw_if_any();
+  push_text(L, scripted.run().report());
+  return 1;
+}
+
+int close(lua_State* L) {
+  const ScriptedRun& scripted = self<ScriptedRun>(L, close_doc);
+  Arguments::from_values(L, 2, close_doc).problems.throw_if_any();
+  scripted.run().close();
+  return 0;
+}
+
+constexpr std::array own_methods_of_simulation{
+    Function{&run_doc, guarded<run>},       Function{&step_doc, guarded<step>},
+    Function{&movie_doc, guarded<movie>},   Function{&frame_doc, guarded<frame>},
+    Function{&record_doc, guarded<record>}, Function{&report_doc, guarded<report>},
+    Function{&close_doc, guarded<close>}};
+
+// 371 234 is "371 k": what a person takes in at a glance.
+std::string rounded_count(std::int64_t count) {
+  constexpr std::int64_t exact_below = 100000;
+  if (count < exact_below) return grouped(count);
+  if (count < 1000 * exact_below)
+    return grouped(std::llround(1e-3 * static_cast<double>(count))) + " k";
+  return grouped(std::llround(1e-6 * static_cast<double>(count))) + " M";
+}
+
+int to_text(lua_State* L) {
+  const Simulation& simulation = object_at<ScriptedRun>(L, 1)->simulation();
+  const Numerics& numerics = simulation.numerics();
+  std::string text =
+      fmt::format("{} nodes, {} bonds, horizon {} (m = {:.4g}), step {} (limit {}), {}",
+                  grouped(static_cast<std::int64_t>(simulation.lattice().grid.nodes())),
+                  rounded_count(simulation.lattice().bonds_born()),
+                  quantity(numerics.horizon_or_default(), "m"), numerics.m(),
+                  quantity(simulation.dt(), "s"), quantity(simulation.lattice().step_limit, "s"),
+                  quantity(memory_of(simulation.plate(), numerics).all(), "B"));
+  if (simulation.state().step > 0)
+    text += fmt::format("; at {}, step {}", quantity(simulation.time(), "s"),
+                        grouped(simulation.state().step));
+  push_text(L, text);
+  return 1;
+}
+
+const Simulation& simulation_of(lua_State* L) {
+  return object_at<ScriptedRun>(L, 1)->simulation();
+}
+
+const Simulation& results_of(lua_State* L) {
+  return object_at<ScriptedRun>(L, 1)->results();
+}
+
+int push_time(lua_State* L) {
+  lua_pushnumber(L, simulation_of(L).time());
+  return 1;
+}
+
+int push_steps(lua_State* L) {
+  lua_pushinteger(L, simulation_of(L).state().step);
+  return 1;
+}
+
+int push_dt(lua_State* L) {
+  lua_pushnumber(L, simulation_of(L).dt());
+  return 1;
+}
+
+int push_dt_limit(lua_State* L) {
+  lua_pushnumber(L, simulation_of(L).lattice().step_limit);
+  return 1;
+}
+
+int push_nodes(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(simulation_of(L).lattice().grid.nodes()));
+  return 1;
+}
+
+int push_bonds(lua_State* L) {
+  lua_pushinteger(L, simulation_of(L).lattice().bonds_born());
+  return 1;
+}
+
+int push_hash(lua_State* L) {
+  push_text(L, results_of(L).state().hash());
+  return 1;
+}
+
+int push_energy(lua_State* L) {
+  const Energy ledger = energy(results_of(L));
+  lua_createtable(L, 0, 8);
+  set_number(L, "kinetic", ledger.kinetic);
+  set_number(L, "strain", ledger.strain);
+  set_number(L, "broken", ledger.broken);
+  set_number(L, "damped", ledger.damped);
+  set_number(L, "released", ledger.released);
+  set_number(L, "contact", ledger.contact);
+  set_number(L, "external", ledger.external);
+  set_number(L, "residual", ledger.residual());
+  return 1;
+}
+
+int push_damage(lua_State* L) {
+  const DamageCount count = count_damage(results_of(L));
+  lua_createtable(L, 0, 2);
+  set_integer(L, "broken_bonds", count.broken_bonds);
+  set_number(L, "most", count.most);
+  return 1;
+}
+
+constexpr auto energy_keys = std::to_array<std::string_view>(
+    {"kinetic", "strain", "broken", "damped", "released", "contact", "external", "residual"});
+constexpr auto damage_keys = std::to_array<std::string_view>({"broken_bonds", "most"});
+
+constexpr std::array fields{
+    Property{"time", "s", "Simulated so far.", push_time},
+    Property{"steps", "", "Taken so far.", push_steps},
+    Property{"dt", "s", "The time step.", push_dt},
+    Property{"dt_limit", "s", "The longest stable time step.", push_dt_limit},
+    Property{"nodes", "", "Of the lattice.", push_nodes},
+    Property{"bonds", "", "The plate was born with.", push_bonds},
+    Property{"energy", "J/m",
+             "kinetic, strain, broken, damped, released, contact, external and residual.",
+             push_energy, energy_keys},
+    Property{"damage", "", "broken_bonds since the start, and the most damage of a node.",
+             push_damage, damage_keys},
+    Property{"hash", "", "Of the state; equal only when every bit is.", push_hash},
+};
+
+// Of all files that bind methods of a simulation.
+std::vector<Function> all_methods_of_simulation() {
+  std::vector<Function> all;
+  for (const std::span<const Function> part :
+       {std::span<const Function>(own_methods_of_simulation), load_methods_of_simulation(),
+        relax_methods(), measure_methods(), steering_methods(), background_methods(),
+        show_methods()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace
+
+const TypeDoc& simulation_type() {
+  static const std::vector<Function> all = all_methods_of_simulation();
+  static const TypeDoc type{.name = "simulation",
+                            .sentence = "A plate being solved, and what it leaves behind.",
+                            .methods = all,
+                            .fields = fields,
+                            .to_text = guarded<to_text>,
+                            .destroy = destroy_object<ScriptedRun>};
+  return type;
+}
+
+std::span<const Function> simulation_functions() {
+  static constexpr std::array functions{Function{&simulate_doc, guarded<simulate>}};
+  return functions;
+}
+
+}  // namespace hackle

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// simulate(p, { ... }) and what can be done with a simulation.
+#pragma once
+
+#include <span>
+
+#include "console/schema/schema.hpp"
+
+namespace hackle {
+
+const TypeDoc& simulation_type();
+std::span<const Function> simulation_functions();
+
+}  // namespace hackle

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What simulate and the methods of a simulation take.
+#pragma once
+
+#include <array>
+
+#include "console/language/movie_options.hpp"
+#include "console/language/noun_options.hpp"
+#include "console/language/picture_options.hpp"
+#include "console/schema/schema.hpp"
+#include "lattice/numerics.hpp"
+
+namespace hackle {
+
+inline constexpr FunctionDoc simulate_doc{
+    .name = "simulate",
+    .leading = "p",
+    .sentence = "Puts a copy of the plate on a lattice, ready to run.",
+    .options = options_of<Numerics>,
+    .example = "s = simulate(p, { spacing = 0.5*mm, horizon = 2*mm })"};
+
+inline constexpr std::array run_options{
+    Option{.name = "duration",
+           .unit = "s",
+           .range = at_least(0.0),
+           .required = true,
+           .sentence = "Simulated time to go on for."},
+};
+
+inline constexpr FunctionDoc run_doc{.name = "run",
+                                     .owner = "s",
+                                     .call = Call::values,
+                                     .sentence = "Goes on for so much simulated time.",
+                                     .options = run_options,
+                                     .example = "s:run(1*us)"};
+
+inline constexpr std::array step_options{
+    Option{.name = "count",
+           .type = OptionType::integer,
+           .unit = "steps",
+           .range = between(0.0, 1e12),
+           .fallback = "1",
+           .sentence = "How many."},
+};
+
+inline constexpr FunctionDoc step_doc{.name = "step",
+                                      .owner = "s",
+                                      .call = Call::values,
+                                      .sentence = "Goes on for so many time steps.",
+                                      .options = step_options,
+                                      .example = "s:step(10)"};
+
+inline constexpr FunctionDoc movie_doc{
+    .name = "movie",
+    .owner = "s",
+    .sentence = "Films what follows: .mp4, .webm, .mkv, .gif, .apng or .webp.",
+    .options = movie_options,
+    .example = "s:movie { \"crack.mp4\", field = \"damage\", every = 0.25*us }"};
+
+inline constexpr auto frame_options =
+    joined(std::array{file_option, width_option, scale_option}, picture_options);
+
+inline constexpr FunctionDoc frame_doc{.name = "frame",
+                                       .owner = "s",
+                                       .sentence = "Writes a picture of the state as it is, a PNG.",
+                                       .options = frame_options,
+                                       .example = "s:frame { \"crack.png\", width = 640 }"};
+
+inline constexpr std::array record_options{file_option, every_option};
+
+inline constexpr FunctionDoc record_doc{
+    .name = "record",
+    .owner = "s",
+    .sentence = "Records what follows in an HDF5 file that ParaView opens.",
+    .options = record_options,
+    .example = "s:record { \"crack.h5\", every = 1*us }"};
+
+inline constexpr FunctionDoc report_doc{.name = "report",
+                                        .owner = "s",
+                                        .call = Call::values,
+                                        .sentence = "What happened so far, as a text.",
+                                        .example = "print(s:report())"};
+
+inline constexpr FunctionDoc close_doc{
+    .name = "close",
+    .owner = "s",
+    .call = Call::values,
+    .sentence = "Completes its movies and records; the end of the script does it too.",
+    .example = "s:close()"};
+
+}  // namespace hackle

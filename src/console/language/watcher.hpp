@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// A function of a script that is called between the steps of a run.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "console/lua/lua_function.hpp"
+#include "output/schedule.hpp"
+#include "scene/loads.hpp"
+
+namespace hackle {
+
+class Watcher : public Observer {
+ public:
+  explicit Watcher(LuaFunction function) : function_(std::move(function)) {}
+
+  // Calls the function with the time, s.
+  void observe(const Simulation& simulation) override;
+
+ private:
+  LuaFunction function_;
+};
+
+// Every so much simulated time, the present included.
+class Ticker : public Watcher {
+ public:
+  Ticker(LuaFunction function, double every, const Simulation& simulation)
+      : Watcher(std::move(function)), schedule_("on", every, simulation) {}
+
+  bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
+  void observe(const Simulation& simulation) override {
+    schedule_.advance(simulation);
+    Watcher::observe(simulation);
+  }
+
+ private:
+  Schedule schedule_;
+};
+
+// Once: when the damage of a node of the area first exceeds a value, which is at once when it does
+// so already.
+class DamageAlarm : public Watcher {
+ public:
+  DamageAlarm(LuaFunction function, const Region& area, double above, const Simulation& simulation);
+
+  bool due(const Simulation& simulation) override;
+  void observe(const Simulation& simulation) override {
+    rung_ = true;
+    Watcher::observe(simulation);
+  }
+
+ private:
+  bool is_damaged(const Simulation& simulation, int i, int j) const;
+
+  std::vector<std::uint8_t> area_;  // by Grid::index
+  double above_;
+  bool rung_ = false;
+  bool at_start_ = true;  // nothing has been looked at
+};
+
+// Once: when the first bond breaks from now on.
+class BreakAlarm : public Watcher {
+ public:
+  using Watcher::Watcher;
+
+  bool due(const Simulation& simulation) override;
+  void observe(const Simulation& simulation) override {
+    rung_ = true;
+    Watcher::observe(simulation);
+  }
+
+ private:
+  bool rung_ = false;
+  std::optional<double> start_;  // s
+};
+
+}  // namespace hackle

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "console/lua/guard.hpp"
+
+#include <exception>
+#include <optional>
+
+#include "console/lua/interrupt_hook.hpp"
+
+namespace hackle {
+namespace {
+
+// What the function threw, or nothing; then its number of results is in `results`.
+std::optional<Error> attempt(lua_State* L, Binding function, int& results) {
+  try {
+    if (auto reason = reason_to_stop(L)) return reason;
+    results = function(L);
+    return std::nullopt;
+  } catch (const Error& error) {
+    return error;
+  } catch (const std::bad_alloc&) {
+    return Error(ErrorKind::run_failed, "out of memory");
+  } catch (const std::exception& error) {
+    return Error(ErrorKind::run_failed, error.what());
+  }
+}
+
+}  // namespace
+
+int call_guarded(lua_State* L, Binding function) {
+  int results = 0;
+  {
+    const std::optional<Error> thrown = attempt(L, function, results);
+    if (!thrown) return results;
+    if (thrown->kind() == ErrorKind::interrupted) insist_on_interrupt(L);
+    lua_settop(L, 0);
+    push_error(L, *thrown, place(L, 1));
+  }
+  return lua_error(L);
+}
+
+}  // namespace hackle

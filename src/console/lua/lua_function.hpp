@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A function of a script that C++ keeps and calls.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "console/lua/lua_state.hpp"
+
+namespace hackle {
+
+// Copies share one function. It may outlive the state it came from; it must not be called then.
+class LuaFunction {
+ public:
+  // [-0, +0] The function at `index`; `who` names it in messages: "traction: stress".
+  LuaFunction(lua_State* L, int index, std::string who);
+
+  // Calls it with numbers and reads as many numbers as `results` has room for. Throws what the
+  // function throws, and Error (refused) when it returns anything else; messages end in `where`:
+  // "at t = 2 us".
+  void call(std::span<const double> arguments, std::span<double> results,
+            const std::string& where) const;
+
+  // "function at script.lua:12"
+  const std::string& text() const { return text_; }
+
+ private:
+  struct Reference;
+  std::shared_ptr<const Reference> reference_;
+  std::string who_;
+  std::string text_;
+};
+
+// To be called once for a state whose functions are kept.
+void open_kept_functions(lua_State* L);
+
+}  // namespace hackle

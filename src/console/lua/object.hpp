@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// C++ values that live in Lua as full userdata.
+#pragma once
+
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "console/lua/lua_state.hpp"
+
+namespace hackle {
+
+// The registry name of a type, "hackle.plate". Specialised beside each bound type.
+template <class T>
+inline constexpr const char* type_name = nullptr;
+
+inline constexpr std::string_view type_prefix = "hackle.";
+
+// [-0, +1] Moves a value into Lua, whose collector destroys it.
+template <class T>
+T& push_object(lua_State* L, T value) {
+  static_assert(type_name<T> != nullptr && alignof(T) <= alignof(lua_Number));
+  T* object = new (lua_newuserdatauv(L, sizeof(T), 0)) T(std::move(value));
+  luaL_setmetatable(L, type_name<T>);
+  return *object;
+}
+
+// [-0, +0] The object at `index`, or null when something else is there.
+template <class T>
+T* object_at(lua_State* L, int index) {
+  return static_cast<T*>(luaL_testudata(L, index, type_name<T>));
+}
+
+// What still holds on to the object, such as a finalizer of a script, finds nothing there.
+template <class T>
+int destroy_object(lua_State* L) {
+  T* object = object_at<T>(L, 1);
+  if (object == nullptr) return 0;
+  lua_pushnil(L);
+  lua_setmetatable(L, 1);
+  object->~T();
+  return 0;
+}
+
+}  // namespace hackle

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "console/prompt/transcript.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+
+namespace hackle {
+namespace {
+
+// What ends with its line at the prompt, and would not in a script.
+bool needs_a_scope(std::string_view text) {
+  constexpr std::array words{"local", "return", "goto"};
+  return std::ranges::any_of(words, [&](const char* w) { return text.find(w) != text.npos; });
+}
+
+// A line that begins with a bracket would otherwise be taken as a call of what the one before
+// gives.
+std::string apart(std::string text) {
+  return (text.starts_with('(') ? ";" : "") + std::move(text);
+}
+
+std::string as_function(const Transcript::Chunk& chunk) {
+  return fmt::format("function(...)\n{}{}\nend", chunk.is_expression ? "return " : "", chunk.text);
+}
+
+std::string as_statement(const Transcript::Chunk& chunk) {
+  if (chunk.is_statement && !needs_a_scope(chunk.text)) return apart(chunk.text);
+  return ";(" + as_function(chunk) + ")(...)";
+}
+
+std::string as_value(const Transcript::Chunk& chunk) {
+  return "_ = " + (chunk.is_expression ? chunk.text : "(" + as_function(chunk) + ")(...)");
+}
+
+std::string commented(std::string text) {
+  for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
+    text.insert(at + 1, "--   ");
+  return "--   " + text;
+}
+
+}  // namespace
+
+void Transcript::typed(const Chunk& chunk, Outcome outcome) {
+  const bool run_is_interrupted = std::exchange(run_is_interrupted_, false);
+  if (outcome == Outcome::value) return add(as_value(chunk));
+  if (outcome == Outcome::nothing) return add(as_statement(chunk));
+  if (outcome == Outcome::interrupted && !run_is_interrupted)
+    return add("-- interrupted, and left out:\n" + commented(chunk.text));
+  add("pcall(" + as_function(chunk) + ", ...)");
+}
+
+void Transcript::went_on(int number, std::int64_t step, double time, bool failed) {
+  const std::string wait =
+      failed ? fmt::format("pcall(function() simulations()[{}]:wait {{ steps = {} }} end)", number,
+                           step)
+             : fmt::format("simulations()[{}]:wait {{ steps = {} }}", number, step);
+  add(fmt::format("{}  -- {}", wait, quantity(time, "s")));
+}
+
+void Transcript::interrupted(int number, std::int64_t step) {
+  run_is_interrupted_ = true;
+  add(fmt::format("simulations()[{}]:interrupt {{ steps = {} }}", number, step));
+}
+
+}  // namespace hackle

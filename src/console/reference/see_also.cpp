@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "console/reference/see_also.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace hackle {
+namespace {
+
+constexpr auto groups = std::to_array<std::string_view>({
+    "plate material simulate help",
+    "crack random_cracks notch hole mask",
+    "inclusion material mask hole",
+    "traction pressure body_force impactor temperature move",
+    "clamp move release nofail",
+    "ramp pulse step_at traction",
+    "start damping move",
+    "strength nofail material",
+    "contact impactor pieces",
+    "run step start simulate on",
+    "on stop run",
+    "start wait status pause resume stop",
+    "script interrupt simulations run",
+    "fork rewind simulations",
+    "relax quasistatic damping",
+    "movie frame record report",
+    "show watch frame status",
+    "recording record frame movie show contact_sheet side_by_side",
+    "contact_sheet side_by_side recording frame",
+    "close movie record",
+    "cracks pieces at report",
+    "options help",
+});
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (std::size_t begin = 0, end = 0; end < line.size(); begin = end + 1) {
+    end = std::min(line.find(' ', begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+  }
+  return words;
+}
+
+}  // namespace
+
+std::vector<std::string_view> see_also(std::string_view function) {
+  std::vector<std::string_view> names;
+  for (const std::string_view line : groups) {
+    const std::vector<std::string_view> group = words_of(line);
+    if (std::ranges::count(group, function) == 0) continue;
+    for (const std::string_view name : group)
+      if (name != function && std::ranges::count(names, name) == 0) names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace hackle

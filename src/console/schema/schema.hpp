@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// What a function of the scene language takes, as data. The checker (arguments.hpp), help() and the
+// reference pages all read it.
+#pragma once
+
+#include <algorithm>
+#include <any>
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/described.hpp"
+#include "console/lua/lua_state.hpp"
+
+namespace hackle {
+
+enum class OptionType {
+  number,        // finite
+  integer,       // whole number
+  text,          // not empty
+  caption,       // may be empty
+  texts,         // a list of those, as many as the range says
+  flag,          // true or false
+  point,         // {x, y}, two finite numbers; a place or a vector
+  pair,          // {a, b}, two finite numbers, each in the range
+  window,        // {x, y, half}, the middle of a window and half its width in the range
+  points,        // a list of points, as many as the range says
+  markers,       // a list of {x, y, "label"}, as many as the range says
+  numbers,       // a list of finite numbers, as many as the range says
+  recordings,    // a list of what recording{...} returns, as many as the range says
+  choice,        // one of `choices`
+  material,      // the name of one, or what material{...} returns
+  vector_field,  // {x, y}, or a function of x and y that returns two numbers
+  scalar_field,  // a number, or a function of x and y that returns one
+  course,        // {{t, factor}, ...} in time, or a function of t
+  function,      // of Lua
+};
+
+struct GivenValue;
+// What it makes of a value, or nothing after adding a problem (value_reader.hpp).
+using ValueReader = std::any (*)(const GivenValue& given);
+
+struct Option {
+  std::string_view name;
+  OptionType type = OptionType::number;
+  ValueReader read = nullptr;  // of markers, recordings and material; beside their bindings
+  std::string_view unit{};     // "" for none
+  Range range{};
+  bool required = false;
+  bool positional = false;      // may be given as [1], without its name
+  std::string_view fallback{};  // what holds when it is left out, for a reader
+  std::span<const std::string_view> choices{};
+  bool alternative = false;  // one of several ways to say something; see its function
+  std::string_view sentence{};
+};
+
+// How a function is called.
+enum class Call {
+  options,  // f { name = value, ... }
+  values,   // f(value, ...): the options in order
+  free,     // the function looks at its arguments itself
+};
+
+// The options of both.
+template <std::size_t A, std::size_t B>
+constexpr std::array<Option, A + B> joined(const std::array<Option, A>& first,
+                                           const std::array<Option, B>& second) {
+  std::array<Option, A + B> all;
+  std::ranges::copy(second, std::ranges::copy(first, all.begin()).out);
+  return all;
+}
+
+// All but the one of this name, which must be among them.
+template <std::size_t N>
+constexpr std::array<Option, N - 1> without(std::string_view name,
+                                            const std::array<Option, N>& options) {
+  std::array<Option, N - 1> others;
+  std::ranges::copy_if(options, others.begin(),
+                       [&](const Option& option) { return option.name != name; });
+  return others;
+}
+
+struct FunctionDoc {
+  std::string_view name;
+  std::string_view owner{};    // "p" for p:crack, "" for a global function
+  std::string_view leading{};  // arguments before the options, "p"
+  Call call = Call::options;
+  std::string_view sentence{};
+  std::span<const Option> options{};
+  std::string_view example{};  // runs as it is, p being a plate and s a simulation
+};
+
+// A function of the scene language: what it takes and what it does.
+struct Function {
+  const FunctionDoc* doc = nullptr;
+  lua_CFunction call = nullptr;
+};
+
+// A value of an object that can only be read.
+struct Property {
+  std::string_view name;
+  std::string_view unit{};
+  std::string_view sentence{};
+  lua_CFunction push = nullptr;              // [-0, +1], the object being at index 1
+  std::span<const std::string_view> keys{};  // of the table that it is, if it is one
+};
+
+// A type of the scene language.
+struct TypeDoc {
+  std::string_view name;  // "plate"
+  std::string_view sentence{};
+  std::span<const Function> methods{};
+  std::span<const Property> fields{};
+  lua_CFunction to_text = nullptr;
+  lua_CFunction destroy = nullptr;
+};
+
+// "plate", "p:crack"
+std::string call_name(const FunctionDoc& doc);
+
+// "p:crack { from, to, born }", "s:run(duration)"
+std::string signature(const FunctionDoc& doc);
+
+// "a number in m", "one of left, right": what an option wants to be.
+std::string expectation(const Option& option);
+
+// "above 0 m", "between 320 and 7680 px", or "" for any number.
+std::string range_text(const Option& option);
+
+// The option of this name, or null.
+const Option* find_option(const FunctionDoc& doc, std::string_view name);
+
+// The method or field of this name, or null.
+const Function* find_method(const TypeDoc& type, std::string_view name);
+const Property* find_field(const TypeDoc& type, std::string_view name);
+
+}  // namespace hackle

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "console/reference/help.hpp"
+
+#include <regex>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "console/reference/reference.hpp"
+#include "console/reference/tour.hpp"
+#include "console/reference/vocabulary.hpp"
+#include "console/scripts.hpp"
+#include "measure/scalar.hpp"
+
+namespace hackle {
+namespace {
+
+using testing::HasSubstr;
+
+// What help prints.
+std::string printed(const std::string& call) {
+  Console console(test::quiet());
+  console.evaluate("shown = ''; print = function(text) shown = text end");
+  console.evaluate(call);
+  return console.evaluate("shown").at(0);
+}
+
+TEST(Help, AloneIsATourThatRuns) {
+  const std::string text = printed("help()");
+  const test::Folder folder;
+  Console console(test::quiet(folder.path));
+  console.evaluate("print = function() end");
+  for (const std::string_view line : tour_lines()) {
+    EXPECT_THAT(text, HasSubstr("\n  " + std::string(line)));
+    EXPECT_NO_THROW(console.evaluate(std::string(line))) << line;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "crack.png"));
+}
+
+TEST(Help, FitsAnyTerminal) {
+  std::vector<std::string> calls{"help()", "help 'functions'", "help 'units'", "help 'materials'",
+                                 "help 'fields'"};
+  for (const FunctionDoc* doc : all_docs()) calls.push_back(fmt::format("help '{}'", doc->name));
+  for (const std::string& call : calls) {
+    std::istringstream lines(printed(call));
+    for (std::string line; std::getline(lines, line);) {
+      const bool code = line.find('"') != std::string::npos;  // examples stay whole
+      EXPECT_TRUE(code || line.size() <= reference_width) << call << ": " << line;
+    }
+  }
+}
+
+TEST(Help, ListsEveryFunction) {
+  const std::string text = printed("help 'functions'");
+  for (const FunctionDoc* doc : all_docs())
+    EXPECT_THAT(text, HasSubstr("  " + call_name(*doc) + " "));
+}
+
+TEST(Help, ListsEveryFieldOfPicturesAndTellsOfEach) {
+  const std::string list = printed("help 'fields'");
+  for (const Scalar& scalar : scalars()) {
+    EXPECT_THAT(list, HasSubstr(fmt::format("\n  {} ", scalar.name)));
+    const std::string page = printed(fmt::format("help '{}'", scalar.name));
+    EXPECT_THAT(std::regex_replace(page, std::regex("\n +"), " "), HasSubstr(scalar.sentence));
+  }
+}
+
+TEST(Help, OnAFunctionShowsItsOptionsExampleAndNeighbours) {
+  const std::string text = printed("help \"movie\"");
+  EXPECT_THAT(text, HasSubstr("s:movie { file, every, width, px_per_mm, fps, profile, crf,"));
+  EXPECT_THAT(text,
+              testing::ContainsRegex("width +integer +between 320 and 7680 px; default 1280"));
+  EXPECT_THAT(text, HasSubstr("\nexample:\n  s:movie {"));
+  EXPECT_THAT(text, HasSubstr("\nsee also: frame, record"));
+}
+
+TEST(Help, TakesFunctionsAndObjectsToo) {
+  const std::string make = "p = plate { width = 1, height = 1, material = 'duran50' }";
+  EXPECT_EQ(printed("help(simulate)"), printed("help 'simulate'"));
+  EXPECT_THAT(printed(make + " help(p.notch)"), HasSubstr("p:notch { at, "));
+  EXPECT_THAT(printed(make + " help(p)"), HasSubstr("plate: A plate with its cracks"));
+  EXPECT_THAT(printed(make + " help(p)"), testing::ContainsRegex("p:traction +Pulls"));
+  EXPECT_THAT(printed(make + " help(simulate(p, { spacing = 0.1 }))"), HasSubstr("s.energy"));
+}
+
+TEST(Help, OnAnOptionNamesTheFunctionsThatTakeIt) {
+  EXPECT_THAT(printed("help 'horizon'"), HasSubstr("horizon, an option of simulate\n"));
+  EXPECT_THAT(printed("help 'fps'"),
+              HasSubstr("fps, an option of side_by_side, s:movie, r:movie\n"));
+  EXPECT_THAT(printed("help 'edge'"), HasSubstr("an option of p:traction, s:traction\n"));
+}
+
+TEST(Help, KnowsWhatIsBothAFunctionAndAnOption) {
+  const std::string text = printed("help 'pressure'");
+  EXPECT_THAT(text, HasSubstr("p:pressure { rim"));
+  EXPECT_THAT(text, HasSubstr("between two runs: s:pressure"));
+  EXPECT_THAT(text, HasSubstr("an option of: p:pressure, s:pressure"));
+}
+
+TEST(Help, KnowsEveryTopic) {
+  for (const std::string& topic : topics()) EXPECT_NE(printed("help '" + topic + "'"), "") << topic;
+}
+
+TEST(Help, ListsUnitsAndMaterials) {
+  EXPECT_THAT(printed("help 'units'"), HasSubstr("stress  Pa, kPa, MPa, GPa"));
+  EXPECT_THAT(printed("help 'MPa'"), HasSubstr("a unit of stress"));
+  EXPECT_THAT(printed("help 'materials'"), testing::ContainsRegex("duran50 +Duran 50 glass"));
+}
+
+TEST(Help, OnSomethingUnknownSuggests) {
+  EXPECT_THAT(test::message_of("help 'crak'"), HasSubstr("(did you mean 'crack'?)"));
+  EXPECT_THAT(test::message_of("help 'horzon'"), HasSubstr("(did you mean 'horizon'?)"));
+  EXPECT_THAT(test::message_of("help(print)"), HasSubstr("not one of Hackle's"));
+  EXPECT_THAT(test::message_of("help(5)"), HasSubstr("nothing is known of"));
+}
+
+}  // namespace
+}  // namespace hackle
