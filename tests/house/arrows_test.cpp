@@ -48,7 +48,7 @@ const std::map<std::string, std::set<std::string>> rooms_of_library = {
     {"CLI/", {"app"}},
     {"histedit.h", {"console"}},
     {"editline/", {"console"}},
-    {"chafa", {"console/preview.cpp"}},
+    {"chafa", {"console/language/preview.cpp"}},
     {"glib", {}},
 };
 
