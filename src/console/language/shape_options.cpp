@@ -12,14 +12,45 @@
 namespace hackle {
 namespace {
 
-using Names = std::array<std::string_view, 2>;
+// One form of a shape, and how the arguments of that form make it.
+struct ShapeForm {
+  Form form;
+  Shape (*make)(const Arguments& arguments);
+};
 
-constexpr Names circle{"centre", "radius"};
-constexpr Names ellipse{"centre", "radii"};
-constexpr std::array<std::string_view, 1> turned{"angle"};
-constexpr std::array<std::string_view, 1> polygon{"points"};
-constexpr std::array<std::string_view, 3> slot{"from", "to", "width"};
-constexpr std::array shapes{Form{circle}, Form{ellipse, turned}, Form{polygon}, Form{slot}};
+constexpr auto circle = std::to_array<std::string_view>({"centre", "radius"});
+constexpr auto ellipse = std::to_array<std::string_view>({"centre", "radii"});
+constexpr auto turned = std::to_array<std::string_view>({"angle"});
+constexpr auto polygon = std::to_array<std::string_view>({"points"});
+constexpr auto slot = std::to_array<std::string_view>({"from", "to", "width"});
+
+Shape make_circle(const Arguments& arguments) {
+  return Ellipse{arguments.point("centre"), Vec2::Constant(arguments.number("radius")), 0.0};
+}
+
+Shape make_ellipse(const Arguments& arguments) {
+  return Ellipse{arguments.point("centre"), arguments.pair("radii"), arguments.number("angle")};
+}
+
+Shape make_polygon(const Arguments& arguments) {
+  return Polygon{arguments.points("points")};
+}
+
+Shape make_slot(const Arguments& arguments) {
+  return Capsule{{arguments.point("from"), arguments.point("to")}, 0.5 * arguments.number("width")};
+}
+
+constexpr std::array shapes{
+    ShapeForm{{circle}, make_circle},
+    ShapeForm{{ellipse, turned}, make_ellipse},
+    ShapeForm{{polygon}, make_polygon},
+    ShapeForm{{slot}, make_slot},
+};
+constexpr auto shape_forms = [] {
+  std::array<Form, shapes.size()> forms;
+  std::ranges::transform(shapes, forms.begin(), &ShapeForm::form);
+  return forms;
+}();
 
 bool holds(std::span<const std::string_view> names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
@@ -65,19 +96,8 @@ std::optional<std::size_t> form_of(Arguments& arguments, std::span<const Form> f
 }
 
 std::optional<Shape> shape_of(Arguments& arguments, std::string_view who) {
-  const auto form = form_of(arguments, shapes, who, "the shape");
-  if (!form) return std::nullopt;
-  switch (*form) {
-    case 0:
-      return Ellipse{arguments.point("centre"), Vec2::Constant(arguments.number("radius")), 0.0};
-    case 1:
-      return Ellipse{arguments.point("centre"), arguments.pair("radii"), arguments.number("angle")};
-    case 2:
-      return Polygon{arguments.points("points")};
-    default:
-      return Capsule{{arguments.point("from"), arguments.point("to")},
-                     0.5 * arguments.number("width")};
-  }
+  const auto form = form_of(arguments, shape_forms, who, "the shape");
+  return form ? std::optional(shapes[*form].make(arguments)) : std::nullopt;
 }
 
 }  // namespace hackle
