@@ -23,6 +23,8 @@ constexpr auto ellipse = std::to_array<std::string_view>({"centre", "radii"});
 constexpr auto turned = std::to_array<std::string_view>({"angle"});
 constexpr auto polygon = std::to_array<std::string_view>({"points"});
 constexpr auto slot = std::to_array<std::string_view>({"from", "to", "width"});
+constexpr auto regular = std::to_array<std::string_view>({"centre", "radius", "corners"});
+constexpr auto pointed = std::to_array<std::string_view>({"centre", "radius", "inner", "corners"});
 
 Shape make_circle(const Arguments& arguments) {
   return Ellipse{arguments.point("centre"), Vec2::Constant(arguments.number("radius")), 0.0};
@@ -40,11 +42,21 @@ Shape make_slot(const Arguments& arguments) {
   return Capsule{{arguments.point("from"), arguments.point("to")}, 0.5 * arguments.number("width")};
 }
 
+Shape make_regular(const Arguments& arguments) {
+  return star(arguments.point("centre"), arguments.number("radius"),
+              static_cast<int>(arguments.integer("corners")), arguments.number("angle"));
+}
+
+Shape make_star(const Arguments& arguments) {
+  return star(arguments.point("centre"), arguments.number("radius"),
+              static_cast<int>(arguments.integer("corners")), arguments.number("angle"),
+              arguments.number("inner"));
+}
+
 constexpr std::array shapes{
-    ShapeForm{{circle}, make_circle},
-    ShapeForm{{ellipse, turned}, make_ellipse},
-    ShapeForm{{polygon}, make_polygon},
-    ShapeForm{{slot}, make_slot},
+    ShapeForm{{circle}, make_circle},           ShapeForm{{ellipse, turned}, make_ellipse},
+    ShapeForm{{polygon}, make_polygon},         ShapeForm{{slot}, make_slot},
+    ShapeForm{{regular, turned}, make_regular}, ShapeForm{{pointed, turned}, make_star},
 };
 constexpr auto shape_forms = [] {
   std::array<Form, shapes.size()> forms;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An area as several functions take it: a circle, an ellipse, a polygon or a slot.
+// An area as several functions take it: a circle, an ellipse, a polygon, a slot or a star.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 
 #include "console/schema/arguments.hpp"
 #include "scene/shape.hpp"
+#include "scene/star.hpp"
 
 namespace hackle {
 
@@ -17,12 +18,12 @@ inline constexpr std::array shape_options{
            .type = OptionType::point,
            .unit = "m",
            .alternative = true,
-           .sentence = "Middle of a circle or an ellipse."},
+           .sentence = "Middle of a circle, an ellipse, a regular polygon or a star."},
     Option{.name = "radius",
            .unit = "m",
            .range = above(0.0),
            .alternative = true,
-           .sentence = "Of a circle."},
+           .sentence = "Of a circle; that of the corners, with corners."},
     Option{.name = "radii",
            .type = OptionType::pair,
            .unit = "m",
@@ -32,7 +33,18 @@ inline constexpr std::array shape_options{
     Option{.name = "angle",
            .unit = "rad",
            .fallback = "0",
-           .sentence = "Of the first half axis from x, anticlockwise; 30*deg is 30 degrees."},
+           .sentence =
+               "Of the first half axis or corner from x, anticlockwise; 30*deg is 30 degrees."},
+    Option{.name = "corners",
+           .type = OptionType::integer,
+           .range = between(3, most_corners),
+           .alternative = true,
+           .sentence = "How many a regular polygon has, or a star at its tips."},
+    Option{.name = "inner",
+           .unit = "m",
+           .range = above(0.0),
+           .alternative = true,
+           .sentence = "Radius of the corners between the tips of a star."},
     Option{.name = "points",
            .type = OptionType::points,
            .unit = "m",

@@ -116,10 +116,12 @@ TEST_F(Members, OfHoles) {
       "p:hole { centre = {11*mm, 12*mm}, radius = 3*mm, name = 'a' }\n"
       "p:hole { centre = {21*mm, 22*mm}, radii = {3*mm, 2*mm}, angle = 0.5, name = 'b' }\n"
       "p:hole { points = {{31*mm, 1*mm}, {35*mm, 2*mm}, {33*mm, 6*mm}} }\n"
-      "p:hole { from = {41*mm, 11*mm}, to = {45*mm, 12*mm}, width = 3*mm, name = 'd' }";
+      "p:hole { from = {41*mm, 11*mm}, to = {45*mm, 12*mm}, width = 3*mm, name = 'd' }\n"
+      "p:hole { centre = {51*mm, 12*mm}, radius = 3*mm, corners = 6, angle = 0.2 }\n"
+      "p:hole { centre = {61*mm, 12*mm}, radius = 4*mm, inner = 2*mm, corners = 5 }";
   expect_all_named(hole_doc, calls);
   const Plate& plate = plate_after(calls);
-  ASSERT_EQ(plate.cutouts.size(), 5U);
+  ASSERT_EQ(plate.cutouts.size(), 7U);
   EXPECT_EQ(plate.cutouts[0].name, "bore");
   EXPECT_EQ(plate.cutouts[1].name, "a");
   EXPECT_EQ(plate.cutouts[1].shape, Shape(Ellipse{{0.011, 0.012}, {3e-3, 3e-3}, 0.0}));
@@ -134,6 +136,9 @@ TEST_F(Members, OfHoles) {
   EXPECT_NEAR((slot->axis.from - Vec2(41e-3, 11e-3)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((slot->axis.to - Vec2(45e-3, 12e-3)).norm(), 0.0, 1e-15);
   EXPECT_EQ(slot->radius, 1.5e-3);
+  EXPECT_EQ(plate.cutouts[5].shape, Shape(star({51 * 1e-3, 12 * 1e-3}, 3 * 1e-3, 6, 0.2)));
+  EXPECT_EQ(plate.cutouts[6].shape,
+            Shape(star({61 * 1e-3, 12 * 1e-3}, 4 * 1e-3, 5, 0.0, 2 * 1e-3)));
 }
 
 TEST_F(Members, OfInclusions) {
@@ -142,15 +147,19 @@ TEST_F(Members, OfInclusions) {
       "'soda_lime' }\n"
       "p:inclusion { centre = {11*mm, 12*mm}, radius = 1*mm, material = 'alumina' }\n"
       "p:inclusion { points = {{31*mm, 1*mm}, {35*mm, 2*mm}, {33*mm, 6*mm}}, material = 'pmma' }\n"
-      "p:inclusion { from = {41*mm, 11*mm}, to = {45*mm, 12*mm}, width = 2*mm, material = 'pmma' }";
+      "p:inclusion { from = {41*mm, 11*mm}, to = {45*mm, 12*mm}, width = 2*mm, material = 'pmma' "
+      "}\n"
+      "p:inclusion { centre = {61*mm, 12*mm}, radius = 4*mm, inner = 2*mm, corners = 5, material = "
+      "'pmma' }";
   expect_all_named(inclusion_doc, calls);
   const Plate& plate = plate_after(calls);
-  ASSERT_EQ(plate.inclusions.size(), 4U);
+  ASSERT_EQ(plate.inclusions.size(), 5U);
   EXPECT_EQ(plate.inclusions[0].shape, Shape(Ellipse{{0.021, 0.022}, {3e-3, 2e-3}, -0.5}));
   EXPECT_EQ(plate.inclusions[0].material.G0, 3.8);
   EXPECT_EQ(plate.inclusions[1].material.alphaT, 7.5e-6);
   EXPECT_TRUE(std::holds_alternative<Polygon>(plate.inclusions[2].shape));
   EXPECT_TRUE(std::holds_alternative<Capsule>(plate.inclusions[3].shape));
+  EXPECT_EQ(std::get<Polygon>(plate.inclusions[4].shape).points.size(), 10U);
 }
 
 // Four pixels of four shades: black and dark grey above, light grey and white below.

@@ -27,12 +27,16 @@ TEST(ShapeBinding, EveryWayToSayAShapeIsTaken) {
           " :hole { centre = {40*mm, 20*mm}, radii = {5*mm, 2*mm}, angle = 30*deg }\n"
           " :hole { points = {{50*mm, 5*mm}, {60*mm, 5*mm}, {55*mm, 20*mm}} }\n"
           " :hole { from = {70*mm, 10*mm}, to = {80*mm, 20*mm}, width = 2*mm }\n"
+          " :hole { centre = {20*mm, 33*mm}, radius = 3*mm, corners = 6 }\n"
+          " :hole { centre = {40*mm, 33*mm}, radius = 3*mm, inner = 1*mm, corners = 5, angle = "
+          "90*deg "
+          "}\n"
           " :notch { at = {0, 20*mm}, depth = 5*mm, width = 1*mm, shape = 'u', angle = 0.2 }\n"
           " :inclusion { material = 'duran50', centre = {90*mm, 20*mm}, radius = 2*mm }\n"
           " :crack { points = {{0, 0}, {1*mm, 1*mm}, {2*mm, 0}} }\n"
           " :crack { centre = {50*mm, 30*mm}, radius = 3*mm, angles = {0, 360*deg} }\n"
           " :random_cracks { count = 3, length = {1*mm, 2*mm}, seed = -7 }\n"
-          "assert(tostring(p):find('5 cut-outs, 1 inclusion, 5 cracks', 1, true), tostring(p))"),
+          "assert(tostring(p):find('7 cut-outs, 1 inclusion, 5 cracks', 1, true), tostring(p))"),
       "");
 }
 
@@ -43,6 +47,9 @@ TEST(ShapeBinding, WhatMakesNoSenseIsRefusedByName) {
             "give centre, radius; or centre, radii and maybe angle; or"},
            {"hole { centre = {0, 0}, radius = 1*mm, width = 1*mm }", "the shape is not clear"},
            {"hole { centre = {0, 0}, radius = 1*mm, angle = 1 }", "the shape is not clear"},
+           {"hole { centre = {0, 0}, radius = 1*mm, corners = 2 }", "between 3 and 1000"},
+           {"hole { centre = {0, 0}, radius = 1*mm, inner = 0, corners = 5 }", "inner is 0 m"},
+           {"hole { centre = {0, 0}, radius = 1*mm, inner = 1*mm }", "the shape is not clear"},
            {"hole { centre = {0, 0}, radius = 0 }", "radius is 0 m, it must be above 0 m"},
            {"hole { centre = {0, 0}, radius = 0/0 }", "radius is nan"},
            {"hole { centre = {0, 0}, radius = 1/0 }", "expected a finite number"},
