@@ -2,16 +2,40 @@
 #include "lattice/touching.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 namespace hackle {
+namespace {
+
+// Of two discs that fly straight on.
+double closest_distance(const Impactor& one, const Impactor& other) {
+  const Vec2 apart = other.centre - one.centre, speed = other.velocity - one.velocity;
+  const double square = speed.squaredNorm();
+  const double when = square > 0.0 ? std::max(0.0, -apart.dot(speed) / square) : 0.0;
+  return (apart + when * speed).norm();
+}
+
+// How many discs may push one node at a time: those that come near each other, and any two, which
+// the plate may throw together.
+double discs_at_a_node(const std::vector<Impactor>& discs, double dx) {
+  std::ptrdiff_t most = std::min<std::ptrdiff_t>(2, std::ssize(discs));
+  for (const Impactor& one : discs)
+    most = std::max(most, std::ranges::count_if(discs, [&](const Impactor& other) {
+                      return closest_distance(one, other) < one.radius + other.radius + 2.0 * dx;
+                    }));
+  return static_cast<double>(most);
+}
+
+}  // namespace
 
 Touching touching_of(const Plate& plate, double dx) {
   double recoil = 0.0;
   for (const Impactor& disc : plate.loads.impactors)
     recoil =
         std::max(recoil, std::min(1.0, 2.0 * disc.radius * dx * plate.material.rho / disc.mass));
-  const double discs = std::min(2.0, static_cast<double>(plate.loads.impactors.size()));
+  const double discs = discs_at_a_node(plate.loads.impactors, dx);
   return {plate.contact ? faces_bear : 1.0,
           4.0 * contact_stiffness(plate) +
               discs * (1.0 + recoil) * plate.contact.value_or(Contact{}).stiffness};

@@ -19,7 +19,7 @@ inline constexpr double faces_bear = 1.2;
 // with the whole micromodulus (see Contact). A node has at most one contact straight ahead and two
 // aslant, together as much as two, and both ends move: four times their stiffness. A disc adds its
 // own stiffness to each node that it pushes, and as much again, by its recoil, as those nodes weigh
-// over its mass; at most two discs push one node.
+// over its mass; as many discs push one node as come near each other on their ways, straight on.
 Touching touching_of(const Plate& plate, double dx);
 
 // The share of a spacing that a disc may cross per step: it then pushes a node several times before

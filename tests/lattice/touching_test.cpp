@@ -17,15 +17,20 @@ Impactor disc(double speed) {
   return {{-2e-3, 2e-3}, 2e-3, {speed, 0.0}, 0.1};
 }
 
-TEST(Touching, CountsContactsAndTwoDiscsAtMost) {
+TEST(Touching, CountsContactsAndTheDiscsThatMeet) {
   Plate plate = test::bare_plate(20, 10);
   EXPECT_EQ(touching_of(plate, spacing).nodes, 0.0);
   EXPECT_EQ(touching_of(plate, spacing).bonds, 1.0);
   const double recoil = 2.0 * 2e-3 * spacing * 2235.0 / 0.1;
   for (int discs = 1; discs <= 3; ++discs) {
     plate.loads.impactors.push_back(disc(1.0));
-    EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes, std::min(discs, 2) * 15.0 * (1.0 + recoil));
+    EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes, discs * 15.0 * (1.0 + recoil));
   }
+  for (std::size_t k = 0; k < 3; ++k) plate.loads.impactors[k].centre.y() += 0.1 * double(k);
+  EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes, 2.0 * 15.0 * (1.0 + recoil));
+  plate.loads.impactors[1].velocity.y() = -0.1 / 0.05;  // they meet after 50 ms
+  plate.loads.impactors[2].velocity.y() = -0.2 / 0.05;
+  EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes, 3.0 * 15.0 * (1.0 + recoil));
   plate.loads.impactors.clear();
   plate.contact = Contact{20.0, 0.9};
   EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes, 80.0);
