@@ -82,6 +82,7 @@ bool CrackFaces::find_closed(std::span<const OpenNode> nodes,
     const LostBond& bond = bonds_[static_cast<std::size_t>(place)];
     const double s = stretches_.emplace_back(stretch_of(bond, nodes, heat));
     const Vec2 nearer(bond.stiffness * counted(s), 0.0);
+    if (nearer.x() == 0.0) continue;
     for (const int end : {bond.one, bond.other})
       nearing_[static_cast<std::size_t>(end)].add(nearer);
   }
@@ -107,10 +108,13 @@ double CrackFaces::energy(std::span<const OpenNode> nodes, const std::vector<dou
   return find_closed(nodes, heat) ? stored() : 0.0;
 }
 
+double CrackFaces::approach_of(const LostBond& bond) const {
+  return 0.5 * (approach_[static_cast<std::size_t>(bond.one)] +
+                approach_[static_cast<std::size_t>(bond.other)]);
+}
+
 Vec2 CrackFaces::force_of(const LostBond& bond, std::span<const OpenNode> nodes, double s) const {
-  const double eps = 0.5 * (approach_[static_cast<std::size_t>(bond.one)] +
-                            approach_[static_cast<std::size_t>(bond.other)]);
-  if (eps == 0.0 || !(s > -1.0)) return {0, 0};  // two nodes that meet must not divide by zero
+  const double eps = approach_of(bond);
   const Offset& offset = offset_of(bond);
   const Vec2 y = offset.xi + (at(nodes, bond.other).u - at(nodes, bond.one).u);
   return (strength_ * bond.pull * counted_slope(s) * eps / (offset.length * (1.0 + s))) * y;
@@ -120,7 +124,10 @@ double CrackFaces::push(std::span<OpenNode> nodes, const std::vector<double>& he
   if (!find_closed(nodes, heat)) return 0.0;
   for (std::size_t k = 0; k < near_.size(); ++k) {
     const LostBond& bond = bonds_[static_cast<std::size_t>(near_[k])];
-    const Vec2 force = force_of(bond, nodes, stretches_[k]);
+    const double s = stretches_[k];
+    // Two nodes that meet must not divide by zero.
+    if (approach_of(bond) == 0.0 || !(s > -1.0 && s < gone)) continue;
+    const Vec2 force = force_of(bond, nodes, s);
     nodes[static_cast<std::size_t>(bond.one)].force.add(force);
     nodes[static_cast<std::size_t>(bond.other)].force.subtract(force);
   }

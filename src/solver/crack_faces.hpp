@@ -69,6 +69,7 @@ class CrackFaces {
   }
   double stretch_of(const LostBond& bond, std::span<const OpenNode> nodes,
                     const std::vector<double>& heat) const;
+  double approach_of(const LostBond& bond) const;  // the mean of eps of its ends
   Vec2 force_of(const LostBond& bond, std::span<const OpenNode> nodes, double s) const;
   // eps of every node, or 0 where its faces are open. True when some are closed.
   bool find_closed(std::span<const OpenNode> nodes, const std::vector<double>& heat) const;

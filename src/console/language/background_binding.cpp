@@ -18,7 +18,7 @@ namespace {
 constexpr const char* known_key = "hackle.simulations by number";
 constexpr const char* held_key = "hackle.simulations under way";
 
-constexpr std::array start_options{
+constexpr std::array background_options{
     Option{.name = "duration",
            .unit = "s",
            .range = at_least(0.0),
@@ -32,7 +32,7 @@ constexpr FunctionDoc start_doc{
     .sentence =
         "As run, but it goes on while the prompt waits for the next line; a script that "
         "ends waits for it.",
-    .options = start_options,
+    .options = background_options,
     .example = "s:start(2*us) s:wait()"};
 
 constexpr FunctionDoc status_doc{

@@ -12,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "console/language/units_binding.hpp"
+#include "console/lua/description.hpp"
 #include "console/lua/value_text.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/session.hpp"

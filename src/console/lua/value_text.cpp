@@ -19,7 +19,7 @@ constexpr std::size_t most_entries = 40;
 
 std::string nested_text(lua_State* L, int index, int depth);
 
-std::string text_at(lua_State* L, int index) {
+std::string shown_text(lua_State* L, int index) {
   std::size_t size = 0;
   const char* text = push_name(L, index, &size);
   std::string copy(text, size);
@@ -52,8 +52,8 @@ bool is_name(std::string_view text) {
 }
 
 std::string key_text(lua_State* L, int index) {
-  if (lua_type(L, index) != LUA_TSTRING) return fmt::format("[{}]", text_at(L, index));
-  const std::string text = text_at(L, index);
+  if (lua_type(L, index) != LUA_TSTRING) return fmt::format("[{}]", shown_text(L, index));
+  const std::string text = shown_text(L, index);
   return is_name(text) ? text : fmt::format("[{}]", as_literal(text));
 }
 
@@ -111,15 +111,15 @@ std::string table_text(lua_State* L, int index, int depth) {
 
 std::string nested_text(lua_State* L, int index, int depth) {
   luaL_checkstack(L, 6, "a table too deep to show");
-  if (lua_type(L, index) == LUA_TSTRING) return as_literal(text_at(L, index));
-  if (lua_type(L, index) != LUA_TTABLE || has_text(L, index)) return text_at(L, index);
+  if (lua_type(L, index) == LUA_TSTRING) return as_literal(shown_text(L, index));
+  if (lua_type(L, index) != LUA_TTABLE || has_text(L, index)) return shown_text(L, index);
   return depth < deepest ? table_text(L, index, depth) : "{...}";
 }
 
 }  // namespace
 
 std::string value_text(lua_State* L, int index) {
-  if (lua_type(L, index) == LUA_TSTRING) return text_at(L, index);
+  if (lua_type(L, index) == LUA_TSTRING) return shown_text(L, index);
   return nested_text(L, lua_absindex(L, index), 0);
 }
 
