@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "scripts.hpp"
+#include "console/scripts.hpp"
 
 namespace hackle {
 namespace {
