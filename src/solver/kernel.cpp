@@ -16,15 +16,15 @@ bool is_supported(InstructionSet set) {
 #ifdef __x86_64__
     case InstructionSet::avx2:
       return __builtin_cpu_supports("avx2") != 0;
+#endif
+#ifdef HACKLE_AVX512
     case InstructionSet::avx512:
       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
              __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0;
-#else
+#endif
     default:
       return false;
-#endif
   }
-  return false;
 }
 
 InstructionSet best_instruction_set() {
@@ -48,9 +48,12 @@ Kernel<Real> find_kernel(InstructionSet set, Arithmetic arithmetic, KernelFeatur
 #ifdef __x86_64__
     case InstructionSet::avx2:
       return fused ? avx2_fused::kernel<Real>(features) : avx2::kernel<Real>(features);
+#endif
+#ifdef HACKLE_AVX512
     case InstructionSet::avx512:
       return fused ? avx512_fused::kernel<Real>(features) : avx512::kernel<Real>(features);
-#elif defined(__aarch64__)
+#endif
+#ifdef __aarch64__
     case InstructionSet::baseline:
       if (fused) return baseline_fused::kernel<Real>(features);
       [[fallthrough]];
