@@ -142,8 +142,8 @@ int release(lua_State* L) {
 }
 
 int add_start(lua_State* L) {
-  Plate& plate = self<Plate>(L, start_doc);
-  Arguments arguments = Arguments::from_table(L, 2, start_doc);
+  Plate& plate = self<Plate>(L, plate_start_doc);
+  Arguments arguments = Arguments::from_table(L, 2, plate_start_doc);
   auto start = noun_of<Start>(arguments);
   start.region = region_of(arguments, plate, "start");
   if (!arguments.has("displacement") && !arguments.has("velocity") &&
@@ -163,7 +163,7 @@ constexpr std::array plate_methods{
     Function{&plate_temperature_doc, guarded<add_to_plate<Heating, plate_temperature_doc>>},
     Function{&plate_impactor_doc, guarded<add_to_plate<Impactor, plate_impactor_doc>>},
     Function{&plate_damping_doc, guarded<damp_plate>},
-    Function{&start_doc, guarded<add_start>},
+    Function{&plate_start_doc, guarded<add_start>},
 };
 
 constexpr std::array simulation_methods{

@@ -99,7 +99,7 @@ inline constexpr FunctionDoc plate_damping_doc{.name = "damping",
                                                .sentence = "Lets all motion die away.",
                                                .options = damping_options,
                                                .example = "p:damping { rate = 1e5 }"};
-inline constexpr FunctionDoc start_doc{
+inline constexpr FunctionDoc plate_start_doc{
     .name = "start",
     .owner = "p",
     .sentence = "Gives an area, or the plate, a motion to start with; several add up.",
