@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "output/field_choice.hpp"
 #include "output/painting.hpp"
 #include "support/scenes.hpp"
 #include "support/states.hpp"

@@ -13,6 +13,7 @@
 #include "base/version.hpp"
 #include "movie/make_film.hpp"
 #include "movie/remux.hpp"
+#include "output/run.hpp"
 #include "support/folder.hpp"
 #include "support/scenes.hpp"
 
