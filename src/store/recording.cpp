@@ -117,11 +117,11 @@ void break_bonds(const std::vector<std::uint32_t>& broken, const Grid& grid, int
 struct Recording::Parts {
   Parts(const std::filesystem::path& path_, Execution execution)
       : path(path_),
+        count(static_cast<hsize_t>(committed(opened(path_)))),
         file(opened(path_)),
         inputs(read_inputs(file.text("inputs"))),
         simulation(rebuilt(file, inputs, execution)) {
     check_lattice(file, simulation.lattice());
-    const auto count = static_cast<hsize_t>(committed(file));
     times = file.first_doubles("time", count);
     steps = file.first_integers("step", count);
     for (std::size_t k = 0; k < count; ++k)
@@ -174,6 +174,10 @@ struct Recording::Parts {
   }
 
   std::filesystem::path path;
+  // Read through an opening of its own, before that of `file`: the library asks but once where the
+  // file ends, when it opens it, and all that was counted before lies before that end, however fast
+  // the file grows.
+  hsize_t count;
   Hdf5Reader file;
   Inputs inputs;
   Simulation simulation;
