@@ -9,7 +9,9 @@
 namespace hackle {
 namespace {
 
-constexpr double gone = 4.0;  // stretch from which a lost bond counts no more
+// The stretch from which a lost bond counts no more. Less would press faces that slide: bonds that
+// are lengthened would count too little against those that are shortened.
+constexpr double gone = 4.0;
 
 // s as it counts, and the derivative of that.
 double counted(double s) {
