@@ -63,6 +63,7 @@ extern "C" {
 namespace hackle::av {
 
 struct Functions {
+// A declared name takes no parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
 #define HACKLE_FFMPEG_MEMBER(library, name) decltype(&::name) name = nullptr;
   HACKLE_FFMPEG_FUNCTIONS(HACKLE_FFMPEG_MEMBER)
 #undef HACKLE_FFMPEG_MEMBER

@@ -27,6 +27,7 @@ void set(Values<Real>& x, Values<Real>& y, std::size_t at, const Vec2& value) {
 // The order in which discs were said means nothing.
 std::vector<std::array<double, 4>> sorted(const std::vector<Disc>& discs) {
   std::vector<std::array<double, 4>> list;
+  list.reserve(discs.size());
   for (const auto& [centre, velocity] : discs)
     list.push_back({centre.x(), centre.y(), velocity.x(), velocity.y()});
   std::ranges::sort(list);
