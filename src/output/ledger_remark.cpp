@@ -83,10 +83,9 @@ double largest_entry(const Energy& energy) {
 }
 
 // A ledger of less than this holds nothing, J/m: of a plate that only moves, rounding; of one that
-// only warms, what the stretch of its bonds is beyond linear, which heat does work on and back; of
-// one that was hardly hit, the rounding of what the discs have.
+// only warms, what the stretch of its bonds is beyond linear, which heat does work on and back.
 double nothing(const Simulation& simulation) {
-  constexpr double rounding = 1e-9, rounding_of_discs = 1e-14;
+  constexpr double rounding = 1e-9;
   const Lattice& lattice = simulation.lattice();
   double motion = 0.0, heat = 0.0;
   for (int j = 0; j < lattice.grid.ny; ++j)
@@ -94,10 +93,7 @@ double nothing(const Simulation& simulation) {
       motion = std::max(motion, simulation.displacement(i, j).squaredNorm());
   for (const double strain : simulation.thermal_strain())
     heat += 2.0 * std::pow(std::abs(strain), 3) * lattice.grid.dx * lattice.grid.dx;
-  double discs = 0.0;
-  for (const Impactor& disc : simulation.plate().loads.impactors)
-    discs += 0.5 * disc.mass * disc.velocity.squaredNorm();
-  return simulation.plate().material.E * (rounding * motion + heat) + rounding_of_discs * discs;
+  return simulation.plate().material.E * (rounding * motion + heat);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "base/units.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
@@ -140,8 +141,11 @@ TEST(AtOnceRemarks, TellOfGripsThatTearBondsInOneStep) {
   EXPECT_THAT(displaced(20e-6, ramp(15e-6)), IsEmpty());
   EXPECT_THAT(displaced(-1e-6, {}), ElementsAre(HasSubstr("0.002, s0 is 0.001")));
   EXPECT_THAT(remarks_on_grip(Kind::velocity, 1.0, {}), IsEmpty());
-  EXPECT_THAT(remarks_on_grip(Kind::velocity, 100.0, {}),
-              ElementsAre(HasSubstr("give a step of 7.6")));
+  // Half a spacing of 1 mm times s0, at 100 m/s.
+  const double s0 = Lattice(test::bare_plate(40, 20), test::numerics()).calibration.s0;
+  EXPECT_THAT(
+      remarks_on_grip(Kind::velocity, 100.0, {}),
+      ElementsAre(HasSubstr("give a step of " + quantity(s0 * 0.5e-3 / 100.0, "s") + " or less")));
   // What has acted before does not come at once.
   EXPECT_THAT(remarks_on_grip(Kind::velocity, 100.0, {}, false), IsEmpty());
 }

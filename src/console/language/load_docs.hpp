@@ -36,14 +36,15 @@ inline constexpr auto impactor_options = joined(
                       .fallback = "7850",
                       .sentence = "Of the disc, instead of a mass; 7850 is that of steel."}});
 
-// The rate is a number of the loads, not a noun.
-inline constexpr std::array damping_options{
-    Option{.name = "rate",
-           .unit = "1/s",
-           .range = at_least(0.0),
-           .required = true,
-           .sentence = "Velocities die away as exp(-rate t); stable for any rate."},
-};
+// The one number of the loads that is not a list; p:damping calls it a rate.
+inline constexpr auto damping_options = [] {
+  auto options = options_of<Loads>;
+  static_assert(options.size() == 1);
+  options[0].name = "rate";
+  options[0].required = true;
+  options[0].fallback = {};
+  return options;
+}();
 
 inline constexpr auto start_options = joined(options_of<Start>, region_options);
 
