@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "support/folder.hpp"
 
 namespace hackle {
@@ -32,6 +33,19 @@ TEST(Png, ComesBackAsItWasWritten) {
 
 TEST(Png, AFolderThatIsNotThereIsAnError) {
   EXPECT_THROW(write_png(Image(2, 2), test::fresh_folder() / "no" / "a.png"), Error);
+}
+
+TEST(Png, AnInterruptLeavesNoFile) {
+  const auto folder = test::fresh_folder();
+  request_interrupt();
+  try {
+    write_png(Image(200, 200), folder / "a.png");
+    ADD_FAILURE() << "it was written";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+  }
+  clear_interrupt();
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 }  // namespace
