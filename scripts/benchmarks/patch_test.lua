@@ -25,7 +25,7 @@ local C11 = E/(1 - nu^2)
 
 local function strained(side)
   local p = plate { width = side*dx, height = side*dx, material = "duran50" }
-  p:start { displacement = function(x) return o.strain*(x - side*dx/2), 0 end }
+  p:initial { displacement = function(x) return o.strain*(x - side*dx/2), 0 end }
   return simulate(p, { spacing = dx, horizon = o.m*dx })
 end
 

@@ -22,7 +22,7 @@ local nu = xy/xx
 local c_p = math.sqrt(E/(rho*(1 - nu^2)))
 
 local p = plate { width = 2*half, height = 2*half, material = "duran50" }
-p:start { displacement = function(x, y)
+p:initial { displacement = function(x, y)
   local dx, dy = x - half, y - half
   local bulge = 1e-6*math.exp(-(dx*dx + dy*dy)/(width*width))
   return bulge*dx/width, bulge*dy/width

@@ -25,7 +25,7 @@ local w = math.sqrt(2*c*dx/rho)
 
 local p = plate { width = 2*dx, height = dx,
                   material = material { name = "bond", E = E, rho = rho, nu = 0.33, s0 = s0 } }
-p:start { velocity = function(x) return x > dx and v or -v, 0 end }
+p:initial { velocity = function(x) return x > dx and v or -v, 0 end }
 local s = simulate(p, { spacing = dx, horizon = 2*dx, step = 0.2*ns })
 while s.damage.broken_bonds == 0 and s.time < 1*us do s:step(1) end
 

@@ -22,5 +22,5 @@ local s = simulate(p, { spacing = o.spacing })
 s:movie { "own_picture.mp4", every = 0.25*us, width = 800 }
 s:run(o.time)
 s:frame { "own_picture.png", width = 800 }
-print(#s:pieces() .. " pieces")
+print(#s:fragments() .. " fragments")
 print(s:report())

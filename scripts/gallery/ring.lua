@@ -22,7 +22,7 @@ local p = plate { width = 60*mm, height = 60*mm, material = "duran50" }
 p:hole     { points = outside }
 p:hole     { centre = {30*mm, 30*mm}, radius = r }
 p:strength { modulus = 10, correlation = 2*mm, seed = 3 }
-p:start    { velocity = function(x, y)
+p:initial  { velocity = function(x, y)
   local dx, dy = x - 30*mm, y - 30*mm
   local d = math.sqrt(dx*dx + dy*dy) + 1e-9
   return 10*dx/d, 10*dy/d

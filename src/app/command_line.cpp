@@ -33,7 +33,7 @@ namespace {
 
 constexpr std::array<std::string_view, 7> commands{"run",   "check", "render", "new",
                                                    "bench", "info",  "docs"};
-constexpr int most_threads = 1024;
+constexpr int max_threads = 1024;
 
 // Everything the command line can say.
 struct Request {
@@ -73,7 +73,7 @@ std::string check_setting(const std::string& setting) {
 void describe_execution(CLI::App& command, Execution& execution) {
   command.add_option("-j,--threads", execution.threads, "Threads (one for each core)")
       ->type_name("N")
-      ->check(CLI::Range(1, most_threads));
+      ->check(CLI::Range(1, max_threads));
   std::vector<std::string> names;
   for (std::size_t set = 0; set < instruction_set_names.size(); ++set)
     if (is_supported(static_cast<InstructionSet>(set)))
@@ -145,7 +145,7 @@ void describe_render(CLI::App& app, Request& request) {
   render
       ->add_option("-j,--threads", request.render.execution.threads, "Threads (one for each core)")
       ->type_name("N")
-      ->check(CLI::Range(1, most_threads));
+      ->check(CLI::Range(1, max_threads));
   render->add_flag("-q,--quiet", request.render.quiet, "Say nothing but errors");
   render->footer(
       "RUN.h5 alone tells what is recorded. Options are those of r:frame and r:movie for one run,\n"

@@ -19,10 +19,10 @@ std::string with_unit(double value, std::string_view unit) {
 std::string range_text(const Range& range, std::string_view unit) {
   const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
   const std::string most = high ? with_unit(range.most, unit) : "";
-  if (low && high && range.least_is_in && range.most_is_in)
+  if (low && high && range.min_inclusive && range.max_inclusive)
     return fmt::format("between {} and {}", shortest(range.least), most);
-  const std::string above = range.least_is_in ? "at least " : "above ";
-  const std::string below = range.most_is_in ? "at most " : "below ";
+  const std::string above = range.min_inclusive ? "at least " : "above ";
+  const std::string below = range.max_inclusive ? "at most " : "below ";
   if (low && high) return above + shortest(range.least) + " and " + below + most;
   if (high) return below + most;
   return low ? above + with_unit(range.least, unit) : "";

@@ -21,17 +21,17 @@ namespace hackle {
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  bool least_is_in = true;
-  bool most_is_in = true;
+  bool min_inclusive = true;
+  bool max_inclusive = true;
 
   constexpr bool holds(double value) const {
-    return (least_is_in ? value >= least : value > least) &&
-           (most_is_in ? value <= most : value < most);
+    return (min_inclusive ? value >= least : value > least) &&
+           (max_inclusive ? value <= most : value < most);
   }
 };
 
 constexpr Range above(double least) {
-  return {.least = least, .least_is_in = false};
+  return {.least = least, .min_inclusive = false};
 }
 constexpr Range at_least(double least) {
   return {.least = least};
@@ -40,13 +40,13 @@ constexpr Range between(double least, double most) {
   return {.least = least, .most = most};
 }
 constexpr Range above_up_to(double least, double most) {
-  return {.least = least, .most = most, .least_is_in = false};
+  return {.least = least, .most = most, .min_inclusive = false};
 }
 constexpr Range from_to_below(double least, double most) {
-  return {.least = least, .most = most, .most_is_in = false};
+  return {.least = least, .most = most, .max_inclusive = false};
 }
 constexpr Range strictly_between(double least, double most) {
-  return {.least = least, .most = most, .least_is_in = false, .most_is_in = false};
+  return {.least = least, .most = most, .min_inclusive = false, .max_inclusive = false};
 }
 
 // "between 320 and 7680 px", "above 0 m", "at least 0 and below 1", or "" for any number.

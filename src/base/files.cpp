@@ -18,7 +18,7 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t most_text = std::size_t{1} << 26U;  // bytes; a device may never end
+constexpr std::size_t max_text = std::size_t{1} << 26U;  // bytes; a device may never end
 
 std::vector<fs::path> data_folders() {
   std::vector<fs::path> folders;
@@ -65,7 +65,7 @@ std::string read_text(const fs::path& path) {
   std::array<char, 1 << 16> piece{};
   while (file.read(piece.data(), piece.size()) || file.gcount() > 0) {
     text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > most_text)
+    if (text.size() > max_text)
       throw Error(ErrorKind::files, "'" + path.string() + "' is larger than 64 MiB: no text");
   }
   if (file.bad())
@@ -96,7 +96,7 @@ void publish(const fs::path& path) {
 }
 
 fs::path real_path(const fs::path& path) {
-  constexpr int most_links = 40;  // as the kernel has it
+  constexpr int max_links = 40;  // as the kernel has it
   const fs::path start = fs::current_path() / path;
   std::deque<fs::path> to_go(start.begin(), start.end());
   fs::path done = "/";
@@ -107,7 +107,7 @@ fs::path real_path(const fs::path& path) {
     const fs::path target = fs::read_symlink(done / part, no_link);
     if (part == "..")
       done = done.parent_path();
-    else if (!no_link && ++links > most_links)
+    else if (!no_link && ++links > max_links)
       throw Error(ErrorKind::files, "'" + path.string() + "' leads through links in a circle");
     else if (!no_link)
       to_go.insert(to_go.begin(), target.begin(), target.end());

@@ -60,7 +60,7 @@ const Habit* habit_of(std::string_view unit) {
 
 // The smallest number that is written with this prefix before the next smaller one is taken.
 // Engineers write 0.5 mm, not 500 um.
-double least_number(std::string_view unit, const Prefix& prefix) {
+double min_number(std::string_view unit, const Prefix& prefix) {
   return unit == "m" && prefix.text == "m" ? 0.01 : 1.0;
 }
 
@@ -70,7 +70,7 @@ const Prefix& prefix_for(double size, const Habit& habit) {
     if (prefix.factor > habit.most * 1.5 || prefix.factor < habit.least / 1.5) continue;
     chosen = &prefix;
     // The rounding of four digits must not turn 999.99 ns into 1000 ns.
-    if (size >= least_number(habit.unit, prefix) * prefix.factor * 0.99995) break;
+    if (size >= min_number(habit.unit, prefix) * prefix.factor * 0.99995) break;
   }
   return *chosen;
 }

@@ -36,7 +36,7 @@ void check_memory(const Plate& plate, const Numerics& numerics, std::uint64_t me
                   Problems& problems) {
   const double needed = memory_of(plate, numerics).all(), free = static_cast<double>(memory);
   const Extent size = extent(plate, numerics);
-  if (needed <= free && std::max(size.nx, size.ny) <= most_columns) return;
+  if (needed <= free && std::max(size.nx, size.ny) <= max_columns) return;
   problems.add(fmt::format("simulate: {:.3g} nodes need {} of memory, {} are free", size.nodes(),
                            quantity(needed, "B"), quantity(free, "B")),
                fmt::format("a spacing of {} would fit",
@@ -50,7 +50,7 @@ bool constants_apply(const Plate& plate, const Numerics& numerics) {
   return plain || numerics.constants != Constants::paper;
 }
 
-double most_alpha(const Plate& plate) {
+double max_alpha(const Plate& plate) {
   double most = plate.material.alpha;
   for (const Inclusion& inclusion : plate.inclusions)
     most = std::max(most, inclusion.material.alpha);
@@ -59,7 +59,7 @@ double most_alpha(const Plate& plate) {
 
 // Choices that do not go together.
 void check_choices(const Plate& plate, const Numerics& numerics, Problems& problems) {
-  const double alpha = most_alpha(plate);
+  const double alpha = max_alpha(plate);
   if (numerics.fidelity > 0.0 && alpha > 0.0)
     problems.add(
         fmt::format(
@@ -94,13 +94,13 @@ bool check_horizon(const Numerics& numerics, Problems& problems) {
   const double m = numerics.m();
   const std::string spacing = quantity(numerics.spacing, "m");
   const std::string horizon = quantity(numerics.horizon_or_default(), "m");
-  if (!(m >= least_m * (1.0 - slack)))
+  if (!(m >= min_m * (1.0 - slack)))
     problems.add(
-        fmt::format("simulate: horizon {} is under {:g} spacings of {}", horizon, least_m, spacing),
+        fmt::format("simulate: horizon {} is under {:g} spacings of {}", horizon, min_m, spacing),
         fmt::format("4 spacings, {}, are usual", quantity(4.0 * numerics.spacing, "m")));
-  else if (m > most_m * (1.0 + slack))
+  else if (m > max_m * (1.0 + slack))
     problems.add(
-        fmt::format("simulate: horizon {} is over {:g} spacings of {}", horizon, most_m, spacing),
+        fmt::format("simulate: horizon {} is over {:g} spacings of {}", horizon, max_m, spacing),
         "take a coarser spacing or a shorter horizon");
   else
     return true;
@@ -131,8 +131,8 @@ void check_impact(const Plate& plate, const Numerics& numerics, Problems& proble
   if (*numerics.step <= longest * (1.0 + 1e-9)) return;
   problems.add(
       fmt::format("impactor: in a step of {} it crosses {:.2g} spacings, {:g} are the most",
-                  quantity(*numerics.step, "s"), most_crossed * *numerics.step / longest,
-                  most_crossed),
+                  quantity(*numerics.step, "s"), max_crossed * *numerics.step / longest,
+                  max_crossed),
       fmt::format("take a step of {} or less, or leave it out", quantity(longest, "s")));
 }
 

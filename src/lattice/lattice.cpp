@@ -24,10 +24,10 @@ BondBits uncut_bonds(const Grid& grid, const Family& family) {
   return bonds;
 }
 
-void cut_all(const std::vector<Crack>& cracks, Born born, const Grid& grid, const Family& family,
+void cut_all(const std::vector<Crack>& cracks, Born how, const Grid& grid, const Family& family,
              BondBits& bonds) {
   for (const Crack& crack : cracks)
-    if (crack.born == born) cut(crack, grid, family, bonds);
+    if (crack.born == how) cut(crack, grid, family, bonds);
 }
 
 BondBits bonds_in_zones(const std::vector<Shape>& zones, const Grid& grid, const Family& family) {
@@ -85,7 +85,7 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
   carve(plate.cutouts, material, grid, family, bonds);
   const BondBits uncut = plate.contact ? bonds : BondBits();
   cut_all(plate.cracks, Born::absent, grid, family, bonds);
-  born = degrees(grid, family, bonds);
+  initial_neighbours = degrees(grid, family, bonds);
   cut_all(plate.cracks, Born::broken, grid, family, bonds);
   if (plate.contact)
     for_each_missing(uncut, bonds, *this, [&](const KeptBond& bond) { cut.push_back(bond); });
@@ -100,14 +100,14 @@ double Lattice::critical_stretch_at(int i, int j) const {
   return strength.empty() ? s0 : s0 * static_cast<double>(strength[grid.index(i, j)]);
 }
 
-double Lattice::least_stretch() const {
+double Lattice::min_stretch() const {
   double least = calibration.s0;
   for (const MaterialOnLattice& entry : materials) least = std::min(least, entry.calibration.s0);
   return least;
 }
 
-std::int64_t Lattice::bonds_born() const {
-  return std::accumulate(born.begin(), born.end(), std::int64_t{0}) / 2;
+std::int64_t Lattice::initial_bonds() const {
+  return std::accumulate(initial_neighbours.begin(), initial_neighbours.end(), std::int64_t{0}) / 2;
 }
 
 double step_limit(const Lattice& lattice, const Plate& plate) {

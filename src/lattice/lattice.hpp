@@ -43,16 +43,16 @@ struct Lattice {
   // of their micromoduli, and breaks by the weaker.
   std::vector<MaterialOnLattice> materials;
   std::vector<std::uint8_t>
-      material;                     // per node: of `materials`, or void_node; empty when all are 0
-  Calibration calibration;          // of the plate's own material
-  double rho;                       // kg/m3, of the plate's own material
-  double step_limit;                // s, see step_limit() below, of the plate as it was described
-  BondBits bonds;                   // at t = 0, after the cracks were cut
-  std::vector<std::uint16_t> born;  // per node: initial bonds, the base of its damage
-  std::vector<KeptBond> cut;        // by cracks, broken and absent; empty where the plate has no
-                                    // contact, which alone asks for them
-  BondBits unbreakable;             // bonds of no-fail zones; empty when there are none
-  std::vector<float> strength;      // per node: its critical stretch over s0; empty when all are 1
+      material;             // per node: of `materials`, or void_node; empty when all are 0
+  Calibration calibration;  // of the plate's own material
+  double rho;               // kg/m3, of the plate's own material
+  double step_limit;        // s, see step_limit() below, of the plate as it was described
+  BondBits bonds;           // at t = 0, after the cracks were cut
+  std::vector<std::uint16_t> initial_neighbours;  // per node: initial bonds, the base of its damage
+  std::vector<KeptBond> cut;    // by cracks, broken and absent; empty where the plate has no
+                                // contact, which alone asks for them
+  BondBits unbreakable;         // bonds of no-fail zones; empty when there are none
+  std::vector<float> strength;  // per node: its critical stretch over s0; empty when all are 1
 
   // Marks nodes that cut-outs removed: they have no bonds, loads or motion.
   static constexpr std::uint8_t void_node = hackle::void_node;
@@ -69,8 +69,8 @@ struct Lattice {
   double critical_stretch_at(int i, int j) const;  // strength included
   bool is_mixed() const { return differ(materials); }
   bool has_history() const { return have_history(materials); }
-  double least_stretch() const;  // the least critical stretch of all materials
-  std::int64_t bonds_born() const;
+  double min_stretch() const;  // the least critical stretch of all materials
+  std::int64_t initial_bonds() const;
 };
 
 // Calls visit(const KeptBond&) for every bond that is in `all` and not in `left`.

@@ -127,7 +127,7 @@ NodeForces spread(const BodyForce& force, const Lattice& lattice) {
 }
 
 SpreadSupport spread(const Support& support, const Lattice& lattice) {
-  SpreadSupport spread{{}, support.kind, support.course};
+  SpreadSupport spread{{}, support.kind, support.amplitude};
   for_nodes_in(support.region, lattice.grid, [&](int i, int j) {
     if (lattice.is_void(i, j)) return;
     spread.nodes.push_back({i, j, value_at(support.value, lattice, i, j, "support"),
@@ -137,16 +137,16 @@ SpreadSupport spread(const Support& support, const Lattice& lattice) {
   return spread;
 }
 
-SpreadHeat spread(const Heating& heating, const Lattice& lattice) {
-  SpreadHeat spread{nodes_of(heating.region, lattice.grid), {}, heating.course};
+SpreadHeat spread(const ThermalLoad& thermal_load, const Lattice& lattice) {
+  SpreadHeat spread{nodes_of(thermal_load.region, lattice.grid), {}, thermal_load.amplitude};
   spread.strain.resize(spread.range.count());
   bool expands = false;
-  for_nodes_in(heating.region, lattice.grid, [&](int i, int j) {
+  for_nodes_in(thermal_load.region, lattice.grid, [&](int i, int j) {
     if (lattice.is_void(i, j)) return;
     const double alphaT = lattice.material_at(i, j).material.alphaT;
     if (alphaT == 0.0) return;
     spread.strain[spread.range.index(i, j)] =
-        alphaT * value_at(heating.change, lattice, i, j, "temperature");
+        alphaT * value_at(thermal_load.change, lattice, i, j, "temperature");
     expands = true;
   });
   if (!expands)
@@ -161,11 +161,11 @@ SpreadHeat spread(const Heating& heating, const Lattice& lattice) {
 std::vector<SpreadForce> spread_forces(const Plate& plate, const Lattice& lattice) {
   std::vector<SpreadForce> forces;
   for (const Traction& load : plate.loads.tractions)
-    forces.push_back({in_order(spread(load, lattice), lattice.grid), load.course});
+    forces.push_back({in_order(spread(load, lattice), lattice.grid), load.amplitude});
   for (const Pressure& load : plate.loads.pressures)
-    forces.push_back({in_order(spread(load, plate, lattice), lattice.grid), load.course});
+    forces.push_back({in_order(spread(load, plate, lattice), lattice.grid), load.amplitude});
   for (const BodyForce& load : plate.loads.body_forces)
-    forces.push_back({in_order(spread(load, lattice), lattice.grid), load.course});
+    forces.push_back({in_order(spread(load, lattice), lattice.grid), load.amplitude});
   return forces;
 }
 
@@ -177,7 +177,7 @@ std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& la
 
 std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice) {
   std::vector<SpreadHeat> heat;
-  for (const Heating& load : plate.loads.heatings) heat.push_back(spread(load, lattice));
+  for (const ThermalLoad& load : plate.loads.thermal_loads) heat.push_back(spread(load, lattice));
   return heat;
 }
 

@@ -30,19 +30,19 @@ struct HeldNode {
 // Each node once, ordered by index; void nodes are left out.
 struct SpreadForce {
   std::vector<LoadedNode> nodes;
-  Course course;
+  Amplitude amplitude;
 };
 struct SpreadSupport {
   std::vector<HeldNode> nodes;
   Support::Kind kind = Support::Kind::displacement;
-  Course course;
+  Amplitude amplitude;
 };
 
 // How nodes expand: alphaT of their material times the change of temperature.
 struct SpreadHeat {
   NodeRange range;             // around the area
   std::vector<double> strain;  // by NodeRange::index; 0 outside of the area
-  Course course;
+  Amplitude amplitude;
 };
 
 // Tractions, pressures and body forces of the plate, in that order. Throws what functions of place

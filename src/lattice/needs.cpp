@@ -61,8 +61,8 @@ double kept(const Plate& plate, const Grid& grid, const Family& family, const Ne
       static_cast<double>(layout.size()) * (real * values_of_place(needs) + bits) +
       rows_of_tiles(grid.ny, family.reach()) * layout.groups() * bytes_of_tile(needs, real) +
       static_cast<double>(grid.nodes()) * bytes_of_node(plate, needs);
-  for (const Heating& heating : plate.loads.heatings)
-    bytes += sizeof(double) * nodes_around(heating.region, grid);
+  for (const ThermalLoad& thermal_load : plate.loads.thermal_loads)
+    bytes += sizeof(double) * nodes_around(thermal_load.region, grid);
   return bytes;
 }
 
@@ -76,13 +76,13 @@ double nodes_of_edge(const Traction& traction, const Grid& grid) {
 // A node in a list of forces: what acts by each load and in all, twice, and what the kernel reads.
 double loads(const Plate& plate, const Grid& grid, double real) {
   const double force = 3.0 * sizeof(LoadedNode) + 24.0 + 3.0 * real;
-  const double lead = sizeof(HeldNode) + 80.0 + 4.0 * real;
+  const double prescribed = sizeof(HeldNode) + 80.0 + 4.0 * real;
   double bytes = 0.0;
   for (const Traction& load : plate.loads.tractions) bytes += force * nodes_of_edge(load, grid);
   for (const BodyForce& load : plate.loads.body_forces)
     bytes += force * nodes_around(load.region, grid);
   for (const Support& support : plate.loads.supports)
-    bytes += lead * nodes_around(support.region, grid);
+    bytes += prescribed * nodes_around(support.region, grid);
   return bytes;
 }
 
@@ -91,8 +91,9 @@ double loads(const Plate& plate, const Grid& grid, double real) {
 // places, and velocities.
 double passing(const Plate& plate, const Grid& grid, const Needs& needs, double real) {
   const auto nodes = static_cast<double>(grid.nodes());
-  double starts = plate.starts.empty() ? 0.0 : 32.0 * nodes;
-  for (const Start& start : plate.starts) starts += 40.0 * nodes_around(start.region, grid);
+  double starts = plate.initial_conditions.empty() ? 0.0 : 32.0 * nodes;
+  for (const InitialCondition& start : plate.initial_conditions)
+    starts += 40.0 * nodes_around(start.region, grid);
   const double heat = needs.heated ? 40.0 * nodes : 0.0;
   const double summary = 16.0 * nodes + 2.0 * real * static_cast<double>(grid.layout().size());
   return std::max({starts, heat, summary});
@@ -116,7 +117,7 @@ Needs needs_of(const Plate& plate, const Numerics& numerics) {
   return {.kinds = !plate.inclusions.empty() || !plate.cutouts.empty(),
           .mixed = differ(materials),
           .history = have_history(materials),
-          .heated = !plate.loads.heatings.empty(),
+          .heated = !plate.loads.thermal_loads.empty(),
           .zones = !plate.no_fail.empty(),
           .scattered = plate.scatter.has_value()};
 }
@@ -133,7 +134,7 @@ Needs needs_of(const Lattice& lattice, bool heated) {
 Memory memory_of(const Plate& plate, const Numerics& numerics) {
   const double real = numerics.precision == Precision::f32 ? 4.0 : 8.0;
   const Vec2 size = nodes_along(plate, numerics);
-  if (!(size.maxCoeff() <= most_columns)) return {.kept = 8.0 * real * size.prod()};
+  if (!(size.maxCoeff() <= max_columns)) return {.kept = 8.0 * real * size.prod()};
   const Needs needs = needs_of(plate, numerics);
   const Grid grid = make_grid(plate, numerics.spacing);
   const Family family(numerics.m(), numerics.quadrature, numerics.micromodulus);

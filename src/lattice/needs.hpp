@@ -23,13 +23,13 @@ struct Needs {
   bool varied() const { return mixed || heated || history || scattered; }
 };
 
-// Before a lattice is built. Requires a family: least_m <= m <= most_m.
+// Before a lattice is built. Requires a family: min_m <= m <= max_m.
 Needs needs_of(const Plate& plate, const Numerics& numerics);
 // The same of a lattice that has been built.
 Needs needs_of(const Lattice& lattice, bool heated);
 
 // A plate of more columns or rows has no lattice.
-inline constexpr double most_columns = 0.25 * std::numeric_limits<int>::max();
+inline constexpr double max_columns = 0.25 * std::numeric_limits<int>::max();
 
 struct Memory {
   double kept = 0.0;     // bytes that state, lattice and engine hold: Simulation::bytes()

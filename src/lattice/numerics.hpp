@@ -125,7 +125,7 @@ inline constexpr double step_fraction = 0.9;
 
 // The range of m. Up to 16 no quadrature reaches further than the 16 columns of a NodeLayout's
 // group.
-inline constexpr double least_m = 2.0;
-inline constexpr double most_m = 16.0;
+inline constexpr double min_m = 2.0;
+inline constexpr double max_m = 16.0;
 
 }  // namespace hackle

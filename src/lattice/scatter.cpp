@@ -140,7 +140,7 @@ std::vector<float> strengths(const Scatter& scatter, const Grid& grid) {
   const auto take = [&](std::size_t node, double g) {
     const double factor =
         is_weibull
-            ? std::max(weibull(std::clamp(g, -8.0, 8.0), scatter.spread) / mean, least_strength)
+            ? std::max(weibull(std::clamp(g, -8.0, 8.0), scatter.spread) / mean, min_strength)
             : 1.0 + scatter.spread * std::clamp(g, -3.0, 3.0);
     result[node] = static_cast<float>(factor);
   };

@@ -43,12 +43,12 @@ Touching touching_of(const Plate& plate, double dx) {
 
 double longest_step_of_impact(const Plate& plate, double dx) {
   Vec2 start{0, 0};
-  for (const Start& motion : plate.starts)
+  for (const InitialCondition& motion : plate.initial_conditions)
     if (motion.velocity.is_constant()) start += motion.velocity.constant();
   double longest = std::numeric_limits<double>::infinity();
   for (const Impactor& disc : plate.loads.impactors) {
     const double speed = std::max(disc.velocity.norm(), (disc.velocity - start).norm());
-    if (speed > 0.0) longest = std::min(longest, most_crossed * dx / speed);
+    if (speed > 0.0) longest = std::min(longest, max_crossed * dx / speed);
   }
   return longest;
 }

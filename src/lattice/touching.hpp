@@ -24,7 +24,7 @@ Touching touching_of(const Plate& plate, double dx);
 
 // The share of a spacing that a disc may cross per step: it then pushes a node several times before
 // the node is far inside.
-inline constexpr double most_crossed = 0.1;
+inline constexpr double max_crossed = 0.1;
 
 // The longest step for the discs of the plate, s; infinite when none flies. The plate is taken to
 // start at rest or to move as one.

@@ -23,7 +23,7 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t node) {
   return node;
 }
 
-// For each node the first node of its piece.
+// For each node the first node of its fragment.
 std::vector<std::size_t> first_nodes(const Simulation& simulation) {
   std::vector<std::size_t> parent(simulation.lattice().grid.nodes());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -108,16 +108,17 @@ std::vector<double> closest_to_breaking(const Simulation& simulation) {
   return shares;
 }
 
-std::vector<int> piece_numbers(const Simulation& simulation) {
+std::vector<int> fragment_numbers(const Simulation& simulation) {
   const std::vector<std::size_t> first = first_nodes(simulation);
   std::vector<int> sizes(first.size());
   for (const std::size_t node : first) ++sizes[node];
-  std::vector<std::size_t> pieces;
+  std::vector<std::size_t> fragments;
   for (std::size_t node = 0; node < first.size(); ++node)
-    if (sizes[node] > 1) pieces.push_back(node);
-  std::ranges::stable_sort(pieces, std::greater(), [&](std::size_t node) { return sizes[node]; });
+    if (sizes[node] > 1) fragments.push_back(node);
+  std::ranges::stable_sort(fragments, std::greater(),
+                           [&](std::size_t node) { return sizes[node]; });
   std::vector<int> rank(first.size());
-  for (std::size_t k = 0; k < pieces.size(); ++k) rank[pieces[k]] = static_cast<int>(k) + 1;
+  for (std::size_t k = 0; k < fragments.size(); ++k) rank[fragments[k]] = static_cast<int>(k) + 1;
   std::vector<int> numbers(first.size());
   std::ranges::transform(first, numbers.begin(), [&](std::size_t node) { return rank[node]; });
   return numbers;

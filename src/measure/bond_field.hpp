@@ -33,9 +33,9 @@ std::vector<double> energy_densities(const Simulation& simulation);
 // The largest s/s0 of the bonds that hold; below 0 where all are compressed.
 std::vector<double> closest_to_breaking(const Simulation& simulation);
 
-// Which piece of the plate each node belongs to: 1 for the one with the most nodes, and so on; 0
-// where no bond holds. Of pieces alike, the one that begins nearer to the lower left corner is
+// Which fragment of the plate each node belongs to: 1 for the one with the most nodes, and so on; 0
+// where no bond holds. Of fragments alike, the one that begins nearer to the lower left corner is
 // first.
-std::vector<int> piece_numbers(const Simulation& simulation);
+std::vector<int> fragment_numbers(const Simulation& simulation);
 
 }  // namespace hackle

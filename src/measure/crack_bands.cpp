@@ -67,7 +67,7 @@ int bands(const Nodes& nodes, const Grid& grid, int column) {
   return count;
 }
 
-int most_bands(const Nodes& nodes, const Grid& grid) {
+int max_bands(const Nodes& nodes, const Grid& grid) {
   int most = 0;
   for (int i = 0; i < grid.nx; ++i) most = std::max(most, bands(nodes, grid, i));
   return most;

@@ -25,7 +25,7 @@ Nodes close_gaps(const Nodes& nodes, const Grid& grid, double reach);
 
 // Separate runs of nodes in one column, and the most in any.
 int bands(const Nodes& nodes, const Grid& grid, int column);
-int most_bands(const Nodes& nodes, const Grid& grid);
+int max_bands(const Nodes& nodes, const Grid& grid);
 
 // The farthest place on a crack along x, in m; 0 when there is none.
 double tip_place(const Nodes& nodes, const Grid& grid);

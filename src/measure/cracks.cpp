@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "solver/pieces.hpp"
+#include "solver/fragments.hpp"
 
 namespace hackle {
 namespace {
@@ -44,7 +44,7 @@ Cracks cracks(Nodes nodes, Nodes at_start, const Grid& grid, double m, const Box
       else if (nodes[node])
         widen(found, place);
     }
-  found.bands = most_bands(close_gaps(nodes, grid, m), grid);
+  found.bands = max_bands(close_gaps(nodes, grid, m), grid);
   const std::vector<Vec2> places = forks(nodes, at_start, grid, m);
   if (!places.empty()) found.fork = places.front().x();
   return found;
@@ -67,13 +67,13 @@ std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& 
   return grid.centre + 0.5 * grid.dx * (box.least + box.most);
 }
 
-std::vector<int> piece_sizes(const Simulation& simulation) {
+std::vector<int> fragment_sizes(const Simulation& simulation) {
   NodeVectors mobile(simulation.state().layout);
   std::ranges::fill(mobile.x, 1.0);
   std::ranges::fill(mobile.y, 1.0);
-  const Pieces pieces(simulation.lattice(), simulation.state(), mobile, Threads(1));
+  const Fragments fragments(simulation.lattice(), simulation.state(), mobile, Threads(1));
   std::vector<int> sizes;
-  for (const Piece& piece : pieces.list()) sizes.push_back(piece.nodes);
+  for (const Fragment& fragment : fragments.list()) sizes.push_back(fragment.nodes);
   std::ranges::sort(sizes, std::greater<>());
   return sizes;
 }

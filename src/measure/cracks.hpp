@@ -36,6 +36,6 @@ std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& 
 
 // The number of nodes of each part that bonds hold together, the largest first; a node without
 // bonds is no part.
-std::vector<int> piece_sizes(const Simulation& simulation);
+std::vector<int> fragment_sizes(const Simulation& simulation);
 
 }  // namespace hackle

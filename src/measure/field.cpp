@@ -24,9 +24,10 @@ Field damage_by(const BondBits& bonds, const Lattice& lattice) {
   const auto left = degrees(lattice.grid, lattice.family, bonds);
   Field field{"damage", "", 1, std::vector<float>(lattice.grid.nodes())};
   for (std::size_t node = 0; node < field.values.size(); ++node) {
-    const int born = lattice.born[node];
-    field.values[node] =
-        born == 0 ? 0.0F : static_cast<float>(born - left[node]) / static_cast<float>(born);
+    const int initial_neighbours = lattice.initial_neighbours[node];
+    field.values[node] = initial_neighbours == 0 ? 0.0F
+                                            : static_cast<float>(initial_neighbours - left[node]) /
+                                                  static_cast<float>(initial_neighbours);
   }
   return field;
 }
@@ -51,8 +52,8 @@ double damage_of(const Simulation& simulation, int i, int j) {
     left += bonds.holds(layout.at(i, j), bit) ? 1 : 0;
     left += grid.contains(i - a, j - b) && bonds.holds(layout.at(i - a, j - b), bit) ? 1 : 0;
   });
-  const int born = lattice.born[grid.index(i, j)];
-  return born == 0 ? 0.0 : static_cast<double>(born - left) / born;
+  const int initial_neighbours = lattice.initial_neighbours[grid.index(i, j)];
+  return initial_neighbours == 0 ? 0.0 : static_cast<double>(initial_neighbours - left) / initial_neighbours;
 }
 
 Field displacement(const Simulation& simulation) {

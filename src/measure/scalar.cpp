@@ -109,8 +109,8 @@ Values closeness(const Simulation& simulation) {
 Values energies(const Simulation& simulation) {
   return as_floats(energy_densities(simulation));
 }
-Values pieces(const Simulation& simulation) {
-  return as_floats(piece_numbers(simulation));
+Values fragments(const Simulation& simulation) {
+  return as_floats(fragment_numbers(simulation));
 }
 
 // Visits the nodes that are not void, in order.
@@ -187,8 +187,8 @@ constexpr std::array<Scalar, scalar_names.size()> all{{
     {"fringes", "fringes", "",
      "Isochromatics, as a polariscope with a dark field shows them; the bar counts them.",
      "fringes", Sampling::mean, false, ends_of_fringes, fringes},
-    {"pieces", "piece", "", "What hangs together, counted from the largest piece.", "batlow",
-     Sampling::largest, false, fixed<0, 1200>, pieces},
+    {"fragments", "fragment", "", "What hangs together, counted from the largest piece.", "batlow",
+     Sampling::largest, false, fixed<0, 1200>, fragments},
     {"strength", "strength", "", "Critical stretch over that of the material.", "roma",
      Sampling::mean, false, fixed<50, 150>, strengths},
     {"temperature", "temperature change", "K", "Change of temperature.", "vik", Sampling::mean,

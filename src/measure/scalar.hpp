@@ -41,7 +41,7 @@ inline constexpr auto scalar_names = std::to_array<std::string_view>(
     {"damage",     "displacement", "displacement_x", "displacement_y", "speed",     "velocity_x",
      "velocity_y", "stretch",      "energy_density", "stress_xx",      "stress_yy", "stress_xy",
      "stress_1",   "stress_2",     "stress_mean",    "von_mises",      "shear",     "fringes",
-     "pieces",     "strength",     "temperature"});
+     "fragments",  "strength",     "temperature"});
 
 // In the order of scalar_names.
 std::span<const Scalar> scalars();

@@ -10,13 +10,13 @@ namespace hackle {
 namespace {
 
 constexpr std::int64_t palette_at = 13;  // behind signature and size of the screen
-constexpr int most_delay = 65535;
-constexpr std::size_t most_in_block = 255;
+constexpr int max_delay = 65535;
+constexpr std::size_t max_in_block = 255;
 
 // A run of blocks of at most 255 bytes, ended by an empty one.
 void add_blocks(Bytes& bytes, std::span<const std::uint8_t> data) {
   while (!data.empty()) {
-    const auto block = data.first(std::min(data.size(), most_in_block));
+    const auto block = data.first(std::min(data.size(), max_in_block));
     bytes.number(block.size(), 1).add(block);
     data = data.subspan(block.size());
   }
@@ -62,7 +62,7 @@ void GifFilm::add(const Image& image) {
   const auto ticks = static_cast<int>(tick_of(next_ + 1, fps_) - tick_of(next_, fps_));
   ++next_;
   const Part part = changed_part(places);
-  if (part.width == 0 && delay_ + ticks <= most_delay) return prolong(ticks);
+  if (part.width == 0 && delay_ + ticks <= max_delay) return prolong(ticks);
   write_part(part, places, ticks);
   shown_ = std::move(places);
 }

@@ -4,7 +4,7 @@
 namespace hackle {
 namespace {
 
-constexpr std::uint32_t clear_code = 256, end_code = 257, most_codes = 4096;
+constexpr std::uint32_t clear_code = 256, end_code = 257, max_codes = 4096;
 constexpr int first_width = 9;  // bits
 
 class CodeStream {
@@ -56,7 +56,7 @@ class Strings {
     ++next_;
   }
 
-  bool full() const { return next_ == most_codes; }
+  bool full() const { return next_ == max_codes; }
   int width() const { return width_; }
 
  private:

@@ -12,13 +12,13 @@
 namespace hackle {
 namespace {
 
-constexpr int most_pixels = 16384;  // a side; x264 and WebP take no more
-constexpr double least_fps = 0.1, most_hold = 3600.0;
+constexpr int max_pixels = 16384;  // a side; x264 and WebP take no more
+constexpr double min_fps = 0.1, max_hold = 3600.0;
 
 void check_fps(const MovieKind& kind, double fps, Problems& problems) {
-  if (fps >= least_fps && fps <= kind.most_fps) return;
+  if (fps >= min_fps && fps <= kind.max_fps) return;
   problems.add(fmt::format("movie: fps is {}, in {} it must lie between {} and {}", shortest(fps),
-                           kind.ending, least_fps, kind.most_fps));
+                           kind.ending, min_fps, kind.max_fps));
 }
 
 void check_crf(const MovieKind& kind, int crf, Problems& problems) {
@@ -44,9 +44,9 @@ void check_profile(const MovieKind& kind, Profile profile, Problems& problems) {
 
 void check_settings(const std::filesystem::path& path, const MovieFormat& format,
                     Problems& problems) {
-  if (!(format.hold >= 0.0 && format.hold <= most_hold))
+  if (!(format.hold >= 0.0 && format.hold <= max_hold))
     problems.add(fmt::format("movie: hold is {} s, it must lie between 0 and {} s",
-                             shortest(format.hold), most_hold));
+                             shortest(format.hold), max_hold));
   try {
     const MovieKind& kind = movie_kind(path);
     check_fps(kind, format.fps, problems);
@@ -60,9 +60,9 @@ void check_settings(const std::filesystem::path& path, const MovieFormat& format
 void check(const std::filesystem::path& path, const MovieFormat& format) {
   Problems problems;
   for (const auto& [name, size] : {std::pair{"width", format.width}, {"height", format.height}})
-    if (size < 2 || size > most_pixels || size % 2 != 0)
+    if (size < 2 || size > max_pixels || size % 2 != 0)
       problems.add(fmt::format("movie: the {} is {} px, it must be even and between 2 and {} px",
-                               name, size, most_pixels));
+                               name, size, max_pixels));
   check_settings(path, format, problems);
   if (format.threads < 1)
     problems.add(fmt::format("movie: threads is {}, it must be at least 1", format.threads));

@@ -68,7 +68,7 @@ constexpr std::array kinds{
     MovieKind{.ending = ".gif",
               .name = "GIF",
               .writer = Writer::gif,
-              .most_fps = 50.0,  // players slow down what is faster
+              .max_fps = 50.0,  // players slow down what is faster
               .profiles = {ProfileSettings{}, ProfileSettings{}, ProfileSettings{}, cannot_be},
               .bytes_a_pixel = 0.3},
     MovieKind{.ending = ".apng",

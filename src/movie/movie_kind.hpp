@@ -44,7 +44,7 @@ struct MovieKind {
   const char* lookahead = "";  // the name of that option of the encoder, if it has one
   // A lower crf is a better picture; 0, 0 for a kind that takes none.
   int best_crf = 0, worst_crf = 0;
-  double most_fps = 1000.0;  // frames a second that it can say and players show
+  double max_fps = 1000.0;  // frames a second that it can say and players show
   // In the order of Profile; empty where the kind cannot be what the profile promises.
   std::array<std::optional<ProfileSettings>, 4> profiles;
   // Of each frame: what smooth fields and plates that shatter hardly reach.

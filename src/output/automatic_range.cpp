@@ -36,10 +36,7 @@ bool diverge(std::string_view colours) {
 }  // namespace
 
 AutomaticRange::AutomaticRange(const PictureOptions& options)
-    : options_(options),
-      counts_(bins),
-      least_(std::numeric_limits<double>::infinity()),
-      most_(-least_) {
+    : options_(options), counts_(bins), min_(std::numeric_limits<double>::infinity()), max_(-min_) {
 }
 
 void AutomaticRange::add(const Simulation& simulation) {
@@ -49,8 +46,8 @@ void AutomaticRange::add(const Simulation& simulation) {
     if (!std::isfinite(value) || (positive && value <= 0.0F)) continue;
     ++counts_[rank_of(value) >> dropped_bits];
     ++values_;
-    least_ = std::min(least_, static_cast<double>(value));
-    most_ = std::max(most_, static_cast<double>(value));
+    min_ = std::min(min_, static_cast<double>(value));
+    max_ = std::max(max_, static_cast<double>(value));
   }
 }
 
@@ -62,9 +59,9 @@ double AutomaticRange::value_at(double share) const {
     below += counts_[bin];
     if (counts_[bin] == 0 || static_cast<double>(below) < wanted) continue;
     const auto rank = static_cast<std::uint32_t>(bin << dropped_bits) + (1U << (dropped_bits - 1));
-    return std::clamp(static_cast<double>(value_of(rank)), least_, most_);
+    return std::clamp(static_cast<double>(value_of(rank)), min_, max_);
   }
-  return most_;
+  return max_;
 }
 
 // The value in the middle of colours that diverge.
@@ -77,8 +74,7 @@ std::optional<double> AutomaticRange::middle() const {
 Ends AutomaticRange::ends() const {
   if (values_ == 0) return usual_;
   const double outside = 0.5 * (1.0 - 0.01 * options_.percentile.value_or(100.0));
-  Ends ends =
-      outside > 0.0 ? Ends{value_at(outside), value_at(1.0 - outside)} : Ends{least_, most_};
+  Ends ends = outside > 0.0 ? Ends{value_at(outside), value_at(1.0 - outside)} : Ends{min_, max_};
   if (const std::optional<double> centre = middle(); centre && !is_logarithmic(options_)) {
     const double reach = std::max(*centre - ends.least, ends.most - *centre);
     ends = {*centre - reach, *centre + reach};

@@ -34,7 +34,7 @@ class AutomaticRange {
   PictureOptions options_;
   std::vector<std::int64_t> counts_;
   std::int64_t values_ = 0;
-  double least_, most_;
+  double min_, max_;
   Ends usual_;
 };
 

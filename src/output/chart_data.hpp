@@ -8,10 +8,10 @@
 
 namespace hackle {
 
-// Every course of a load: whole where it is known, up to the end of the run; the present value
+// Every amplitude of a load: whole where it is known, up to the end of the run; the present value
 // where it is a function of time. Of stresses when there are only such, each the same everywhere on
 // its edge or rim; else of the factors of all loads. The loads are those of now: a simulation does
-// not know which acted before. Throws what Course::at throws.
+// not know which acted before. Throws what Amplitude::at throws.
 Chart load_curve(const Simulation& simulation);
 
 // Kinetic, strain and broken energy now, and what was released where there was any. Visits every

@@ -13,7 +13,7 @@ namespace {
 
 // Whether forces change in time, or nodes are led.
 bool loads_vary(const Loads& loads) {
-  const auto varies = [](const auto& load) { return !load.course.is_constant(); };
+  const auto varies = [](const auto& load) { return !load.amplitude.is_constant(); };
   return !loads.supports.empty() || std::ranges::any_of(loads.tractions, varies) ||
          std::ranges::any_of(loads.pressures, varies) ||
          std::ranges::any_of(loads.body_forces, varies);
@@ -31,7 +31,7 @@ std::vector<Stage> stages(const Simulation& simulation) {
   };
   add(true, "kernel", all - seconds.sum());
   add(plate.loads.damping > 0.0, "damping", seconds.damping);
-  add(!plate.loads.heatings.empty(), "heat", seconds.heat);
+  add(!plate.loads.thermal_loads.empty(), "heat", seconds.heat);
   add(loads_vary(plate.loads), "varying loads", seconds.loads.others());
   add(plate.contact.has_value(), "contact", seconds.loads.contact);
   add(!plate.loads.impactors.empty(), "impactors", seconds.loads.impact);

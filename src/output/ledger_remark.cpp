@@ -20,7 +20,7 @@ double pace(const State& state) {
 }
 
 // The shortest that a bond along a row or a column is, of what it was.
-double least_length(const Simulation& simulation) {
+double min_length(const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
   const State& state = simulation.state();
   double least = 1.0;
@@ -45,7 +45,7 @@ bool came_to_rest(const Simulation& simulation) {
 std::string why_in_steps(const Simulation& simulation) {
   constexpr double squeezed = 0.7, fast = 0.1, strong = 0.3;
   const Loads& loads = simulation.plate().loads;
-  const double moves = pace(simulation.state()), length = least_length(simulation);
+  const double moves = pace(simulation.state()), length = min_length(simulation);
   const double damping = loads.damping * simulation.dt();
   if (length < squeezed)
     return fmt::format(
@@ -53,7 +53,7 @@ std::string why_in_steps(const Simulation& simulation) {
         "the step allows for",
         100.0 * length);
   if (!loads.impactors.empty()) return "the step is long for the impact";
-  if (!loads.heatings.empty()) return "the step is long for how fast the temperature changes";
+  if (!loads.thermal_loads.empty()) return "the step is long for how fast the temperature changes";
   if (moves > fast) return fmt::format("nodes move by up to {:.2g} spacings in a step", moves);
   if (damping > strong)
     return fmt::format("the step is long for the damping, whose rate times the step is {:.2g}",
@@ -106,7 +106,7 @@ double residual_share(const Energy& energy) {
 std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy,
                                          bool at_once) {
   const double share = residual_share(energy);
-  if (!(std::abs(share) > most_residual)) return std::nullopt;
+  if (!(std::abs(share) > max_residual)) return std::nullopt;
   if (largest_entry(energy) < nothing(simulation)) return std::nullopt;
   const Cause cause = likely_cause(simulation, at_once);
   return fmt::format(

@@ -11,7 +11,7 @@
 namespace hackle {
 
 // A ledger whose residual is a larger share of its largest entry is remarked on.
-inline constexpr double most_residual = 0.05;
+inline constexpr double max_residual = 0.05;
 
 // The residual over the largest entry; 0 where all are 0.
 double residual_share(const Energy& energy);

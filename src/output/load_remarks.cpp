@@ -15,9 +15,9 @@ namespace hackle {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-constexpr double least_share = 0.1;  // of the largest factor
+constexpr double min_share = 0.1;  // of the largest factor
 
-using Corners = std::vector<Vec2>;  // (t, factor), as in a Course
+using Corners = std::vector<Vec2>;  // (t, factor), as in a Amplitude
 
 // Corners first <= k <= last, from one to the next of which the factor rises, or falls, or stays.
 struct Stroke {
@@ -25,21 +25,21 @@ struct Stroke {
   double height;  // signed
 };
 
-Corners corners_of(const Course& course, double begin, double end) {
+Corners corners_of(const Amplitude& amplitude, double begin, double end) {
   Corners corners;
   if (begin <= 0.0) corners.emplace_back(0.0, 0.0);
-  corners.emplace_back(begin, course.at(begin));
-  for (const Vec2& point : course.points())
+  corners.emplace_back(begin, amplitude.at(begin));
+  for (const Vec2& point : amplitude.points())
     if (point.x() > begin && point.x() <= end) corners.push_back(point);
   return corners;
 }
 
-Corners samples_of(const Course& course, double begin, double end, std::int64_t count) {
+Corners samples_of(const Amplitude& amplitude, double begin, double end, std::int64_t count) {
   Corners corners;
   if (begin <= 0.0) corners.emplace_back(0.0, 0.0);
   for (std::int64_t k = 0; k <= count; ++k) {
     const double t = begin + (end - begin) * static_cast<double>(k) / static_cast<double>(count);
-    corners.emplace_back(t, course.at(t));
+    corners.emplace_back(t, amplitude.at(t));
   }
   return corners;
 }
@@ -81,7 +81,7 @@ Swing shortest_of(const Corners& corners) {
   for (std::size_t k = 0; k + 1 < strokes.size(); ++k) {
     const Stroke &there = strokes[k], &back = strokes[k + 1];
     const double height = std::min(std::abs(there.height), std::abs(back.height));
-    if (height < least_share * most) continue;
+    if (height < min_share * most) continue;
     const double middle = corners[there.last].y() - std::copysign(0.5 * height, there.height);
     const double from = passes(corners, there, middle), to = passes(corners, back, middle);
     if (to - from < shortest.length) shortest = {to - from, 0.5 * (from + to)};
@@ -90,17 +90,17 @@ Swing shortest_of(const Corners& corners) {
 }
 
 // Looks closer and closer at the swing until it is made of many samples.
-double shortest_of_function(const Course& course, double begin, double end, double dt) {
-  constexpr double most_samples = 16384.0, closest = 64.0, finest = 1e-6;
+double shortest_of_function(const Amplitude& amplitude, double begin, double end, double dt) {
+  constexpr double max_samples = 16384.0, closest = 64.0, finest = 1e-6;
   const double steps = std::max(1.0, std::ceil((end - begin) / dt));
-  double gap = dt / std::clamp(std::floor(most_samples / steps), 2.0, closest);
-  if (steps > most_samples) return forever;  // nobody waits for that
+  double gap = dt / std::clamp(std::floor(max_samples / steps), 2.0, closest);
+  if (steps > max_samples) return forever;  // nobody waits for that
   Swing swing = shortest_of(
-      samples_of(course, begin, end, static_cast<std::int64_t>(std::ceil((end - begin) / gap))));
+      samples_of(amplitude, begin, end, static_cast<std::int64_t>(std::ceil((end - begin) / gap))));
   while (swing.length < 8.0 * gap && swing.length < steps_a_swing * dt && gap > finest * dt) {
     const double reach = 32.0 * gap;
     gap /= 8.0;
-    const Swing closer = shortest_of(samples_of(course, std::max(begin, swing.when - reach),
+    const Swing closer = shortest_of(samples_of(amplitude, std::max(begin, swing.when - reach),
                                                 std::min(end, swing.when + reach), 512));
     if (!(closer.length < forever)) break;
     swing = closer;
@@ -108,9 +108,9 @@ double shortest_of_function(const Course& course, double begin, double end, doub
   return swing.length;
 }
 
-void add_swing(const std::string& who, const Course& course, double begin, double end, double dt,
-               std::vector<std::string>& list) {
-  const double length = shortest_swing(course, begin, end, dt);
+void add_swing(const std::string& who, const Amplitude& amplitude, double begin, double end,
+               double dt, std::vector<std::string>& list) {
+  const double length = shortest_swing(amplitude, begin, end, dt);
   if (!(length < steps_a_swing * dt)) return;
   list.push_back(
       fmt::format("{} comes and goes within {}, which steps of {} do not resolve: give a step of "
@@ -126,19 +126,19 @@ struct Jumps {
   double up = 0.0;
 };
 
-Jumps jumps_of(const Course& course, double begin, double end, double dt) {
+Jumps jumps_of(const Amplitude& amplitude, double begin, double end, double dt) {
   Jumps jumps;
-  if (course.is_constant()) return jumps;
+  if (amplitude.is_constant()) return jumps;
   const auto take = [&](double from, double to) {
     jumps.down = std::max(jumps.down, from - to);
     jumps.up = std::max(jumps.up, to - from);
   };
-  Corners moments = corners_of(course, begin, end);
-  if (course.is_function()) moments = samples_of(course, begin, end, 1024);
+  Corners moments = corners_of(amplitude, begin, end);
+  if (amplitude.is_function()) moments = samples_of(amplitude, begin, end, 1024);
   for (const Vec2& moment : moments) {
     const double t = moment.x();
-    if (t - dt >= begin) take(course.at(t - dt), course.at(t));
-    if (t + dt <= end) take(course.at(t), course.at(t + dt));
+    if (t - dt >= begin) take(amplitude.at(t - dt), amplitude.at(t));
+    if (t + dt <= end) take(amplitude.at(t), amplitude.at(t + dt));
   }
   return jumps;
 }
@@ -167,10 +167,11 @@ std::optional<std::string> shock_of(const SpreadHeat& heat, const Jumps& jumps,
 }
 
 std::optional<std::string> first_shock(const Simulation& simulation, double end) {
-  const std::vector<Heating>& heatings = simulation.plate().loads.heatings;
+  const std::vector<ThermalLoad>& thermal_loads = simulation.plate().loads.thermal_loads;
   std::vector<SpreadHeat> spread;  // asks functions of place: only where there is need
-  for (std::size_t k = 0; k < heatings.size(); ++k) {
-    const Jumps jumps = jumps_of(heatings[k].course, simulation.time(), end, simulation.dt());
+  for (std::size_t k = 0; k < thermal_loads.size(); ++k) {
+    const Jumps jumps =
+        jumps_of(thermal_loads[k].amplitude, simulation.time(), end, simulation.dt());
     if (jumps.down == 0.0 && jumps.up == 0.0) continue;
     if (spread.empty()) spread = spread_heat(simulation.plate(), simulation.lattice());
     if (auto shock = shock_of(spread[k], jumps, simulation.lattice())) return shock;
@@ -179,7 +180,7 @@ std::optional<std::string> first_shock(const Simulation& simulation, double end)
 }
 
 // How far a prescribed node goes in a step beyond what it was going, in spacings: in the next one,
-// and at the jumps of the course.
+// and at the jumps of the amplitude.
 double sudden_move(const HeldNode& node, const SpreadSupport& support, const Jumps& jumps,
                    const Simulation& simulation, bool fresh) {
   const bool led = support.kind == Support::Kind::velocity;
@@ -191,7 +192,7 @@ double sudden_move(const HeldNode& node, const SpreadSupport& support, const Jum
   const double next = simulation.time() + (led ? 0.5 : 1.0) * dt;
   const Vec2 now =
       led ? simulation.state().v(node.i, node.j) : simulation.displacement(node.i, node.j) / dx;
-  const Vec2 sudden = unit * support.course.at(next) * node.value - now;
+  const Vec2 sudden = unit * support.amplitude.at(next) * node.value - now;
   return std::max(most, sudden.cwiseProduct(along).norm());
 }
 
@@ -211,7 +212,7 @@ std::optional<std::string> first_blow(const Simulation& simulation, double end, 
   const std::vector<Support>& supports = simulation.plate().loads.supports;
   std::vector<SpreadSupport> spread;
   for (std::size_t k = 0; k < supports.size(); ++k) {
-    const Jumps jumps = jumps_of(supports[k].course, simulation.time(), end, simulation.dt());
+    const Jumps jumps = jumps_of(supports[k].amplitude, simulation.time(), end, simulation.dt());
     if (!fresh && jumps.down == 0.0 && jumps.up == 0.0) continue;
     if (spread.empty()) spread = spread_supports(simulation.plate(), simulation.lattice());
     for (const HeldNode& node : spread[k].nodes) {
@@ -225,10 +226,10 @@ std::optional<std::string> first_blow(const Simulation& simulation, double end, 
 
 }  // namespace
 
-double shortest_swing(const Course& course, double begin, double end, double dt) {
-  if (course.is_constant() || !(end > begin)) return forever;
-  if (course.is_function()) return shortest_of_function(course, begin, end, dt);
-  return shortest_of(corners_of(course, begin, end)).length;
+double shortest_swing(const Amplitude& amplitude, double begin, double end, double dt) {
+  if (amplitude.is_constant() || !(end > begin)) return forever;
+  if (amplitude.is_function()) return shortest_of_function(amplitude, begin, end, dt);
+  return shortest_of(corners_of(amplitude, begin, end)).length;
 }
 
 std::vector<std::string> load_remarks(const Simulation& simulation, double end) {
@@ -237,11 +238,11 @@ std::vector<std::string> load_remarks(const Simulation& simulation, double end) 
   std::vector<std::string> list;
   for_each_list(loads, [&](const auto& kind) {
     using Load = typename std::remove_cvref_t<decltype(kind)>::value_type;
-    if constexpr (requires(const Load& load) { load.course; })
+    if constexpr (requires(const Load& load) { load.amplitude; })
       for (std::size_t k = 0; k < kind.size(); ++k) {
         const std::string_view who = description_of<Load>.noun;
         add_swing(kind.size() == 1 ? std::string(who) : fmt::format("{} {}", who, k + 1),
-                  kind[k].course, begin, end, dt, list);
+                  kind[k].amplitude, begin, end, dt, list);
       }
   });
   return list;

@@ -13,12 +13,12 @@ namespace hackle {
 // sees what it is.
 inline constexpr double steps_a_swing = 3.0;
 
-// The shortest time, s, for which a course comes and goes, or goes and comes, by at least a tenth
-// of its largest factor between `begin` and `end`; infinite for one that is constant, rises or
-// falls for good, or jumps. Nothing acts before the time 0. Functions are asked between the steps
-// of `dt`, and closer where they swing: what lasts for less than a 64th of a step may be missed.
-// Throws what they throw.
-double shortest_swing(const Course& course, double begin, double end, double dt);
+// The shortest time, s, for which an amplitude comes and goes, or goes and comes, by at least a
+// tenth of its largest factor between `begin` and `end`; infinite for one that is constant, rises
+// or falls for good, or jumps. Nothing acts before the time 0. Functions are asked between the
+// steps of `dt`, and closer where they swing: what lasts for less than a 64th of a step may be
+// missed. Throws what they throw.
+double shortest_swing(const Amplitude& amplitude, double begin, double end, double dt);
 
 // Loads that come and go between steps until the time `end`, s. One sentence each.
 std::vector<std::string> load_remarks(const Simulation& simulation, double end);

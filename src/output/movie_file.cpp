@@ -17,7 +17,7 @@
 namespace hackle {
 namespace {
 
-constexpr double least_fps = 1.0, most_fps = 240.0;
+constexpr double min_fps = 1.0, max_fps = 240.0;
 
 // Which script made it, so that a movie that lies about can be made again.
 std::string comment_of(const Origin& origin) {
@@ -40,9 +40,9 @@ MovieFormat format_of(const MovieOptions& options) {
 
 void check(const std::filesystem::path& path, const MovieOptions& options) {
   Problems problems;
-  if (!(options.fps >= least_fps && options.fps <= most_fps))
+  if (!(options.fps >= min_fps && options.fps <= max_fps))
     problems.add(fmt::format("movie: fps is {}, it must lie between {} and {}", options.fps,
-                             least_fps, most_fps));
+                             min_fps, max_fps));
   else
     check_settings(path, format_of(options), problems);
   problems.throw_if_any();
@@ -51,7 +51,7 @@ void check(const std::filesystem::path& path, const MovieOptions& options) {
 // What the kind it falls back to cannot be, it is as well as that can.
 MovieFormat adapted(MovieFormat format, const MovieKind& kind) {
   format.crf.reset();
-  format.fps = std::min(format.fps, kind.most_fps);
+  format.fps = std::min(format.fps, kind.max_fps);
   if (!kind.settings(format.profile)) format.profile = Profile::paper;
   return format;
 }

@@ -61,8 +61,8 @@ void MovieOutput::paint(const Work& work) {
   file_.add(std::move(image));
 }
 
-Expected MovieOutput::expected(double until, std::int64_t most_looks) const {
-  const std::int64_t frames = schedule_.moments(until, most_looks);
+Expected MovieOutput::expected(double until, std::int64_t max_looks) const {
+  const std::int64_t frames = schedule_.moments(until, max_looks);
   const Layout layout = layout_of(style_);
   const double pixels = static_cast<double>(layout.width) * layout.height;
   return {file_.path(), frames, file_.expected_bytes(frames, pixels)};

@@ -29,7 +29,7 @@ class MovieOutput : public Output {
   void observe(const Simulation& simulation) override;
   void reserve() override;
   void close() override;
-  Expected expected(double until, std::int64_t most_looks) const override;
+  Expected expected(double until, std::int64_t max_looks) const override;
   std::vector<std::filesystem::path> files() const override;
   void add_seconds(StageSeconds& wall) const override;
 

@@ -21,7 +21,7 @@ struct Expected {
 class Output : public Observer {
  public:
   // By the time `until`, s, of a run that lets it look at most so many times more.
-  virtual Expected expected(double until, std::int64_t most_looks) const = 0;
+  virtual Expected expected(double until, std::int64_t max_looks) const = 0;
   // Makes sure that nobody else writes its files, keeps what a killed run has left of them, and
   // changes nothing else. Before the first look of a run. Throws Error (files).
   virtual void reserve() {}

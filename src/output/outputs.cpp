@@ -27,12 +27,12 @@ void Outputs::reserve() {
 }
 
 void Outputs::check_room(const Simulation& simulation, double duration,
-                         std::int64_t most_looks) const {
+                         std::int64_t max_looks) const {
   const double until = simulation.end_time() + duration + 0.5 * simulation.dt();
   double bytes = 0.0;
   std::string list;
   for (const auto& output : all_) {
-    const Expected one = output->expected(until, most_looks);
+    const Expected one = output->expected(until, max_looks);
     bytes += one.bytes;
     list += fmt::format("{}'{}' {} in {} pieces", list.empty() ? "" : ", ", one.file.string(),
                         quantity(one.bytes, "B"), grouped(one.pieces));

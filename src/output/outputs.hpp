@@ -14,7 +14,7 @@ namespace hackle {
 class Outputs {
  public:
   // They may take so many bytes in all.
-  explicit Outputs(double most_bytes) : limit_(most_bytes) {}
+  explicit Outputs(double max_bytes) : limit_(max_bytes) {}
   void limit(double bytes) { limit_ = bytes; }
   double limit() const { return limit_; }
 
@@ -35,7 +35,7 @@ class Outputs {
 
   // Throws Error (refused) when `duration` s more, with at most so many looks of each, would take
   // more than the limit.
-  void check_room(const Simulation& simulation, double duration, std::int64_t most_looks) const;
+  void check_room(const Simulation& simulation, double duration, std::int64_t max_looks) const;
 
   std::vector<Observer*> observers() const;
 

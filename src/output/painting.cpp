@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/renamed.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "measure/links.hpp"
@@ -18,7 +19,7 @@
 namespace hackle {
 namespace {
 
-constexpr int least_width = 320, most_width = 7680;  // px
+constexpr int min_width = 320, max_width = 7680;  // px
 
 FieldStyle style_of(const FieldChoice& field, const Simulation& simulation) {
   FieldStyle style;
@@ -35,9 +36,11 @@ FieldStyle style_of(const FieldChoice& field, const Simulation& simulation) {
 
 void check_field(const char* output, const std::string& name, Problems& problems) {
   if (std::ranges::find(scalar_names, name) != scalar_names.end()) return;
-  problems.add(
-      fmt::format("{}: there is no field '{}'{}", output, name, did_you_mean(name, scalar_names)),
-      "one of " + comma_list(scalar_names));
+  const auto now = renamed("field", name);
+  problems.add(fmt::format("{}: there is no field '{}'{}", output, name,
+                           now ? fmt::format(" (it is called '{}' now)", *now)
+                               : did_you_mean(name, scalar_names)),
+               "one of " + comma_list(scalar_names));
 }
 
 void check_range(const char* output, const char* option, const FieldChoice& field,
@@ -75,11 +78,11 @@ void set_size(PictureStyle& style, const PictureOptions& options) {
   const Grid seen = part(style.grid, *style.window);
   const double longest = style.cell * std::max(seen.nx, seen.ny);
   const PlateSize size{style.cell, options.second && options.arrangement == Arrangement::beside};
-  if (longest < most_width) style.width = width_for(seen, size);
-  if (longest >= most_width || style.width > most_width)
+  if (longest < max_width) style.width = width_for(seen, size);
+  if (longest >= max_width || style.width > max_width)
     throw Error(ErrorKind::refused,
                 fmt::format("px_per_mm is {}, the picture would be wider or higher than {} px",
-                            shortest(1e-3 * *options.pixels_a_metre), most_width),
+                            shortest(1e-3 * *options.pixels_a_metre), max_width),
                 "take fewer, or a zoom");
 }
 
@@ -123,9 +126,9 @@ void check(const char* output, const PictureOptions& options, const Grid& grid) 
     problems.add(fmt::format("{}: there are no colours '{}'{}", output, options.colours,
                              did_you_mean(options.colours, colour_map_names)),
                  "one of " + comma_list(colour_map_names));
-  if (options.width < least_width || options.width > most_width || options.width % 2 != 0)
+  if (options.width < min_width || options.width > max_width || options.width % 2 != 0)
     problems.add(fmt::format("{}: width is {} px, it must be even and between {} and {} px", output,
-                             options.width, least_width, most_width));
+                             options.width, min_width, max_width));
   check_view(output, options, grid, problems);
   problems.throw_if_any();
   check_range(output, "range", first_field(options), problems);
@@ -168,7 +171,7 @@ Image paint(const Simulation& simulation, const PictureOptions& options,
 int widest_picture(const PictureOptions& options, const Simulation& simulation,
                    const Extent& most) {
   PictureStyle style = style_of(options, simulation);
-  for (int width = std::min(most.width, most_width) / 2 * 2; width >= least_width; width -= 2) {
+  for (int width = std::min(most.width, max_width) / 2 * 2; width >= min_width; width -= 2) {
     style.width = width;
     if (layout_of(style).height <= most.height) return width;
   }

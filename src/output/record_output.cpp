@@ -51,8 +51,8 @@ void RecordOutput::observe(const Simulation& simulation) {
   failed_ = false;
 }
 
-Expected RecordOutput::expected(double until, std::int64_t most_looks) const {
-  const std::int64_t records = schedule_.moments(until, most_looks);
+Expected RecordOutput::expected(double until, std::int64_t max_looks) const {
+  const std::int64_t records = schedule_.moments(until, max_looks);
   return {path_, records, run_file_bytes(nodes_, records)};
 }
 

@@ -11,7 +11,7 @@
 namespace hackle {
 namespace {
 
-constexpr std::int64_t most_nodes_tried = 4'000'000;
+constexpr std::int64_t max_nodes_tried = 4'000'000;
 constexpr double trial_seconds = 0.2;
 constexpr double drift = 1e-7;  // spacings a step
 
@@ -26,7 +26,7 @@ State in_motion(const Simulation& simulation) {
 }
 
 double try_steps(const Simulation& simulation) {
-  if (static_cast<std::int64_t>(simulation.lattice().grid.nodes()) > most_nodes_tried) return 0.0;
+  if (static_cast<std::int64_t>(simulation.lattice().grid.nodes()) > max_nodes_tried) return 0.0;
   Simulation trial = simulation;
   trial.restore(in_motion(simulation));
   trial.step();  // fills the caches
@@ -75,7 +75,7 @@ std::string verdict(const Rehearsal& rehearsal) {
 Rehearsal rehearse(const Simulation& simulation, const Prospect& prospect) {
   Rehearsal found;
   found.nodes = static_cast<std::int64_t>(simulation.lattice().grid.nodes());
-  found.bonds = simulation.lattice().bonds_born();
+  found.bonds = simulation.lattice().initial_bonds();
   const Memory memory = memory_of(simulation.plate(), simulation.numerics());
   found.memory = memory.all() + (prospect.rests() ? memory.statics : 0.0);
   found.dt = simulation.dt();

@@ -23,7 +23,7 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double most_frames = 1e5;
+constexpr double max_frames = 1e5;
 constexpr double title_size = 0.03;  // of a run, in widths of its picture
 constexpr double the_end = std::numeric_limits<double>::infinity();
 
@@ -60,9 +60,9 @@ void check_moments(const char* who, double from, double to, double every) {
         fmt::format("{}: it would go from {} to {}", who, quantity(from, "s"), quantity(to, "s")),
         "from must come before to");
   problems.throw_if_any();
-  if ((to - from) / every >= most_frames)
+  if ((to - from) / every >= max_frames)
     throw Error(ErrorKind::refused,
-                fmt::format("{}: there would be more than {:.0f} frames", who, most_frames),
+                fmt::format("{}: there would be more than {:.0f} frames", who, max_frames),
                 "take a longer every");
 }
 

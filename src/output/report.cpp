@@ -11,7 +11,7 @@
 #include "output/features.hpp"
 #include "output/shape_remarks.hpp"
 #include "scene/waves.hpp"
-#include "solver/rigid_motion.hpp"
+#include "solver/f32_range.hpp"
 
 namespace hackle {
 namespace {

@@ -21,9 +21,9 @@
 #include "output/ledger_remark.hpp"
 #include "output/load_remarks.hpp"
 #include "output/movie_output.hpp"
-#include "output/onlookers.hpp"
 #include "output/outputs.hpp"
 #include "output/painting.hpp"
+#include "output/progress_observer.hpp"
 #include "output/record_output.hpp"
 #include "output/report.hpp"
 #include "render/png.hpp"
@@ -33,12 +33,12 @@ namespace fs = std::filesystem;
 namespace {
 
 // Of a script that is only checked; more would take weeks.
-constexpr std::int64_t most_rehearsed = 1'000'000'000;
+constexpr std::int64_t max_rehearsed = 1'000'000'000;
 
 bool same_lattice(const Lattice& one, const Lattice& other) {
   return one.grid.layout() == other.grid.layout() && one.grid.dx == other.grid.dx &&
-         one.bonds == other.bonds && one.born == other.born && one.material == other.material &&
-         one.strength == other.strength;
+         one.bonds == other.bonds && one.initial_neighbours == other.initial_neighbours &&
+         one.material == other.material && one.strength == other.strength;
 }
 
 }  // namespace
@@ -114,10 +114,10 @@ struct Run::Parts {
     State state = simulation.state();
     state.step = simulation.last_step();
     prospect.run(simulation, simulation.time_at(state.step));
-    if (prospect.steps() > most_rehearsed)
+    if (prospect.steps() > max_rehearsed)
       throw Error(ErrorKind::refused,
                   fmt::format("check: more than {} steps are asked for and there is no end",
-                              grouped(most_rehearsed)),
+                              grouped(max_rehearsed)),
                   "the script may wait for what only happens when it is run");
     simulation.restore(std::move(state));
   }
@@ -433,7 +433,7 @@ Summary Run::summary() const {
   Summary summary;
   summary.script = parts_->origin.script_name;
   summary.nodes = static_cast<std::int64_t>(simulation.lattice().grid.nodes());
-  summary.bonds = simulation.lattice().bonds_born();
+  summary.bonds = simulation.lattice().initial_bonds();
   summary.steps = simulation.state().step;
   summary.time = simulation.time();
   summary.dt = simulation.dt();

@@ -29,12 +29,12 @@ void Schedule::advance(const Simulation& simulation) {
   next_ = std::max(next_ + 1, static_cast<std::int64_t>(std::ceil(passed)));
 }
 
-std::int64_t Schedule::moments(double until, std::int64_t most_more) const {
+std::int64_t Schedule::moments(double until, std::int64_t max_more) const {
   constexpr double countless = 1e18;
   const double all = std::floor((until - start_) / every_ + 1e-9) + 1.0;
   const double more = std::min(all - static_cast<double>(next_), countless);
   if (!(more > 0.0)) return next_;
-  return next_ + std::min(static_cast<std::int64_t>(more), most_more);
+  return next_ + std::min(static_cast<std::int64_t>(more), max_more);
 }
 
 }  // namespace hackle

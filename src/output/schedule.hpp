@@ -17,8 +17,8 @@ class Schedule {
   Schedule(const char* output, double every, const Simulation& simulation);
 
   bool reached(const Simulation& simulation) const;
-  // How many moments there are from the start until `until`, s; those to come at most `most_more`.
-  std::int64_t moments(double until, std::int64_t most_more) const;
+  // How many moments there are from the start until `until`, s; those to come at most `max_more`.
+  std::int64_t moments(double until, std::int64_t max_more) const;
   // To the next moment that has not passed: slow loading may go by several at once.
   void advance(const Simulation& simulation);
 

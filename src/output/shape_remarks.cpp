@@ -64,8 +64,8 @@ void add_inclusions(const Plate& plate, const Lattice& lattice, std::vector<std:
 
 void add_loose_nodes(const Lattice& lattice, std::vector<std::string>& list) {
   std::int64_t loose = 0;
-  for (std::size_t node = 0; node < lattice.born.size(); ++node)
-    if (lattice.born[node] == 0 &&
+  for (std::size_t node = 0; node < lattice.initial_neighbours.size(); ++node)
+    if (lattice.initial_neighbours[node] == 0 &&
         (lattice.material.empty() || lattice.material[node] != Lattice::void_node))
       ++loose;
   if (loose > 0)

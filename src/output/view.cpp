@@ -98,9 +98,9 @@ Vec2 direction_of(Toward toward) {
 void check_view(const char* output, const PictureOptions& options, const Grid& grid,
                 Problems& problems) {
   if (options.zoom) check(output, *options.zoom, grid, problems);
-  if (options.bonds && nodes_seen(options, grid) > most_drawn_nodes)
+  if (options.bonds && nodes_seen(options, grid) > max_drawn_nodes)
     problems.add(fmt::format("{}: bonds of {:.0f} nodes would be drawn, {} are the most", output,
-                             nodes_seen(options, grid), most_drawn_nodes),
+                             nodes_seen(options, grid), max_drawn_nodes),
                  "zoom = {x, y, half} looks at a part of the plate");
   if (options.follow && !options.zoom)
     problems.add(fmt::format("{}: follow needs a zoom", output),

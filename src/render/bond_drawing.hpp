@@ -13,7 +13,7 @@
 namespace hackle {
 
 // Nodes of which bonds are drawn in one picture, at most.
-inline constexpr int most_drawn_nodes = 1500;
+inline constexpr int max_drawn_nodes = 1500;
 
 // Inside of the rectangle of the plate; broken bonds in another colour, over those that hold.
 void draw_bonds(Canvas& canvas, const std::vector<BondLine>& bonds, const Grid& grid,

@@ -27,10 +27,10 @@ constexpr std::size_t entries = 256;
 }  // namespace
 
 ColourMap fringe_map(double least, double most) {
-  constexpr double entries_a_fringe = 64.0, most_entries = 8192.0;
+  constexpr double entries_a_fringe = 64.0, max_entries = 8192.0;
   const double fringes = std::max(most - least, 1.0);
   const auto count =
-      static_cast<std::size_t>(std::min(std::ceil(entries_a_fringe * fringes), most_entries));
+      static_cast<std::size_t>(std::min(std::ceil(entries_a_fringe * fringes), max_entries));
   ColourMap map{"fringes", std::vector<Colour>(count)};
   for (std::size_t k = 0; k < count; ++k) {
     const double order =

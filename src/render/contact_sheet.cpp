@@ -59,10 +59,10 @@ void draw_title(Canvas& canvas, const Font& font, const Measures& cell, double x
 Image blank(const Measures& cell, int columns, int rows, bool even) {
   const double width = columns * (cell.width + cell.gap) + cell.gap;
   const double height = rows * cell.pitch + cell.gap;
-  if (width > most_of_sheet || height > most_of_sheet)
+  if (width > max_of_sheet || height > max_of_sheet)
     throw Error(ErrorKind::refused,
                 fmt::format("contact_sheet: the sheet would be {:.0f} x {:.0f} px, more than {}",
-                            width, height, most_of_sheet),
+                            width, height, max_of_sheet),
                 "give a smaller width or fewer pictures");
   const int odd = even ? 1 : 0;
   const int w = static_cast<int>(width), h = static_cast<int>(height);

@@ -31,11 +31,11 @@ struct SheetLayout {
 };
 
 // The largest width and height of a sheet, px.
-inline constexpr int most_of_sheet = 16384;
+inline constexpr int max_of_sheet = 16384;
 
 // Pictures from left to right and from the top, each shrunk or grown to fit its cell, its title
 // below it (shortened where it does not fit). Throws Error (refused) when there is none or the
-// sheet would be larger than most_of_sheet, Error (files) when one cannot be read.
+// sheet would be larger than max_of_sheet, Error (files) when one cannot be read.
 Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout& layout);
 Image contact_sheet(std::vector<SheetImage>& images, const SheetLayout& layout);
 

@@ -183,10 +183,10 @@ class Composer {
     if (parts_.load_curve) charts.push_back(&layout_.load_curve);
     if (parts_.energy) charts.push_back(&layout_.energy);
     if (charts.empty()) return;
-    constexpr double least_width = 20.0, height = 7.5;
+    constexpr double min_width = 20.0, height = 7.5;
     const int between = 2 * gap_, count = static_cast<int>(charts.size());
     const int share = (room() - (count - 1) * between) / count;
-    const int columns = share < least_width * layout_.font ? 1 : count;
+    const int columns = share < min_width * layout_.font ? 1 : count;
     const Rectangle first{side_, y_ + margin_ * 2 / 3, (room() - (columns - 1) * between) / columns,
                           whole(height * layout_.font)};
     for (int k = 0; k < count; ++k) {

@@ -63,10 +63,10 @@ void check_is_there(const std::filesystem::path& path) {
 }
 
 void check_size(const std::filesystem::path& path, const Reader& reader) {
-  if (reader.width() * reader.height() > most_pixels)
+  if (reader.width() * reader.height() > max_pixels)
     throw Error(ErrorKind::refused,
                 fmt::format("the picture '{}' has {} x {} pixels, the most is {}", path.string(),
-                            reader.width(), reader.height(), most_pixels),
+                            reader.width(), reader.height(), max_pixels),
                 "make it smaller; a pixel need not be finer than the spacing");
 }
 

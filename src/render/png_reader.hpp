@@ -14,11 +14,11 @@ struct GreyImage {
   std::vector<std::uint8_t> pixels;  // row by row from the top
 };
 
-inline constexpr std::int64_t most_pixels = std::int64_t{1} << 24;
+inline constexpr std::int64_t max_pixels = std::int64_t{1} << 24;
 
 // Reads a PNG of any kind: grey, colour or palette, 1 to 16 bits, interlaced or not. What is
 // transparent is laid on white. Throws Error (files) when it cannot be read, Error (refused) when
-// it has more than most_pixels.
+// it has more than max_pixels.
 GreyImage read_png(const std::filesystem::path& path);
 
 // Throws what read_png() throws of a file that is no PNG or too large, without reading its pixels.

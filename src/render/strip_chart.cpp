@@ -53,8 +53,8 @@ void StripChart::find_scale(const Chart& chart, double now) {
   unit_ = printed_unit(unit.name);
   unit_factor_ = unit.factor;
   values_ = enclosing_values(least, most, intervals);
-  least_ = values_.empty() ? least : std::min(least, values_.front());
-  most_ = values_.empty() ? most : std::max(most, values_.back());
+  min_ = values_.empty() ? least : std::min(least, values_.front());
+  max_ = values_.empty() ? most : std::max(most, values_.back());
   until_ = std::max(chart.until, now);
   if (!(until_ > 0.0)) until_ = 1e-6;
 }
@@ -63,7 +63,7 @@ double StripChart::px(double time) const {
   return left_ + (right_ - left_) * std::clamp(time / until_, 0.0, 1.0);
 }
 double StripChart::py(double value) const {
-  return bottom_ - (bottom_ - top_) * (value - least_) / (most_ - least_);
+  return bottom_ - (bottom_ - top_) * (value - min_) / (max_ - min_);
 }
 
 void StripChart::add(const std::string& text, double x, double y, double anchor, Colour colour) {
@@ -99,11 +99,11 @@ void StripChart::write_values() {
   double width = font_.width_of("0000", size_);
   for (const std::string& text : texts) width = std::max(width, font_.width_of(text, size_));
   left_ = room_.x + std::ceil(width + 0.6 * size_);
-  constexpr double least_distance = 1.3;  // of base lines, in units of the size
+  constexpr double min_distance = 1.3;  // of base lines, in units of the size
   double above = bottom_ + 2.0 * size_;
   for (std::size_t k = 0; k < texts.size(); ++k) {
     const double y = std::round(py(values_[k]));
-    if (above - y < least_distance * size_) continue;
+    if (above - y < min_distance * size_) continue;
     add(texts[k], left_ - 0.6 * size_, y + 0.35 * size_, 1.0, theme_.quiet);
     above = y;
   }

@@ -45,7 +45,7 @@ class StripChart {
   std::vector<NamedCurve> curves_;
   double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;  // px, of the frame
   double until_ = 1.0;                                          // s
-  double least_ = 0.0, most_ = 1.0;                             // values at bottom and top
+  double min_ = 0.0, max_ = 1.0;                                // values at bottom and top
   std::vector<double> values_, times_;                          // of the ticks
   std::string unit_;                                            // as the heading has it
   double unit_factor_ = 1.0;

@@ -8,14 +8,14 @@
 #include <type_traits>
 
 #include "base/described.hpp"
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
 #include "scene/shape.hpp"
 
 namespace hackle {
 
 // Adds a problem for a number that is not finite or out of its range; for a vector that is not
-// finite; for a course or a region that makes no sense. Functions are not asked.
+// finite; for an amplitude or a region that makes no sense. Functions are not asked.
 void check_value(double value, std::string_view who, std::string_view name, const About& about,
                  Problems& problems);
 void check_value(const Vec2& value, std::string_view who, std::string_view name, const About& about,
@@ -32,8 +32,8 @@ inline void check_value(const std::optional<double>& value, std::string_view who
                         std::string_view name, const About& about, Problems& problems) {
   if (value) check_value(*value, who, name, about, problems);
 }
-inline void check_value(const Course& value, std::string_view who, std::string_view, const About&,
-                        Problems& problems) {
+inline void check_value(const Amplitude& value, std::string_view who, std::string_view,
+                        const About&, Problems& problems) {
   check(value, std::string(who), problems);
 }
 inline void check_value(const Region& value, std::string_view who, std::string_view, const About&,

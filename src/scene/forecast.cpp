@@ -28,12 +28,12 @@ struct Sampler {
   double begin, end;
   bool sampled = false;
 
-  double largest(const Course& course) {
-    sampled = sampled || course.is_function();
+  double largest(const Amplitude& amplitude) {
+    sampled = sampled || amplitude.is_function();
     double most = 0.0;
     for (int k = 0; k < moments; ++k)
-      most = std::max(most, std::abs(course.at(begin + (end - begin) * k / (moments - 1))));
-    for (const Vec2& point : course.points())
+      most = std::max(most, std::abs(amplitude.at(begin + (end - begin) * k / (moments - 1))));
+    for (const Vec2& point : amplitude.points())
       if (point.x() >= begin && point.x() <= end) most = std::max(most, std::abs(point.y()));
     return most;
   }
@@ -67,7 +67,7 @@ struct Stiffness {
 // Waves of a velocity go out from where it acts; led so slowly that there are none, it strains.
 double stress_of(const Support& support, const Episode& episode, Sampler& sampler) {
   const Stiffness stiffness(sampler.plate);
-  const double value = sampler.largest(support.value) * sampler.largest(support.course);
+  const double value = sampler.largest(support.value) * sampler.largest(support.amplitude);
   if (support.kind == Support::Kind::displacement) return stiffness.of_displacement(value);
   const double led = stiffness.of_displacement(value * (episode.end - episode.since));
   return episode.slow ? led : std::max(stiffness.of_velocity(value), led);
@@ -85,24 +85,24 @@ double stress_of(const Loads& loads, const Episode& episode, Sampler& sampler) {
   const Plate& plate = sampler.plate;
   double sum = 0.0;
   for (const Traction& load : loads.tractions)
-    sum = std::max(sum, sampler.largest(load.stress) * sampler.largest(load.course));
+    sum = std::max(sum, sampler.largest(load.stress) * sampler.largest(load.amplitude));
   for (const Pressure& load : loads.pressures)
-    sum += std::abs(load.pressure) * sampler.largest(load.course);
+    sum += std::abs(load.pressure) * sampler.largest(load.amplitude);
   for (const BodyForce& load : loads.body_forces)
-    sum += sampler.largest(load.force) * sampler.largest(load.course) *
+    sum += sampler.largest(load.force) * sampler.largest(load.amplitude) *
            std::max(plate.width, plate.height);
   for (const Support& support : loads.supports) sum += stress_of(support, episode, sampler);
-  for (const Heating& load : loads.heatings)
-    sum += stress_of_heat(plate, sampler.largest(load.change) * sampler.largest(load.course));
+  for (const ThermalLoad& load : loads.thermal_loads)
+    sum += stress_of_heat(plate, sampler.largest(load.change) * sampler.largest(load.amplitude));
   for (const Impactor& impactor : loads.impactors)
     sum += Stiffness(plate).of_velocity(impactor.velocity.norm());
   return sum;
 }
 
-double stress_of(const std::vector<Start>& starts, Sampler& sampler) {
+double stress_of(const std::vector<InitialCondition>& starts, Sampler& sampler) {
   const Stiffness stiffness(sampler.plate);
   double sum = 0.0;
-  for (const Start& start : starts)
+  for (const InitialCondition& start : starts)
     sum += stiffness.of_velocity(sampler.largest(start.velocity)) +
            stiffness.of_displacement(sampler.largest(start.displacement));
   return sum;
@@ -129,25 +129,25 @@ double largest_flaw(const Plate& plate) {
 }
 
 // From G0, or from s0 as the energy that stretches a horizon so far.
-double toughness_of(const Material& material, double least_flaw) {
-  return material.s0 > 0.0 ? material.E * material.s0 * material.s0 * least_flaw : material.G0;
+double toughness_of(const Material& material, double min_flaw) {
+  return material.s0 > 0.0 ? material.E * material.s0 * material.s0 * min_flaw : material.G0;
 }
 
 }  // namespace
 
-Forecast forecast(const Plate& plate, const Episode& episode, double least_flaw) {
+Forecast forecast(const Plate& plate, const Episode& episode, double min_flaw) {
   Forecast found;
   Sampler sampler{plate, episode.begin, episode.end};
   double stress = stress_of(plate.loads, episode, sampler);
-  if (episode.begin == 0.0) stress += stress_of(plate.starts, sampler);
+  if (episode.begin == 0.0) stress += stress_of(plate.initial_conditions, sampler);
   found.stress = std::max((episode.slow ? 1.0 : overshoot) * stress, episode.stored);
   found.sampled = sampler.sampled;
-  found.flaw = std::max(largest_flaw(plate), least_flaw);
+  found.flaw = std::max(largest_flaw(plate), min_flaw);
   found.release_rate =
       found.stress * found.stress * std::numbers::pi * found.flaw / plate.material.E;
-  found.toughness = toughness_of(plate.material, least_flaw);
+  found.toughness = toughness_of(plate.material, min_flaw);
   for (const Inclusion& inclusion : plate.inclusions)
-    found.toughness = std::min(found.toughness, toughness_of(inclusion.material, least_flaw));
+    found.toughness = std::min(found.toughness, toughness_of(inclusion.material, min_flaw));
   return found;
 }
 

@@ -31,10 +31,10 @@ struct Forecast {
   Verdict verdict() const;
 };
 
-// `least_flaw`, m, stands for flaws on a whole plate: its bonds break as if there were one of the
+// `min_flaw`, m, stands for flaws on a whole plate: its bonds break as if there were one of the
 // size of the horizon. What sets the plate in motion counts in an episode that begins at 0.
 // Functions of place and time are asked at some points and moments and may throw Error.
-Forecast forecast(const Plate& plate, const Episode& episode, double least_flaw);
+Forecast forecast(const Plate& plate, const Episode& episode, double min_flaw);
 
 // "a flaw of 50 mm under up to 24 MPa releases up to 1.4 kJ/m2, G0 is 204 J/m2: it breaks"
 std::string describe(const Forecast& forecast);

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "scene/loads/body_force.hpp"
-#include "scene/loads/heating.hpp"
 #include "scene/loads/impactor.hpp"
 #include "scene/loads/pressure.hpp"
 #include "scene/loads/support.hpp"
+#include "scene/loads/thermal_load.hpp"
 #include "scene/loads/traction.hpp"
 
 namespace hackle {
@@ -21,7 +21,7 @@ struct Loads {
   std::vector<Pressure> pressures;
   std::vector<BodyForce> body_forces;
   std::vector<Support> supports;
-  std::vector<Heating> heatings;
+  std::vector<ThermalLoad> thermal_loads;
   std::vector<Impactor> impactors;
   double damping = 0.0;  // 1/s: every velocity dies away as exp(-damping t)
 };
@@ -30,7 +30,7 @@ template <>
 inline constexpr auto description_of<Loads> = describe_noun(
     "loads", "load", member("tractions", &Loads::tractions), member("pressures", &Loads::pressures),
     member("body_forces", &Loads::body_forces), member("supports", &Loads::supports),
-    member("temperatures", &Loads::heatings), member("impactors", &Loads::impactors),
+    member("temperatures", &Loads::thermal_loads), member("impactors", &Loads::impactors),
     member("damping", &Loads::damping,
            {.unit = "1/s",
             .range = at_least(0.0),

@@ -44,7 +44,7 @@ void check_rims(const Plate& plate, Problems& problems) {
 
 void check_expansion(const Plate& plate, Problems& problems) {
   const auto expands = [](const Material& material) { return material.alphaT != 0.0; };
-  if (plate.loads.heatings.empty() || expands(plate.material)) return;
+  if (plate.loads.thermal_loads.empty() || expands(plate.material)) return;
   for (const Inclusion& inclusion : plate.inclusions)
     if (expands(inclusion.material)) return;
   problems.add(fmt::format("temperature: {} does not expand, its alphaT is 0", plate.material.name),

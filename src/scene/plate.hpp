@@ -13,7 +13,7 @@
 
 #include "base/error.hpp"
 #include "scene/loads.hpp"
-#include "scene/loads/start.hpp"
+#include "scene/loads/initial_condition.hpp"
 #include "scene/material.hpp"
 #include "scene/shape.hpp"
 #include "scene/vec2.hpp"
@@ -43,7 +43,7 @@ inline constexpr auto description_of<Crack> = describe_noun(
     "crack", "crack",
     member("points", &Crack::points,
            {.unit = "m",
-            .range = between(2, most_points),
+            .range = between(2, max_points),
             .alternative = true,
             .sentence = "Along a crack of straight pieces; it is closed when first and last are "
                         "the same."}),
@@ -159,7 +159,7 @@ struct Plate {
   std::vector<Crack> cracks;
   // Areas, rims included, in which bonds never break; a bond with one end in one is safe too.
   std::vector<Shape> no_fail;
-  std::vector<Start> starts;
+  std::vector<InitialCondition> initial_conditions;
   std::optional<Scatter> scatter;
   std::optional<Contact> contact;
   Loads loads;
@@ -178,7 +178,7 @@ inline constexpr auto description_of<Plate> = describe_noun(
             .sentence = "Plane stress for a thin plate, plane strain for a thick one."}),
     member("cutouts", &Plate::cutouts), member("inclusions", &Plate::inclusions),
     member("cracks", &Plate::cracks), member("no_fail", &Plate::no_fail),
-    member("starts", &Plate::starts), member("strength", &Plate::scatter),
+    member("starts", &Plate::initial_conditions), member("strength", &Plate::scatter),
     member("contact", &Plate::contact), member("", &Plate::loads));
 
 // 0 without contact.

@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-constexpr int most_tries = 10000;  // for one crack
+constexpr int max_tries = 10000;  // for one crack
 
 // The distributions of the standard library differ between libraries.
 double between(const Vec2& range, std::mt19937_64& random) {
@@ -43,7 +43,7 @@ Vec2 direction(double angle) {
 
 Crack draw(const RandomCracks& cracks, std::mt19937_64& random) {
   throw_if_interrupted();
-  for (int trial = 0; trial < most_tries; ++trial) {
+  for (int trial = 0; trial < max_tries; ++trial) {
     const double length = between(cracks.length, random);
     const Vec2 half = 0.5 * length * direction(between(cracks.angle, random));
     const Vec2 least = cracks.area.least + half.cwiseAbs();

@@ -136,8 +136,8 @@ bool cuts_shape(const Capsule& capsule, const Segment& segment, double tie) {
 
 // Whether the middle of any piece between these places along the segment (0 to 1) is inside.
 template <class Area>
-bool has_piece_inside(const Area& area, const Segment& segment, std::vector<double>& meets,
-                      double tie) {
+bool has_fragment_inside(const Area& area, const Segment& segment, std::vector<double>& meets,
+                         double tie) {
   std::ranges::sort(meets);
   const Vec2 along = segment.to - segment.from;
   for (std::size_t k = 0; k + 1 < meets.size(); ++k)
@@ -158,7 +158,7 @@ bool cuts_shape(const Polygon& polygon, const Segment& segment, double tie) {
     const double t = cross(side.from - segment.from, across) / area;
     if (t > 0.0 && t < 1.0) meets.push_back(t);
   });
-  return has_piece_inside(polygon, segment, meets, tie);
+  return has_fragment_inside(polygon, segment, meets, tie);
 }
 
 // Cuts it at every line between cells.
@@ -175,7 +175,7 @@ bool cuts_shape(const Bitmap& bitmap, const Segment& segment, double tie) {
     for (auto line = static_cast<int>(first_line); line <= static_cast<int>(last_line); ++line)
       meets.push_back(std::clamp((line - from) / (to - from), 0.0, 1.0));
   }
-  return has_piece_inside(bitmap, segment, meets, tie);
+  return has_fragment_inside(bitmap, segment, meets, tie);
 }
 
 // Whether a cell is marked that has a point in common with the box.

@@ -22,7 +22,7 @@ struct Ellipse {
   friend bool operator==(const Ellipse&, const Ellipse&) = default;
 };
 
-inline constexpr double most_points = 10000;  // of a polygon or a crack
+inline constexpr double max_points = 10000;  // of a polygon or a crack
 
 // Any closed chain of straight sides, also one that is not convex; by the even-odd rule.
 struct Polygon {
@@ -65,7 +65,7 @@ template <>
 inline constexpr auto description_of<Polygon> =
     describe_noun("polygon", "polygon",
                   member("points", &Polygon::points,
-                         {.unit = "m", .range = between(3, most_points), .required = true}));
+                         {.unit = "m", .range = between(3, max_points), .required = true}));
 
 template <>
 inline constexpr auto description_of<Segment> = describe_noun(

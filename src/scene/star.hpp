@@ -11,7 +11,7 @@
 
 namespace hackle {
 
-inline constexpr double most_corners = 1000;
+inline constexpr double max_corners = 1000;
 
 // `corners` corners (at least 3) at `radius` from the centre, the first at `angle` (rad) from x,
 // the others anticlockwise. With `inner` there is a corner at that radius halfway between each two.

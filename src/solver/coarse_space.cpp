@@ -11,9 +11,9 @@ namespace hackle {
 namespace {
 
 // Cholesky's work grows with the square of the number of parts.
-constexpr double most_blocks = 2048.0;
-constexpr int least_width = 3;
-// Added to the diagonal, as a share: parts of one node turn as they shift, pieces that nothing
+constexpr double max_blocks = 2048.0;
+constexpr int min_width = 3;
+// Added to the diagonal, as a share: parts of one node turn as they shift, fragments that nothing
 // holds move as they please, and forces that do so have been taken out.
 constexpr double softness = 1e-9;
 
@@ -44,11 +44,11 @@ struct CoarseSpace::Factor {
   Eigen::VectorXd right, left;
 };
 
-CoarseSpace::CoarseSpace(const BondNet& net, const NodeVectors& mobile)
+CoarseSpace::CoarseSpace(const LinearisedBonds& net, const NodeVectors& mobile)
     : net_(&net), mobile_(&mobile), factor_(std::make_unique<Factor>()) {
   const Grid& grid = net.lattice().grid;
-  const double widest = std::sqrt(static_cast<double>(grid.nodes()) / most_blocks);
-  width_ = std::max({least_width, net.lattice().family.reach(), static_cast<int>(widest) + 1});
+  const double widest = std::sqrt(static_cast<double>(grid.nodes()) / max_blocks);
+  width_ = std::max({min_width, net.lattice().family.reach(), static_cast<int>(widest) + 1});
   cut_into_blocks();
   find_mirrors();
   forces_.resize(block_of_part_.size());

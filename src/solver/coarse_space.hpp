@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "solver/bond_net.hpp"
+#include "solver/linearised_bonds.hpp"
 
 namespace hackle {
 
@@ -18,7 +18,7 @@ namespace hackle {
 class CoarseSpace {
  public:
   // Takes the tangent of the net; the bonds are those that hold now.
-  CoarseSpace(const BondNet& net, const NodeVectors& mobile);
+  CoarseSpace(const LinearisedBonds& net, const NodeVectors& mobile);
   ~CoarseSpace();
 
   // False where the tangent has motions of negative stiffness: then it must not be used.
@@ -49,7 +49,7 @@ class CoarseSpace {
   void make_symmetric(const std::vector<int>& mirror, bool left_right);
   bool is_symmetric(const std::vector<int>& mirror, bool left_right) const;
 
-  const BondNet* net_;
+  const LinearisedBonds* net_;
   const NodeVectors* mobile_;
   int width_;  // of a block, nodes
   std::vector<Block> blocks_;

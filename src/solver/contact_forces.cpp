@@ -55,16 +55,17 @@ void ContactForces::begin(const Lattice& lattice, const State& state) {
 // Nodes that are new among the open ones are paired with all others; those that were open before
 // are a pair from now on.
 void ContactForces::take_note(const Lattice& lattice, const State& state,
-                              const std::vector<double>& heat, std::span<const Loss> losses) {
-  if (losses.empty()) return;
+                              const std::vector<double>& heat,
+                              std::span<const BrokenBond> broken_bonds) {
+  if (broken_bonds.empty()) return;
   follow(lattice.grid, state);
   stored_before_ = faces_.energy(open_, heat);
   const NodeLayout layout = lattice.grid.layout();
   const int open_before = static_cast<int>(open_.size());
-  for (const Loss& loss : losses) {
-    const auto j = static_cast<int>(loss.at / layout.stride());
-    const auto i = static_cast<int>(loss.at - layout.at(0, j));
-    const Pair pair = lose(lattice, state, i, j, 32 * loss.word + std::countr_zero(loss.bit));
+  for (const BrokenBond& broken : broken_bonds) {
+    const auto j = static_cast<int>(broken.at / layout.stride());
+    const auto i = static_cast<int>(broken.at - layout.at(0, j));
+    const Pair pair = lose(lattice, state, i, j, 32 * broken.word + std::countr_zero(broken.bit));
     if (std::max(pair.one, pair.other) < open_before) pair_up(pair.one, pair.other, lattice);
   }
 }

@@ -35,7 +35,7 @@ class ContactForces {
   // The bonds that broke in the last step: both ends of each lack one now. `heat` is the thermal
   // strain by Grid::index, empty for 0, here as below.
   void take_note(const Lattice& lattice, const State& state, const std::vector<double>& heat,
-                 std::span<const Loss> losses);
+                 std::span<const BrokenBond> broken_bonds);
   // Finds who pushes whom at the time of u.
   void update(const Lattice& lattice, const State& state, const std::vector<double>& heat);
 

@@ -27,7 +27,7 @@ double square_of_row(const Lattice& lattice, int j, const Motion<Real>& motion) 
 }
 
 // The components of v that are prescribed.
-Vec2 led_part(const LedNode& node, const Vec2& v) {
+Vec2 prescribed_part(const PrescribedNode& node, const Vec2& v) {
   return {node.along_x ? v.x() : 0.0, node.along_y ? v.y() : 0.0};
 }
 
@@ -42,8 +42,8 @@ Damping::Damping(double x) {
   last = x / -std::expm1(-2.0 * x) - 0.5 * keep;
 }
 
-double free_motion(const Lattice& lattice, std::span<const LedNode> led, const Threads& threads,
-                   const State& state) {
+double free_motion(const Lattice& lattice, std::span<const PrescribedNode> prescribed,
+                   const Threads& threads, const State& state) {
   std::vector<double> of_row(static_cast<std::size_t>(lattice.grid.ny));
   std::visit(
       [&](const auto& motion) {
@@ -53,16 +53,16 @@ double free_motion(const Lattice& lattice, std::span<const LedNode> led, const T
       },
       state.motion);
   double sum = std::accumulate(of_row.begin(), of_row.end(), 0.0);
-  for (const LedNode& node : led)
-    sum -= node.inertia * led_part(node, state.v(node.i, node.j)).squaredNorm();
+  for (const PrescribedNode& node : prescribed)
+    sum -= node.inertia * prescribed_part(node, state.v(node.i, node.j)).squaredNorm();
   return std::max(sum, 0.0);
 }
 
-void damp(const Lattice& lattice, std::span<const LedNode> led, double keep, const Threads& threads,
-          State& state) {
+void damp(const Lattice& lattice, std::span<const PrescribedNode> prescribed, double keep,
+          const Threads& threads, State& state) {
   std::vector<Vec2> before;
-  before.reserve(led.size());
-  for (const LedNode& node : led) before.push_back(state.v(node.i, node.j));
+  before.reserve(prescribed.size());
+  for (const PrescribedNode& node : prescribed) before.push_back(state.v(node.i, node.j));
   std::visit(
       [&]<class Real>(Motion<Real>& motion) {
         const Grid& grid = lattice.grid;
@@ -75,8 +75,8 @@ void damp(const Lattice& lattice, std::span<const LedNode> led, double keep, con
         });
       },
       state.motion);
-  for (std::size_t k = 0; k < led.size(); ++k) {
-    const LedNode& node = led[k];
+  for (std::size_t k = 0; k < prescribed.size(); ++k) {
+    const PrescribedNode& node = prescribed[k];
     const Vec2 damped = state.v(node.i, node.j);
     state.set_v(
         node.i, node.j,

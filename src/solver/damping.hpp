@@ -34,11 +34,11 @@ struct Damping {
 
 // Sum of v^2 over all components that are not prescribed, weighted by the density over that of the
 // plate's own material. The same bits for any number of threads.
-double free_motion(const Lattice& lattice, std::span<const LedNode> led, const Threads& threads,
-                   const State& state);
+double free_motion(const Lattice& lattice, std::span<const PrescribedNode> prescribed,
+                   const Threads& threads, const State& state);
 
 // Multiplies every velocity component that is not prescribed by `keep`.
-void damp(const Lattice& lattice, std::span<const LedNode> led, double keep, const Threads& threads,
-          State& state);
+void damp(const Lattice& lattice, std::span<const PrescribedNode> prescribed, double keep,
+          const Threads& threads, State& state);
 
 }  // namespace hackle

@@ -9,8 +9,8 @@
 
 #include "lattice/carve.hpp"
 #include "lattice/needs.hpp"
-#include "solver/bond_net.hpp"
 #include "solver/kernel_tables.hpp"
+#include "solver/linearised_bonds.hpp"
 
 namespace hackle {
 namespace {
@@ -40,9 +40,9 @@ std::vector<int> rows_to_tiles(const std::vector<int>& first_rows) {
 // Shares rows of tiles out in tasks: a few tasks per thread, so that a preempted thread delays the
 // step only briefly, but not so many that bonds between tasks, which both compute, cost much.
 std::vector<Rows> share_out(const std::vector<int>& first_rows, int threads) {
-  constexpr int most_per_thread = 4, least_rows = 4;
+  constexpr int max_per_thread = 4, min_rows = 4;
   const auto rows = static_cast<int>(first_rows.size()) - 1;
-  const int per_thread = std::clamp(rows / (threads * least_rows), 1, most_per_thread);
+  const int per_thread = std::clamp(rows / (threads * min_rows), 1, max_per_thread);
   const int tasks = threads == 1 ? 1 : std::min(rows, threads * per_thread);
   std::vector<Rows> list;
   list.reserve(static_cast<std::size_t>(tasks));
@@ -98,10 +98,10 @@ template <class Real>
 void Engine<Real>::set_thresholds(const Lattice& lattice) {
   const double s0 = lattice.calibration.s0;
   alpha_ = static_cast<Real>(lattice.materials.front().material.alpha);
-  least_threshold_ = static_cast<Real>(threshold_of(s0));
+  min_threshold_ = static_cast<Real>(threshold_of(s0));
   if (!features_.varied) return;
   s00_.assign(layout_.size(), static_cast<Real>(s0));
-  threshold_.assign(layout_.size(), least_threshold_);
+  threshold_.assign(layout_.size(), min_threshold_);
   if (features_.history) next_threshold_ = threshold_;
   if (lattice.strength.empty() && !features_.mixed) return;
   for_nodes(lattice.grid, [&](int i, int j) {
@@ -155,33 +155,33 @@ template <class Real>
 void Engine<Real>::set_loads(const Loading& loading) {
   loads_ = node_loads<Real>(loading.forces(), acceleration_unit_);
   loads_of_row_ = first_of_rows(loading.forces(), layout_.ny);
-  leads_ = node_leads<Real>(loading.led());
-  leads_of_row_ = first_of_rows(loading.led(), layout_.ny);
-  inertia_of_leads_.clear();
+  prescribed_ = prescribed_motions<Real>(loading.prescribed());
+  prescribed_of_row_ = first_of_rows(loading.prescribed(), layout_.ny);
+  prescribed_inertia_.clear();
   std::ranges::fill(loaded_, std::uint8_t{0});
   const auto mark = [this](int i, int j) {
     loaded_[static_cast<std::size_t>(tile_of(layout_.at(i, j)))] = 1;
   };
   for (const LoadedNode& node : loading.forces()) mark(node.i, node.j);
-  for (const LedNode& node : loading.led()) {
+  for (const PrescribedNode& node : loading.prescribed()) {
     mark(node.i, node.j);
-    inertia_of_leads_.push_back(node.inertia);
+    prescribed_inertia_.push_back(node.inertia);
   }
 }
 
 template <class Real>
-double Engine<Real>::work_of_leads() const {
+double Engine<Real>::prescribed_work() const {
   double sum = 0.0;
-  for (std::size_t k = 0; k < leads_.size(); ++k)
-    sum += inertia_of_leads_[k] * static_cast<double>(leads_[k].work);
+  for (std::size_t k = 0; k < prescribed_.size(); ++k)
+    sum += prescribed_inertia_[k] * static_cast<double>(prescribed_[k].work);
   return sum;
 }
 
 template <class Real>
-void Engine<Real>::let_lead(KernelData<Real>& data) {
-  if (leads_.empty()) return;
-  data.leads = leads_.data();
-  data.leads_of_row = leads_of_row_.data();
+void Engine<Real>::let_prescribe(KernelData<Real>& data) {
+  if (prescribed_.empty()) return;
+  data.prescribed = prescribed_.data();
+  data.prescribed_of_row = prescribed_of_row_.data();
 }
 
 template <class Real>
@@ -200,7 +200,7 @@ Values<Real> Engine<Real>::thresholds_of(const Lattice& lattice, const State& st
     for (int i = 0; i < layout_.nx; ++i)
       heat.push_back(static_cast<double>(heat_[static_cast<std::size_t>(layout_.at(i, j))]));
   const std::vector<double> critical =
-      BondNet(lattice, state, threads_, heat).critical_stretches(displacements_of(state));
+      LinearisedBonds(lattice, state, threads_, heat).critical_stretches(displacements_of(state));
   Values<Real> threshold = threshold_;
   for (int j = 0; j < layout_.ny; ++j)
     for (int i = 0; i < layout_.nx; ++i)
@@ -238,7 +238,7 @@ void Engine<Real>::survey(const Lattice& lattice, Motion<Real>& motion, const St
   const auto& threshold = features_.history ? motion.threshold : threshold_;
   for (TileRange<Real>& range : next_range_) {
     range.moving = 0;
-    range.least_threshold = std::numeric_limits<Real>::max();
+    range.min_threshold = std::numeric_limits<Real>::max();
   }
   for (int j = 0; j < layout_.ny; ++j)
     for (int i = 0; i < layout_.nx; ++i) {
@@ -246,7 +246,7 @@ void Engine<Real>::survey(const Lattice& lattice, Motion<Real>& motion, const St
       TileRange<Real>& range = next_range_[static_cast<std::size_t>(tile_of(layout_.at(i, j)))];
       if (motion.ux[at] != 0 || motion.uy[at] != 0 || motion.vx[at] != 0 || motion.vy[at] != 0)
         range.moving = 1;
-      if (features_.varied) range.least_threshold = std::min(range.least_threshold, threshold[at]);
+      if (features_.varied) range.min_threshold = std::min(range.min_threshold, threshold[at]);
     }
   range_ = next_range_;
 }
@@ -282,7 +282,7 @@ KernelData<Real> Engine<Real>::tables(const Lattice& lattice, const Motion<Real>
   data.intact = intact_.data();
   data.loaded = loaded_.data();
   data.bound = bound_;
-  data.least_threshold = least_threshold_;
+  data.min_threshold = min_threshold_;
   data.complete = complete_.data();
   data.linear_range = linear_range_;
   data.stencil = &stencil_;
@@ -313,7 +313,7 @@ void Engine<Real>::step(const Lattice& lattice, State& state, double kick) {
   KernelData<Real> data = tables(lattice, motion, state);
   data.kick = static_cast<Real>(kick);
   let_write(data, motion);
-  let_lead(data);
+  let_prescribe(data);
   advance(data);
   for (std::size_t task = 1; task < tasks_.size(); ++task) kernel_.join(data, tasks_[task].begin);
   break_bonds(state.bonds);
@@ -328,19 +328,19 @@ void Engine<Real>::step(const Lattice& lattice, State& state, double kick) {
 // once.
 template <class Real>
 void Engine<Real>::break_bonds(BondBits& bonds) {
-  losses_.clear();
+  broken_bonds_.clear();
   for (Scratch<Real>& scratch : scratch_) {
-    for (const Loss& loss : scratch.losses) {
-      const int bond = 32 * loss.word + std::countr_zero(loss.bit);
-      if (!bonds.holds(loss.at, bond)) continue;
-      bonds.clear(loss.at, bond);
-      losses_.push_back(loss);
-      const auto here = static_cast<std::size_t>(tile_of(loss.at));
+    for (const BrokenBond& broken : scratch.broken_bonds) {
+      const int bond = 32 * broken.word + std::countr_zero(broken.bit);
+      if (!bonds.holds(broken.at, bond)) continue;
+      bonds.clear(broken.at, bond);
+      broken_bonds_.push_back(broken);
+      const auto here = static_cast<std::size_t>(tile_of(broken.at));
       const auto there = static_cast<std::size_t>(
-          tile_of(loss.at + bond_offsets_[static_cast<std::size_t>(bond)]));
+          tile_of(broken.at + bond_offsets_[static_cast<std::size_t>(bond)]));
       intact_[here] = complete_[here] = complete_[there] = 0;
     }
-    scratch.losses.clear();
+    scratch.broken_bonds.clear();
     for (std::size_t path = 0; path < path_counts_.size(); ++path)
       path_counts_[path] += std::exchange(scratch.counts[path], 0);
   }

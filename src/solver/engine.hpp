@@ -34,7 +34,7 @@ class Engine {
   void set_heat(const Lattice& lattice, const std::vector<double>& strain);
   // Work of supports up to the beginning of the last step, in units of rho dx^4/dt^2
   // (src/solver/README.md 3.5).
-  double work_of_leads() const;
+  double prescribed_work() const;
 
   // Must be called before the first step, and whenever a state is not the one that step() left;
   // `lattice` is the one the engine was made for. A state at its start gets the thresholds that
@@ -49,9 +49,11 @@ class Engine {
   void accelerations(const Lattice& lattice, const State& state, Values<Real>& ax,
                      Values<Real>& ay);
 
-  // The bonds that broke in the last step, or those given to note_losses().
-  const std::vector<Loss>& losses() const { return losses_; }
-  void note_losses(std::vector<Loss> losses) { losses_ = std::move(losses); }
+  // The bonds that broke in the last step, or those given to note_broken_bonds().
+  const std::vector<BrokenBond>& broken_bonds() const { return broken_bonds_; }
+  void note_broken_bonds(std::vector<BrokenBond> broken_bonds) {
+    broken_bonds_ = std::move(broken_bonds);
+  }
   const PathCounts& path_counts() const { return path_counts_; }
   std::size_t bytes() const;  // of all that grows with the plate
 
@@ -59,7 +61,7 @@ class Engine {
   KernelData<Real> tables(const Lattice& lattice, const Motion<Real>& motion,
                           const State& state) const;
   void let_write(KernelData<Real>& data, Motion<Real>& motion);
-  void let_lead(KernelData<Real>& data);
+  void let_prescribe(KernelData<Real>& data);
   void advance(const KernelData<Real>& data);
   void set_thresholds(const Lattice& lattice);
   Values<Real> thresholds_of(const Lattice& lattice, const State& state) const;
@@ -77,9 +79,9 @@ class Engine {
   std::vector<std::uint32_t> all_bonds_;  // words of a node that lacks none
   double acceleration_unit_;              // a lattice unit over 1 m/s2: dt^2/dx
   std::vector<NodeLoad<Real>> loads_;
-  std::vector<NodeLead<Real>> leads_;
-  std::vector<double> inertia_of_leads_;
-  std::vector<std::size_t> loads_of_row_, leads_of_row_;
+  std::vector<PrescribedMotion<Real>> prescribed_;
+  std::vector<double> prescribed_inertia_;
+  std::vector<std::size_t> loads_of_row_, prescribed_of_row_;
 
   bool late_;
   BoundFactors<Real> bound_;
@@ -88,7 +90,7 @@ class Engine {
   std::vector<std::ptrdiff_t> bond_offsets_;  // from the keeping end of a bond to the other
 
   Real alpha_{};
-  Real least_threshold_{};
+  Real min_threshold_{};
   Values<Real> s00_;        // per place; empty unless varied
   Values<Real> threshold_;  // of an untouched plate; empty unless varied
 
@@ -106,7 +108,7 @@ class Engine {
   Threads threads_;
   std::vector<Rows> tasks_;
   std::vector<Scratch<Real>> scratch_;  // one a thread
-  std::vector<Loss> losses_;
+  std::vector<BrokenBond> broken_bonds_;
   PathCounts path_counts_{};
 };
 

@@ -40,15 +40,15 @@ void for_solid_nodes(const Lattice& lattice, const Visit& visit) {
 
 // A lighter disc than the nodes it pushes at once would be thrown back by more than it came with.
 void check(const Impactor& impactor, const Lattice& lattice, Problems& problems) {
-  const double dx = lattice.grid.dx, least_mass = 2.0 * impactor.radius * dx * lattice.rho;
+  const double dx = lattice.grid.dx, min_mass = 2.0 * impactor.radius * dx * lattice.rho;
   if (impactor.radius < dx)
     problems.add(fmt::format("impactor: its radius of {} is under one spacing of {}",
                              quantity(impactor.radius, "m"), quantity(dx, "m")),
                  "take a larger disc or a finer spacing");
-  else if (impactor.mass < least_mass)
+  else if (impactor.mass < min_mass)
     problems.add(fmt::format("impactor: its mass of {} is less than that of the nodes it pushes",
                              quantity(impactor.mass, "kg/m")),
-                 fmt::format("give at least {}", quantity(least_mass, "kg/m")));
+                 fmt::format("give at least {}", quantity(min_mass, "kg/m")));
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace hackle {
 
-void note_loss(std::vector<Loss>& losses, const Loss& loss) {
-  losses.push_back(loss);
+void note_broken_bond(std::vector<BrokenBond>& broken_bonds, const BrokenBond& broken) {
+  broken_bonds.push_back(broken);
 }
 
 bool is_supported(InstructionSet set) {

@@ -59,7 +59,7 @@ struct LinearStencil {
   bool round = false;  // the family is that of a whole m: every offset with a^2 + b^2 <= reach^2
   Real own_x{};        // sum of xx over all bonds of a node, and of yy
   Real own_y{};
-  int most_rows[NodeLayout::group + 1] = {};  // the largest b of every a
+  int max_rows[NodeLayout::group + 1] = {};  // the largest b of every a
   LinearWeight<Real> weights[NodeLayout::group + 1][NodeLayout::group + 1] = {};
 };
 
@@ -84,7 +84,7 @@ struct NodeLoad {
 
 // A prescribed node: it moves by x, y in this step whatever forces act, along one axis or both.
 template <class Real>
-struct NodeLead {
+struct PrescribedMotion {
   int i = 0;
   bool along_x = true;
   bool along_y = true;
@@ -97,7 +97,7 @@ struct NodeLead {
 };
 
 // A bond that was found stretched too far.
-struct Loss {
+struct BrokenBond {
   std::ptrdiff_t at = 0;  // place of the node that keeps it
   int word = 0;
   std::uint32_t bit = 0;
@@ -148,8 +148,8 @@ struct KernelData {
 
   const NodeLoad<Real>* loads = nullptr;
   const std::size_t* loads_of_row = nullptr;  // row j has loads[loads_of_row[j]] and following
-  NodeLead<Real>* leads = nullptr;
-  const std::size_t* leads_of_row = nullptr;  // none when there are no leads
+  PrescribedMotion<Real>* prescribed = nullptr;
+  const std::size_t* prescribed_of_row = nullptr;  // none when there are no leads
 
   TileGrid tiles;
   const TileRange<Real>* range = nullptr;  // of u
@@ -157,7 +157,7 @@ struct KernelData {
   const std::uint8_t* intact = nullptr;    // per tile: every bond kept in it holds
   const std::uint8_t* loaded = nullptr;    // per tile: a load acts in it
   BoundFactors<Real> bound;
-  Real least_threshold{};                  // where thresholds do not vary
+  Real min_threshold{};                    // where thresholds do not vary
   const std::uint8_t* complete = nullptr;  // per tile: every bond of its nodes holds
   Real linear_range{};                     // e below which forces may be linearised; 0: never
   const LinearStencil<Real>* stencil = nullptr;

@@ -17,8 +17,8 @@ namespace {
 
 using Real = HACKLE_REAL;
 
-void note_losses(void* losses, std::ptrdiff_t at, int word, std::uint32_t bit) {
-  note_loss(*static_cast<std::vector<Loss>*>(losses), {at, word, bit});
+void note_broken_bonds(void* broken_bonds, std::ptrdiff_t at, int word, std::uint32_t bit) {
+  note_broken_bond(*static_cast<std::vector<BrokenBond>*>(broken_bonds), {at, word, bit});
 }
 
 // Takes the rows of a block of columns through a step, from bottom to top
@@ -62,7 +62,7 @@ class Sweep {
       add_bonds_on_row(j);
       if constexpr (features.mixed) divide_by_inertia(j);
       add_loads(j);
-      if (data_.leads_of_row != nullptr) lead(j);
+      if (data_.prescribed_of_row != nullptr) prescribe(j);
       if (data_.ax == nullptr)
         advance(j, tile_row);
       else
@@ -108,7 +108,7 @@ class Sweep {
   void linearise();
   void divide_by_inertia(int j);
   void add_loads(int j);
-  void lead(int j);
+  void prescribe(int j);
   void show(int j);
   void advance(int j, int tile_row);
   void move_threshold(std::ptrdiff_t place, std::ptrdiff_t q, Vector<Real> e);
@@ -158,7 +158,8 @@ void Sweep<features>::begin_row(int j) {
   work_.row.place = at;
   // Bonds of lower rows are recorded by the task that these rows belong to; bonds in the margin
   // between two blocks by both.
-  work_.row.losses = j >= rows_.begin && data_.ax == nullptr ? &scratch_.losses : nullptr;
+  work_.row.broken_bonds =
+      j >= rows_.begin && data_.ax == nullptr ? &scratch_.broken_bonds : nullptr;
   work_.row.late = data_.late;
   work_.run_count = scratch_.run_count;
   // For later rows advance() has emptied the sum.
@@ -249,9 +250,9 @@ void Sweep<features>::add_loads(int j) {
 
 // Sets velocity and force of prescribed nodes so that advance() moves them as prescribed.
 template <KernelFeatures features>
-void Sweep<features>::lead(int j) {
-  for (std::size_t n = data_.leads_of_row[j]; n < data_.leads_of_row[j + 1]; ++n) {
-    NodeLead<Real>& node = data_.leads[n];
+void Sweep<features>::prescribe(int j) {
+  for (std::size_t n = data_.prescribed_of_row[j]; n < data_.prescribed_of_row[j + 1]; ++n) {
+    PrescribedMotion<Real>& node = data_.prescribed[n];
     const int q = node.i - data_.layout.first_column() - first_;
     if (q < 0 || q >= columns_) continue;
     node.work = 0;
@@ -333,7 +334,7 @@ void Sweep<features>::summarise(int tile_row) {
       threshold = own < threshold ? own : threshold;
     }
     range.moving = moving ? 1 : 0;
-    if constexpr (features.history) range.least_threshold = threshold;
+    if constexpr (features.history) range.min_threshold = threshold;
   }
 }
 

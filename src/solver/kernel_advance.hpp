@@ -8,7 +8,7 @@
 
 namespace hackle {
 
-void note_loss(std::vector<Loss>& losses, const Loss& loss);
+void note_broken_bond(std::vector<BrokenBond>& broken_bonds, const BrokenBond& broken);
 
 namespace baseline {
 template <class Real>

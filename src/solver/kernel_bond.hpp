@@ -19,11 +19,11 @@ struct KeptRow {
   const Real* half_stiffness;
   const Real* heat;
   std::ptrdiff_t place;  // of column 0 of the block
-  void* losses;          // nothing: breaking is not noted
+  void* broken_bonds;    // nothing: breaking is not noted
   bool late;             // bonds that are found stretched too far still exert their force
 };
 
-void note_losses(void* losses, std::ptrdiff_t at, int word, std::uint32_t bit);
+void note_broken_bonds(void* broken_bonds, std::ptrdiff_t at, int word, std::uint32_t bit);
 
 template <class Real>
 struct BondForce {
@@ -83,9 +83,9 @@ __attribute__((noinline)) void settle(const BondClass<Real>& k, const KeptRow<Re
     if (!(features.mixed || features.heated) || row.unbreakable != nullptr)
       over = over.but_not(load_bit<Real>(row.unbreakable + q, bit));
   if (!row.late) held = held.but_not(over);
-  if (row.losses == nullptr) return;
+  if (row.broken_bonds == nullptr) return;
   for (int lane = 0; lane < lanes<Real>; ++lane)
-    if (over[lane]) note_losses(row.losses, row.place + q + lane, k.word, bit);
+    if (over[lane]) note_broken_bonds(row.broken_bonds, row.place + q + lane, k.word, bit);
 }
 
 // Where the two ends of a bond lie.

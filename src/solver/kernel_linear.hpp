@@ -33,7 +33,7 @@ __attribute__((noinline)) void fold_rows(const LinearStencil<Real>& stencil, con
   constexpr int most = reach > 0 ? reach : NodeLayout::group;
   const int last = reach > 0 ? reach : stencil.reach;
   const auto in_family = [&](int a, int b) HACKLE_LAMBDA_INLINE {
-    return reach > 0 ? a * a + b * b <= reach * reach : b <= stencil.most_rows[a];
+    return reach > 0 ? a * a + b * b <= reach * reach : b <= stencil.max_rows[a];
   };
   for (std::ptrdiff_t q = columns.begin; q < columns.end; q += lanes<Real>) {
     Vector<Real> sx[most + 1], sy[most + 1], tx[most + 1], ty[most + 1];

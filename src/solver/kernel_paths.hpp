@@ -76,7 +76,7 @@ Outlook<Real> PathChooser<Real, features>::look(int tile_row, int column) const 
   const auto raise = [](Real& most, Real to) { most = to > most ? to : most; };
   Real direct = 0, xy = 0, yx = 0;
   Real heat = 0;
-  Real threshold = features.varied ? unstretched<Real> : data_.least_threshold;
+  Real threshold = features.varied ? unstretched<Real> : data_.min_threshold;
   std::uint32_t moving = data_.loaded[tiles.index(tile_row, column)];
   for (int r = tile_row > 0 ? tile_row - 1 : 0; r <= tile_row + 1 && r < tiles.rows; ++r)
     for (int c = column > 0 ? column - 1 : 0; c <= column + 1 && c < tiles.columns; ++c) {
@@ -86,7 +86,7 @@ Outlook<Real> PathChooser<Real, features>::look(int tile_row, int column) const 
       raise(yx, range.yx);
       moving |= range.moving;
       if constexpr (features.heated) raise(heat, data_.tile_heat[tiles.index(r, c)]);
-      if (features.varied && range.least_threshold < threshold) threshold = range.least_threshold;
+      if (features.varied && range.min_threshold < threshold) threshold = range.min_threshold;
     }
   // The slack covers the rounding of the differences.
   constexpr auto slack = static_cast<Real>(1.00001);

@@ -75,13 +75,14 @@ std::vector<NodeLoad<Real>> node_loads(const std::vector<LoadedNode>& forces, do
 }
 
 template <class Real>
-std::vector<NodeLead<Real>> node_leads(const std::vector<LedNode>& led) {
-  std::vector<NodeLead<Real>> leads;
-  leads.reserve(led.size());
-  for (const LedNode& node : led)
-    leads.push_back({node.i, node.along_x, node.along_y, static_cast<Real>(node.move.x()),
-                     static_cast<Real>(node.move.y())});
-  return leads;
+std::vector<PrescribedMotion<Real>> prescribed_motions(
+    const std::vector<PrescribedNode>& prescribed) {
+  std::vector<PrescribedMotion<Real>> motions;
+  motions.reserve(prescribed.size());
+  for (const PrescribedNode& node : prescribed)
+    motions.push_back({node.i, node.along_x, node.along_y, static_cast<Real>(node.move.x()),
+                       static_cast<Real>(node.move.y())});
+  return motions;
 }
 
 template <class Real>
@@ -111,7 +112,7 @@ LinearStencil<Real> linear_stencil(const std::vector<BondClass<Real>>& classes) 
   for (const BondClass<Real>& k : classes) {
     const Real pull = k.pull * k.inverse_L2;
     stencil.weights[k.columns][k.rows] = {pull * k.a * k.a, pull * k.a * k.b, pull * k.b * k.b};
-    stencil.most_rows[k.columns] = std::max(stencil.most_rows[k.columns], k.rows);
+    stencil.max_rows[k.columns] = std::max(stencil.max_rows[k.columns], k.rows);
     const auto bonds = static_cast<Real>(2 * k.images);
     stencil.own_x += bonds * pull * k.a * k.a;
     stencil.own_y += bonds * pull * k.b * k.b;
@@ -125,8 +126,10 @@ template std::vector<BondClass<float>> bond_classes(const Lattice&, double, bool
 template std::vector<BondClass<double>> bond_classes(const Lattice&, double, bool);
 template std::vector<NodeLoad<float>> node_loads(const std::vector<LoadedNode>&, double);
 template std::vector<NodeLoad<double>> node_loads(const std::vector<LoadedNode>&, double);
-template std::vector<NodeLead<float>> node_leads(const std::vector<LedNode>&);
-template std::vector<NodeLead<double>> node_leads(const std::vector<LedNode>&);
+template std::vector<PrescribedMotion<float>> prescribed_motions(
+    const std::vector<PrescribedNode>&);
+template std::vector<PrescribedMotion<double>> prescribed_motions(
+    const std::vector<PrescribedNode>&);
 template BoundFactors<float> bound_factors(const Family&);
 template BoundFactors<double> bound_factors(const Family&);
 template LinearStencil<float> linear_stencil(const std::vector<BondClass<float>>&);

@@ -22,7 +22,8 @@ std::vector<BondClass<Real>> bond_classes(const Lattice& lattice, double dt, boo
 template <class Real>
 std::vector<NodeLoad<Real>> node_loads(const std::vector<LoadedNode>& forces, double unit);
 template <class Real>
-std::vector<NodeLead<Real>> node_leads(const std::vector<LedNode>& led);
+std::vector<PrescribedMotion<Real>> prescribed_motions(
+    const std::vector<PrescribedNode>& prescribed);
 
 // For every row the index of its first node in the list; at the end the number of nodes.
 template <class Node>

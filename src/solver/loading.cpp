@@ -38,7 +38,7 @@ std::vector<std::size_t> places_of(const Nodes& nodes, const Grid& grid,
   return at;
 }
 
-constexpr std::int64_t most_tabulated = 100'000'000;
+constexpr std::int64_t max_tabulated = 100'000'000;
 
 // A displacement is that of the end of a step, a velocity that of its middle.
 double shift_of(Support::Kind kind) {
@@ -47,13 +47,14 @@ double shift_of(Support::Kind kind) {
 
 }  // namespace
 
-void Amplitude::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt) {
-  if (!course_.is_function() || begin >= end) return;
-  if (end - begin > most_tabulated)
+void TabulatedAmplitude::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end,
+                                  double dt) {
+  if (!amplitude_.is_function() || begin >= end) return;
+  if (end - begin > max_tabulated)
     throw Error(ErrorKind::refused,
                 fmt::format("run: a function of time would be asked for {:.3g} steps beforehand, "
                             "{:.0e} are the most",
-                            static_cast<double>(end - begin), static_cast<double>(most_tabulated)),
+                            static_cast<double>(end - begin), static_cast<double>(max_tabulated)),
                 "run in pieces, or give a table of times and factors");
   clock_ = clock;
   first_ = begin;
@@ -62,7 +63,7 @@ void Amplitude::tabulate(const Clock& clock, std::int64_t begin, std::int64_t en
   for (std::int64_t step = begin; step < end; ++step) table_.push_back(evaluate(clock, step, dt));
 }
 
-double Amplitude::at(const Clock& clock, std::int64_t step, double dt) const {
+double TabulatedAmplitude::at(const Clock& clock, std::int64_t step, double dt) const {
   const std::int64_t place = step - first_;
   if (place >= 0 && place < std::ssize(table_) && clock == clock_)
     return table_[static_cast<std::size_t>(place)];
@@ -74,7 +75,7 @@ Loading::Loading(const Plate& plate, const Lattice& lattice, double dt)
   if (plate.contact) contact_.emplace(*plate.contact, lattice, dt);
   add(spread_forces(plate, lattice), lattice.grid);
   add(spread_supports(plate, lattice), lattice);
-  varies_ = !leads_.empty() || std::ranges::any_of(parts_, [](const Force& part) {
+  varies_ = !prescriptions_.empty() || std::ranges::any_of(parts_, [](const Force& part) {
     return !part.amplitude.is_constant();
   });
 }
@@ -83,7 +84,7 @@ void Loading::add(const std::vector<SpreadForce>& forces, const Grid& grid) {
   const std::vector<std::size_t> all = union_of(forces, grid);
   forces_.resize(all.size());
   for (const SpreadForce& force : forces) {
-    Force part{places_of(force.nodes, grid, all), {}, Amplitude(force.course, 0.0)};
+    Force part{places_of(force.nodes, grid, all), {}, TabulatedAmplitude(force.amplitude, 0.0)};
     for (std::size_t k = 0; k < force.nodes.size(); ++k) {
       forces_[part.at[k]] = force.nodes[k];
       part.acceleration.push_back(force.nodes[k].acceleration);
@@ -102,35 +103,35 @@ void Loading::find_crowds() {
 void Loading::add(const std::vector<SpreadSupport>& supports, const Lattice& lattice) {
   const Grid& grid = lattice.grid;
   const std::vector<std::size_t> all = union_of(supports, grid);
-  led_.assign(all.size(), LedNode{0, 0, {0, 0}, false, false, 1.0});
+  prescribed_.assign(all.size(), PrescribedNode{0, 0, {0, 0}, false, false, 1.0});
   for (const SpreadSupport& support : supports) {
     const bool velocity = support.kind == Support::Kind::velocity;
     const double unit = (velocity ? dt_ : 1.0) / grid.dx;
-    Lead part{places_of(support.nodes, grid, all),
-              {},
-              false,
-              false,
-              support.kind,
-              Amplitude(support.course, shift_of(support.kind))};
+    Prescription part{places_of(support.nodes, grid, all),
+                      {},
+                      false,
+                      false,
+                      support.kind,
+                      TabulatedAmplitude(support.amplitude, shift_of(support.kind))};
     for (std::size_t k = 0; k < support.nodes.size(); ++k) {
       const HeldNode& node = support.nodes[k];
-      LedNode& led = led_[part.at[k]];
-      led.i = node.i;
-      led.j = node.j;
-      led.along_x |= node.along_x;
-      led.along_y |= node.along_y;
-      led.inertia = lattice.material_at(node.i, node.j).material.rho / lattice.rho;
+      PrescribedNode& prescribed = prescribed_[part.at[k]];
+      prescribed.i = node.i;
+      prescribed.j = node.j;
+      prescribed.along_x |= node.along_x;
+      prescribed.along_y |= node.along_y;
+      prescribed.inertia = lattice.material_at(node.i, node.j).material.rho / lattice.rho;
       part.along_x = node.along_x;
       part.along_y = node.along_y;
       part.value.push_back(unit * node.value);
     }
-    leads_.push_back(std::move(part));
+    prescriptions_.push_back(std::move(part));
   }
 }
 
 void Loading::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end) {
   for (Force& part : parts_) part.amplitude.tabulate(clock, begin, end, dt_);
-  for (Lead& part : leads_) part.amplitude.tabulate(clock, begin, end, dt_);
+  for (Prescription& part : prescriptions_) part.amplitude.tabulate(clock, begin, end, dt_);
 }
 
 void Loading::begin(const Lattice& lattice, State& state) {
@@ -140,12 +141,12 @@ void Loading::begin(const Lattice& lattice, State& state) {
 }
 
 void Loading::follow(const Lattice& lattice, State& state, const std::vector<double>& heat,
-                     std::span<const Loss> losses, LoadSeconds& seconds) {
+                     std::span<const BrokenBond> broken_bonds, LoadSeconds& seconds) {
   const Stopwatch all(seconds.all);
   impact_.fly(state);
   if (!contact_) return;
   const Stopwatch watch(seconds.contact);
-  contact_->take_note(lattice, state, heat, losses);
+  contact_->take_note(lattice, state, heat, broken_bonds);
 }
 
 bool Loading::update(const Lattice& lattice, const State& state, const std::vector<double>& heat,
@@ -154,7 +155,9 @@ bool Loading::update(const Lattice& lattice, const State& state, const std::vect
   const bool changed = std::exchange(fresh_, false) || varies_;
   if (changed) {
     sum_forces([&](const Force& part) { return part.amplitude.at(state.clock, state.step, dt_); });
-    lead(state, [&](const Lead& part) { return part.amplitude.at(state.clock, state.step, dt_); });
+    prescribe(state, [&](const Prescription& part) {
+      return part.amplitude.at(state.clock, state.step, dt_);
+    });
   }
   const bool touched = touch(lattice, state, heat, seconds);
   if (!changed && !touched) return false;
@@ -194,12 +197,12 @@ void Loading::add_work(const Lattice& lattice, const State& state, double& work)
 void Loading::halt(const State& state, double passed) {
   const double now = state.clock.time(state.step, 0.0, dt_);
   fresh_ = true;
-  sum_forces([&](const Force& part) { return part.amplitude.course().at(now); });
+  sum_forces([&](const Force& part) { return part.amplitude.amplitude().at(now); });
   all_ = forces_;
-  lead(state, [&](const Lead& part) {
-    const Course& course = part.amplitude.course();
-    if (part.kind == Support::Kind::displacement) return course.at(now);
-    return passed > 0.0 ? passed / dt_ * course.mean(now - passed, now) : 0.0;
+  prescribe(state, [&](const Prescription& part) {
+    const Amplitude& amplitude = part.amplitude.amplitude();
+    if (part.kind == Support::Kind::displacement) return amplitude.at(now);
+    return passed > 0.0 ? passed / dt_ * amplitude.mean(now - passed, now) : 0.0;
   });
 }
 
@@ -222,11 +225,11 @@ void Loading::sum_forces(const Factor& factor_of) {
 
 // Where several supports hold a node along one axis, the last one does.
 template <class Factor>
-void Loading::lead(const State& state, const Factor& factor_of) {
-  for (const Lead& part : leads_) {
+void Loading::prescribe(const State& state, const Factor& factor_of) {
+  for (const Prescription& part : prescriptions_) {
     const double factor = factor_of(part);
     for (std::size_t k = 0; k < part.at.size(); ++k) {
-      LedNode& node = led_[part.at[k]];
+      PrescribedNode& node = prescribed_[part.at[k]];
       Vec2 move = factor * part.value[k];
       if (part.kind == Support::Kind::displacement) move -= state.origin + state.u(node.i, node.j);
       if (part.along_x) node.move.x() = move.x();

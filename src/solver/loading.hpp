@@ -17,24 +17,25 @@
 namespace hackle {
 
 // A factor of time, asked at the steps of a run.
-class Amplitude {
+class TabulatedAmplitude {
  public:
   // In a step the factor holds of the time when `shift` of it is over.
-  Amplitude(Course course, double shift) : course_(std::move(course)), shift_(shift) {}
+  TabulatedAmplitude(Amplitude amplitude, double shift)
+      : amplitude_(std::move(amplitude)), shift_(shift) {}
 
-  bool is_constant() const { return course_.is_constant(); }
+  bool is_constant() const { return amplitude_.is_constant(); }
   // Asks a function for the steps begin <= n < end, so that at() need not. Throws Error (refused)
   // for more than 1e8 of them.
   void tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt);
   double at(const Clock& clock, std::int64_t step, double dt) const;
-  const Course& course() const { return course_; }
+  const Amplitude& amplitude() const { return amplitude_; }
 
  private:
   double evaluate(const Clock& clock, std::int64_t step, double dt) const {
-    return course_.at(clock.time(step, shift_, dt));
+    return amplitude_.at(clock.time(step, shift_, dt));
   }
 
-  Course course_;
+  Amplitude amplitude_;
   double shift_;
   Clock clock_;             // of the table
   std::int64_t first_ = 0;  // step of table_[0]
@@ -42,7 +43,7 @@ class Amplitude {
 };
 
 // Where a held node goes in this step.
-struct LedNode {
+struct PrescribedNode {
   int i = 0;
   int j = 0;
   Vec2 move{0, 0};  // change of u in the step, lattice units
@@ -74,7 +75,7 @@ class Loading {
   // A step has been done, and these bonds broke in it. `heat` is the thermal strain by Grid::index,
   // empty for 0, here as below.
   void follow(const Lattice& lattice, State& state, const std::vector<double>& heat,
-              std::span<const Loss> losses, LoadSeconds& seconds);
+              std::span<const BrokenBond> broken_bonds, LoadSeconds& seconds);
   // Finds what acts in the step that begins with this state. True when it is not what it was.
   bool update(const Lattice& lattice, const State& state, const std::vector<double>& heat,
               LoadSeconds& seconds);
@@ -86,7 +87,7 @@ class Loading {
 
   // Each node once, ordered by index.
   const std::vector<LoadedNode>& forces() const { return all_; }
-  const std::vector<LedNode>& led() const { return led_; }
+  const std::vector<PrescribedNode>& prescribed() const { return prescribed_; }
   // Whether forces of loads and impacts differ from step to step.
   bool varies() const { return varies_ || !impact_.empty(); }
   // Adds the work that loads and impacts do in a step, of which `state` is the end: all of it, or,
@@ -106,18 +107,18 @@ class Loading {
   std::size_t bytes() const { return contact_ ? contact_->bytes() : 0; }
 
  private:
-  // What one load adds to the entries of forces_ or led_.
+  // What one load adds to the entries of forces_ or prescribed_.
   struct Force {
     std::vector<std::size_t> at;
     std::vector<Vec2> acceleration;  // m/s2
-    Amplitude amplitude;
+    TabulatedAmplitude amplitude;
   };
-  struct Lead {
+  struct Prescription {
     std::vector<std::size_t> at;
     std::vector<Vec2> value;  // in units of dx: of u, or of its change in a step
     bool along_x, along_y;
     Support::Kind kind;
-    Amplitude amplitude;
+    TabulatedAmplitude amplitude;
   };
 
   void add(const std::vector<SpreadForce>& forces, const Grid& grid);
@@ -128,15 +129,15 @@ class Loading {
   bool touch(const Lattice& lattice, const State& state, const std::vector<double>& heat,
              LoadSeconds& seconds);
   template <class Factor>
-  void lead(const State& state, const Factor& factor);
+  void prescribe(const State& state, const Factor& factor);
 
   double dt_;
   std::vector<Force> parts_;
   std::vector<Meeting> crowds_;  // entries of forces_ with three parts or more
-  std::vector<Lead> leads_;
+  std::vector<Prescription> prescriptions_;
   std::vector<LoadedNode> forces_;  // of the loads alone
   std::vector<LoadedNode> all_;
-  std::vector<LedNode> led_;
+  std::vector<PrescribedNode> prescribed_;
   std::optional<ContactForces> contact_;
   Impact impact_;
   bool varies_ = false;

@@ -28,7 +28,7 @@ double sum_of_rows(std::span<const double> of_row) {
                     [&](int j) { return of_row[static_cast<std::size_t>(j)]; });
 }
 
-double most_of_rows(std::span<const double> of_row) {
+double max_of_rows(std::span<const double> of_row) {
   double most = 0.0;
   for (const double value : of_row)
     if (!(value <= most)) most = value;

@@ -44,6 +44,6 @@ double largest_of_row(const NodeLayout& layout, const NodeVectors& a, int j);
 
 // The values of rows as one number.
 double sum_of_rows(std::span<const double> of_row);
-double most_of_rows(std::span<const double> of_row);
+double max_of_rows(std::span<const double> of_row);
 
 }  // namespace hackle

@@ -12,7 +12,7 @@ Breakage break_worst(const std::vector<Overstretched>& beyond, BondBits& bonds) 
   for (const Overstretched& bond : beyond) {
     if (bond.ratio < breaking_share * most) continue;
     bonds.clear(bond.at, bond.bit);
-    broken.losses.push_back({bond.at, bond.bit / 32, std::uint32_t{1} << (bond.bit % 32)});
+    broken.broken_bonds.push_back({bond.at, bond.bit / 32, std::uint32_t{1} << (bond.bit % 32)});
     broken.excess += bond.excess;
   }
   return broken;

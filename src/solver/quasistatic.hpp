@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "solver/relaxation.hpp"
+#include "solver/static_equilibrium.hpp"
 
 namespace hackle {
 
 struct QuasistaticOptions {
-  double duration = 0.0;    // s, of the courses of the loads; above 0
+  double duration = 0.0;    // s, of the amplitudes of the loads; above 0
   int increments = 10;      // equal parts of the duration, >= 1
   double tolerance = 1e-6;  // of RelaxOptions
   // Called from time to time with the progress, 0..1, and where it stands; may throw.
@@ -35,7 +35,7 @@ struct QuasistaticResult {
 inline constexpr double breaking_share = 0.9;
 
 struct Breakage {
-  std::vector<Loss> losses;
+  std::vector<BrokenBond> broken_bonds;
   double excess = 0.0;  // Overstretched::excess of all: given off
 };
 

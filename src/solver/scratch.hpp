@@ -82,7 +82,7 @@ struct Scratch {
   std::vector<TileRun> runs;  // of a row of tiles, over the block and what reaches into it
   int run_count = 0;
   bool computes = false;  // some run computes bonds
-  std::vector<Loss> losses;
+  std::vector<BrokenBond> broken_bonds;
   PathCounts counts{};
 };
 

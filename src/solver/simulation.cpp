@@ -19,9 +19,9 @@
 #include "solver/bond_energy.hpp"
 #include "solver/damping.hpp"
 #include "solver/exact_sum.hpp"
+#include "solver/f32_range.hpp"
 #include "solver/heat_work.hpp"
 #include "solver/meetings.hpp"
-#include "solver/rigid_motion.hpp"
 
 namespace hackle {
 namespace {
@@ -54,13 +54,13 @@ Lattice with_strength(Lattice lattice, std::vector<float> strength) {
 }
 
 // The initial condition of some nodes, in lattice units.
-struct SpreadStart {
+struct SpreadCondition {
   std::vector<std::size_t> at;  // Grid::index
   std::vector<Vec2> u, v;
 };
 
-SpreadStart spread(const Start& start, const Lattice& lattice, double dt) {
-  SpreadStart spread;
+SpreadCondition spread(const InitialCondition& start, const Lattice& lattice, double dt) {
+  SpreadCondition spread;
   for_nodes_in(start.region, lattice.grid, [&](int i, int j) {
     if (lattice.is_void(i, j)) return;
     const Vec2 place = lattice.grid.position(i, j);
@@ -72,11 +72,11 @@ SpreadStart spread(const Start& start, const Lattice& lattice, double dt) {
 }
 
 // The sum of one quantity over all starts, by Grid::index.
-std::vector<Vec2> sum_of(const std::vector<SpreadStart>& starts,
-                         std::vector<Vec2> SpreadStart::*quantity,
+std::vector<Vec2> sum_of(const std::vector<SpreadCondition>& starts,
+                         std::vector<Vec2> SpreadCondition::*quantity,
                          const std::vector<Meeting>& crowds, const Grid& grid) {
   std::vector<Vec2> sum(grid.nodes(), Vec2(0, 0));
-  for (const SpreadStart& start : starts)
+  for (const SpreadCondition& start : starts)
     for (std::size_t k = 0; k < start.at.size(); ++k) sum[start.at[k]] += (start.*quantity)[k];
   for (const Meeting& crowd : crowds) {
     ExactVectorSum exact;
@@ -87,19 +87,19 @@ std::vector<Vec2> sum_of(const std::vector<SpreadStart>& starts,
 }
 
 // Rounded once to the precision of the state, in whatever order the starts were said.
-void set_in_motion(const std::vector<Start>& starts, const Lattice& lattice, double dt,
+void set_in_motion(const std::vector<InitialCondition>& starts, const Lattice& lattice, double dt,
                    State& state) {
   if (starts.empty()) return;
   const Grid& grid = lattice.grid;
-  std::vector<SpreadStart> spreads;
+  std::vector<SpreadCondition> spreads;
   spreads.reserve(starts.size());
-  for (const Start& start : starts) spreads.push_back(spread(start, lattice, dt));
+  for (const InitialCondition& start : starts) spreads.push_back(spread(start, lattice, dt));
   std::vector<const std::vector<std::size_t>*> lists;
   lists.reserve(spreads.size());
-  for (const SpreadStart& start : spreads) lists.push_back(&start.at);
+  for (const SpreadCondition& start : spreads) lists.push_back(&start.at);
   const std::vector<Meeting> crowds = find_meetings(lists, grid.nodes());
-  const std::vector<Vec2> u = sum_of(spreads, &SpreadStart::u, crowds, grid),
-                          v = sum_of(spreads, &SpreadStart::v, crowds, grid);
+  const std::vector<Vec2> u = sum_of(spreads, &SpreadCondition::u, crowds, grid),
+                          v = sum_of(spreads, &SpreadCondition::v, crowds, grid);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       state.set_u(i, j, u[grid.index(i, j)]);
@@ -127,7 +127,7 @@ void check_step(const Plate& plate, const Lattice& lattice, double dt) {
           ? fmt::format("impactor: the step is {}, above the stability limit of {} while it pushes",
                         quantity(dt, "s"), quantity(limit, "s"))
           : fmt::format("impactor: in the step of {} it crosses {:.2g} spacings, {:g} are the most",
-                        quantity(dt, "s"), most_crossed * dt / longest, most_crossed),
+                        quantity(dt, "s"), max_crossed * dt / longest, max_crossed),
       fmt::format("give simulate a step of {} or less; for an impactor that the plate has before "
                   "simulate() it is found",
                   quantity(rounded_down(fit), "s")));
@@ -162,7 +162,7 @@ Simulation::Simulation(Plate plate, Numerics numerics, Execution execution,
       instruction_set_(execution.instruction_set),
       threads_(execution.threads > 0 ? execution.threads : available_cores()),
       engine_(engine_for(numerics_.precision, lattice_, options(), threads_)) {
-  if (!plate_.starts.empty() || !heat_.empty()) start();
+  if (!plate_.initial_conditions.empty() || !heat_.empty()) start();
   throw_if_interrupted();
   prepare();
   state_.external_work += loading_.contact_energy();  // of faces that the start presses
@@ -193,7 +193,7 @@ void Simulation::restore(State state) {
   borne_.clear();
   stop();
   prepare();
-  most_energy_ = energy_of_state() + loading_.contact_energy();
+  max_energy_ = energy_of_state() + loading_.contact_energy();
 }
 
 void Simulation::show(Snapshot snapshot) {
@@ -206,7 +206,7 @@ void Simulation::show(Snapshot snapshot) {
 // The energy of the initial condition is booked as external work.
 void Simulation::start() {
   heat_.update(lattice_, state_);
-  set_in_motion(plate_.starts, lattice_, dt_, state_);
+  set_in_motion(plate_.initial_conditions, lattice_, dt_, state_);
   state_.external_work = energy_of_state();
 }
 
@@ -299,9 +299,9 @@ double Simulation::damp_motion() {
   const Stopwatch watch(step_seconds_.damping);
   const Damping step(plate_.loads.damping * dt_), half(0.5 * plate_.loads.damping * dt_);
   const bool starts = state_.is_start();
-  state_.damped +=
-      (starts ? step.first : step.loss) * free_motion(lattice_, loading_.led(), threads_, state_);
-  damp(lattice_, loading_.led(), starts ? half.keep : step.keep, threads_, state_);
+  state_.damped += (starts ? step.first : step.loss) *
+                   free_motion(lattice_, loading_.prescribed(), threads_, state_);
+  damp(lattice_, loading_.prescribed(), starts ? half.keep : step.keep, threads_, state_);
   return starts ? 0.5 * half.yield : step.yield;
 }
 
@@ -324,14 +324,15 @@ double Simulation::work_of_half_step() const {
 double Simulation::lost_in_half_step() const {
   if (!(plate_.loads.damping > 0.0) || state_.is_start()) return 0.0;
   return 0.5 * Damping(plate_.loads.damping * dt_).loss *
-         free_motion(lattice_, loading_.led(), threads_, state_);
+         free_motion(lattice_, loading_.prescribed(), threads_, state_);
 }
 
 // Finds loads, contacts and impacts for the next step.
 void Simulation::take_loads() {
   std::visit(
       [this](auto& engine) {
-        loading_.follow(lattice_, state_, heat_.values(), engine.losses(), step_seconds_.loads);
+        loading_.follow(lattice_, state_, heat_.values(), engine.broken_bonds(),
+                        step_seconds_.loads);
         if (loading_.update(lattice_, state_, heat_.values(), step_seconds_.loads))
           engine.set_loads(loading_);
       },
@@ -363,7 +364,7 @@ void Simulation::take_heat() {
 // At fixed steps, so that the bits do not depend on how a run is cut into pieces.
 void Simulation::keep_f32_exact() {
   const bool moved = take_out_drift(state_, lattice_.material);
-  if (is_too_wide_for_f32(state_, lattice_.least_stretch(), lattice_.material)) {
+  if (is_too_wide_for_f32(state_, lattice_.min_stretch(), lattice_.material)) {
     state_ = in_f64(state_);
     widened_at_ = time();
     engine_ = engine_for(Precision::f64, lattice_, options(), threads_);
@@ -375,18 +376,18 @@ void Simulation::keep_f32_exact() {
 
 void Simulation::count_external_work() {
   loading_.add_work(lattice_, state_, state_.external_work);
-  if (loading_.led().empty()) return;
+  if (loading_.prescribed().empty()) return;
   state_.external_work +=
-      std::visit([](const auto& engine) { return engine.work_of_leads(); }, engine_);
+      std::visit([](const auto& engine) { return engine.prescribed_work(); }, engine_);
 }
 
 // The work of supports in the second half of the last step: they balance all forces on prescribed
 // nodes (src/solver/README.md 3.5).
-double Simulation::work_of_led_half_step() const {
-  if (loading_.led().empty() || state_.is_start()) return 0.0;
+double Simulation::prescribed_work_of_half_step() const {
+  if (loading_.prescribed().empty() || state_.is_start()) return 0.0;
   const std::vector<Vec2> a = accelerations();
   double sum = 0.0;
-  for (const LedNode& node : loading_.led()) {
+  for (const PrescribedNode& node : loading_.prescribed()) {
     const Vec2& push = a[lattice_.grid.index(node.i, node.j)];
     const Vec2 v = state_.v(node.i, node.j);
     if (node.along_x) sum -= node.inertia * push.x() * v.x();
@@ -402,10 +403,10 @@ void Simulation::aim(double duration) {
   const double end = end_time_ + duration;
   // Tolerance: an exact multiple of dt must not gain a step by rounding.
   const double steps = std::ceil((end - state_.clock.moment) / dt_ - 1e-9);
-  if (!(steps <= most_steps))
+  if (!(steps <= max_steps))
     throw Error(ErrorKind::refused,
                 fmt::format("run: the duration is {}, which is more than {:.0e} steps of {}",
-                            quantity(duration, "s"), most_steps, quantity(dt_, "s")));
+                            quantity(duration, "s"), max_steps, quantity(dt_, "s")));
   const auto last_step = state_.clock.since + static_cast<std::int64_t>(steps);
   loading_.tabulate(state_.clock, state_.step, last_step + 1);
   heat_.tabulate(state_.clock, state_.step, last_step + 1);
@@ -483,8 +484,8 @@ double Simulation::check_motion() const {
 // the error of the step. If it is far above, the solution has diverged.
 void Simulation::check_energy(double motion) {
   constexpr double beyond_reason = 1000.0;
-  most_energy_ = std::max(most_energy_, std::abs(state_.external_work));
-  if (0.5 * motion <= beyond_reason * most_energy_) return;
+  max_energy_ = std::max(max_energy_, std::abs(state_.external_work));
+  if (0.5 * motion <= beyond_reason * max_energy_) return;
   const Grid& grid = lattice_.grid;
   int fastest_i = 0, fastest_j = 0;
   for (int j = 0; j < grid.ny; ++j)
@@ -512,7 +513,7 @@ double Simulation::energy_unit() const {
 }
 
 double Simulation::external_work() const {
-  double work = state_.external_work + work_of_led_half_step();
+  double work = state_.external_work + prescribed_work_of_half_step();
   if (!heat_.empty() && heat_.changes_until(state_))
     work += heat_work_between(heat_.before(lattice_, state_), heat_.values());
   return work * energy_unit();
@@ -526,7 +527,7 @@ double Simulation::damped_energy() const {
   double damped = state_.damped;
   if (plate_.loads.damping > 0.0 && !state_.is_start())
     damped += Damping(plate_.loads.damping * dt_).last *
-              free_motion(lattice_, loading_.led(), threads_, state_);
+              free_motion(lattice_, loading_.prescribed(), threads_, state_);
   return damped * energy_unit();
 }
 
@@ -579,10 +580,10 @@ std::vector<Vec2> Simulation::velocities() const {
       Vec2& v = result[grid.index(i, j)];
       v = unit * (keep * state_.v(i, j) + 0.5 * half.yield * v);
     }
-  for (const LedNode& node : loading_.led()) {
-    const Vec2 led = unit * state_.v(node.i, node.j);
+  for (const PrescribedNode& node : loading_.prescribed()) {
+    const Vec2 prescribed = unit * state_.v(node.i, node.j);
     Vec2& v = result[grid.index(node.i, node.j)];
-    v = {node.along_x ? led.x() : v.x(), node.along_y ? led.y() : v.y()};
+    v = {node.along_x ? prescribed.x() : v.x(), node.along_y ? prescribed.y() : v.y()};
   }
   return result;
 }
@@ -591,9 +592,10 @@ bool Simulation::holds(int i, int j, int column, int row) const {
   return hackle::holds(lattice_.grid, lattice_.family, state_.bonds, i, j, column, row);
 }
 
-const std::vector<Loss>& Simulation::losses() const {
-  return std::visit([](const auto& engine) -> const std::vector<Loss>& { return engine.losses(); },
-                    engine_);
+const std::vector<BrokenBond>& Simulation::broken_bonds() const {
+  return std::visit(
+      [](const auto& engine) -> const std::vector<BrokenBond>& { return engine.broken_bonds(); },
+      engine_);
 }
 
 const PathCounts& Simulation::path_counts() const {
@@ -610,7 +612,7 @@ std::size_t Simulation::bytes() const {
       state_.motion);
   const std::size_t engine = std::visit([](const auto& e) { return e.bytes(); }, engine_);
   return motion + engine + bytes_of(state_.bonds.words()) + bytes_of(lattice_.bonds.words()) +
-         bytes_of(lattice_.unbreakable.words()) + bytes_of(lattice_.born) +
+         bytes_of(lattice_.unbreakable.words()) + bytes_of(lattice_.initial_neighbours) +
          bytes_of(lattice_.strength) + bytes_of(lattice_.material) + heat_.bytes() +
          loading_.bytes();
 }

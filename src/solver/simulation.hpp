@@ -19,7 +19,7 @@
 
 namespace hackle {
 
-inline constexpr double most_steps = 1e15;  // of a run; whole numbers up to there are exact
+inline constexpr double max_steps = 1e15;  // of a run; whole numbers up to there are exact
 
 // How a run is carried out; none of it changes a bit of the result.
 struct Execution {
@@ -83,14 +83,14 @@ class Simulation {
   // Error (interrupted) on Ctrl-C: then nothing has changed.
   RelaxResult relax(const RelaxOptions& options = {});
 
-  // Goes through `duration` seconds of the courses of all loads slowly, without a step: increments
-  // may be shorter than one. It begins now and ends `duration` after the time that was asked for
-  // before, which a run may have passed by part of a step. At the end of each of equal increments
-  // of time, exactly then, the plate is brought to rest (see relax); while bonds are then stretched
-  // too far, the worst of them break and it is brought to rest again. Observers see the beginning
-  // and the state after each increment, when they are due, and may change loads there. Ends early
-  // when the plate comes apart, which is a result, or when an observer breaks off. Throws what
-  // relax throws, with the state after the last increment that was completed.
+  // Goes through `duration` seconds of the amplitudes of all loads slowly, without a step:
+  // increments may be shorter than one. It begins now and ends `duration` after the time that was
+  // asked for before, which a run may have passed by part of a step. At the end of each of equal
+  // increments of time, exactly then, the plate is brought to rest (see relax); while bonds are
+  // then stretched too far, the worst of them break and it is brought to rest again. Observers see
+  // the beginning and the state after each increment, when they are due, and may change loads
+  // there. Ends early when the plate comes apart, which is a result, or when an observer breaks
+  // off. Throws what relax throws, with the state after the last increment that was completed.
   QuasistaticResult load_slowly(const QuasistaticOptions& options,
                                 std::span<Observer* const> observers = {});
 
@@ -132,7 +132,7 @@ class Simulation {
   // Whether the bond of node (i, j) to (i + column, j + row) holds.
   bool holds(int i, int j, int column, int row) const;
   // The bonds that broke in the last step, or increment of slow loading.
-  const std::vector<Loss>& losses() const;
+  const std::vector<BrokenBond>& broken_bonds() const;
   // Tile-steps so far by the path they took.
   const PathCounts& path_counts() const;
   // When a run in f32 went over to f64, s: its displacements had grown too large.
@@ -165,9 +165,9 @@ class Simulation {
   double heat_work_between(const std::vector<double>& before,
                            const std::vector<double>& after) const;
   void count_external_work();
-  double work_of_half_step() const;      // the ledger's, in units of the state's
-  double work_of_led_half_step() const;  // likewise
-  double lost_in_half_step() const;      // likewise
+  double work_of_half_step() const;             // the ledger's, in units of the state's
+  double prescribed_work_of_half_step() const;  // likewise
+  double lost_in_half_step() const;             // likewise
   void change_damping(double rate);
   std::vector<Vec2> accelerations() const;  // lattice units, by Grid::index, as if nothing were led
   double energy_unit() const;               // J/m
@@ -183,15 +183,15 @@ class Simulation {
     std::vector<double> heat;       // thermal strain
   };
   Departure depart();
-  Equilibrium go_to_rest(const Departure& from, Relaxation& relaxation,
+  Equilibrium go_to_rest(const Departure& from, StaticEquilibrium& equilibrium,
                          const RelaxOptions& options);
-  Equilibrium settle(Relaxation& relaxation, const RelaxOptions& options);
+  Equilibrium settle(StaticEquilibrium& equilibrium, const RelaxOptions& options);
   void load_to(double end, const QuasistaticOptions& options, QuasistaticResult& result);
   void break_and_settle(double end, const QuasistaticOptions& options, QuasistaticResult& result,
-                        std::vector<Loss>& losses);
+                        std::vector<BrokenBond>& broken_bonds);
   void let_look(std::span<Observer* const> observers) const;
   void put(const NodeVectors& u);
-  void come_to_rest(std::vector<Loss> losses);
+  void come_to_rest(std::vector<BrokenBond> broken_bonds);
 
   Plate plate_;
   Numerics numerics_;
@@ -207,7 +207,7 @@ class Simulation {
   double solve_seconds_ = 0.0;
   StepSeconds step_seconds_;
   std::optional<double> widened_at_;
-  double most_energy_ = 0.0;  // the most energy put in so far, in units of the state's work
+  double max_energy_ = 0.0;  // the most energy put in so far, in units of the state's work
 
   InstructionSet instruction_set_;
   Threads threads_;

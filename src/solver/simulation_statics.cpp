@@ -57,22 +57,22 @@ Simulation::Departure Simulation::depart() {
 
 // Half of the change of temperature acts where the plate was, half where it comes to rest: exact
 // while forces are linear in both.
-Equilibrium Simulation::go_to_rest(const Departure& from, Relaxation& relaxation,
+Equilibrium Simulation::go_to_rest(const Departure& from, StaticEquilibrium& equilibrium,
                                    const RelaxOptions& options) {
   const bool heats = from.heat != heat_.values();
-  relaxation.comes_from(from.loads, heats ? from.heat : std::span<const double>());
+  equilibrium.comes_from(from.loads, heats ? from.heat : std::span<const double>());
   const auto heating = [&] {
     return heats ? 0.5 * heat_work(lattice_, state_, from.heat, heat_.values(), threads_) : 0.0;
   };
   const double before = heating();
-  Equilibrium rest = settle(relaxation, options);
+  Equilibrium rest = settle(equilibrium, options);
   state_.external_work += (before + heating()) / energy_unit();
   return rest;
 }
 
 // Moves the plate to where it comes to rest and books the work.
-Equilibrium Simulation::settle(Relaxation& relaxation, const RelaxOptions& options) {
-  Equilibrium rest = relaxation.solve(options);
+Equilibrium Simulation::settle(StaticEquilibrium& equilibrium, const RelaxOptions& options) {
+  Equilibrium rest = equilibrium.solve(options);
   put(rest.u);
   const double unit = lattice_.calibration.c * std::pow(lattice_.grid.dx, 5) / energy_unit();
   state_.external_work += rest.work.external * unit;
@@ -82,7 +82,7 @@ Equilibrium Simulation::settle(Relaxation& relaxation, const RelaxOptions& optio
 
 // Leaves the plate at rest under the loads that act since Loading::halt(). Contacts took no part:
 // what is stored in them now and was not before came from nowhere.
-void Simulation::come_to_rest(std::vector<Loss> losses) {
+void Simulation::come_to_rest(std::vector<BrokenBond> broken_bonds) {
   borne_ = loading_.forces();
   for (int j = 0; j < lattice_.grid.ny; ++j)
     for (int i = 0; i < lattice_.grid.nx; ++i) state_.set_v(i, j, {0, 0});
@@ -91,7 +91,7 @@ void Simulation::come_to_rest(std::vector<Loss> losses) {
   const double stored = loading_.contact_energy();
   prepare();
   state_.contact_lost -= loading_.contact_energy() - stored;
-  std::visit([&](auto& engine) { engine.note_losses(std::move(losses)); }, engine_);
+  std::visit([&](auto& engine) { engine.note_broken_bonds(std::move(broken_bonds)); }, engine_);
 }
 
 RelaxResult Simulation::relax(const RelaxOptions& options) {
@@ -100,8 +100,8 @@ RelaxResult Simulation::relax(const RelaxOptions& options) {
   try {
     const Departure from = depart();
     loading_.halt(state_, 0.0);
-    Relaxation relaxation(lattice_, state_, loading_, heat_.values(), threads_);
-    const RelaxResult result = go_to_rest(from, relaxation, options).result;
+    StaticEquilibrium equilibrium(lattice_, state_, loading_, heat_.values(), threads_);
+    const RelaxResult result = go_to_rest(from, equilibrium, options).result;
     come_to_rest({});
     return result;
   } catch (...) {
@@ -119,11 +119,11 @@ QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
                     "least 1 increment",
                     options.duration, options.increments));
   const double begin = time(), end = end_time_ + options.duration;
-  if (!(begin + options.duration <= most_steps * dt_))
+  if (!(begin + options.duration <= max_steps * dt_))
     throw Error(
         ErrorKind::refused,
         fmt::format("quasistatic: the duration is {}, which is more than {:.0e} steps of {}",
-                    quantity(options.duration, "s"), most_steps, quantity(dt_, "s")));
+                    quantity(options.duration, "s"), max_steps, quantity(dt_, "s")));
   if (!(begin + options.duration / options.increments > begin))
     throw Error(
         ErrorKind::refused,
@@ -152,10 +152,10 @@ void Simulation::load_to(double end, const QuasistaticOptions& options, Quasista
     restore(before);
     borne_ = borne;
   };
-  std::vector<Loss> losses;
+  std::vector<BrokenBond> broken_bonds;
   result.passes.push_back(0);
   try {
-    break_and_settle(end, options, result, losses);
+    break_and_settle(end, options, result, broken_bonds);
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::interrupted || result.passes.back() <= 1) {
       undo();
@@ -167,14 +167,15 @@ void Simulation::load_to(double end, const QuasistaticOptions& options, Quasista
     undo();
     throw;
   }
-  come_to_rest(std::move(losses));
+  come_to_rest(std::move(broken_bonds));
   stop();
 }
 
 // The first pass loads without breaking. All later ones are jumps: nothing is prescribed to move,
 // and loads stay what they are.
 void Simulation::break_and_settle(double end, const QuasistaticOptions& options,
-                                  QuasistaticResult& result, std::vector<Loss>& losses) {
+                                  QuasistaticResult& result,
+                                  std::vector<BrokenBond>& broken_bonds) {
   const int increment = static_cast<int>(result.passes.size()) - 1;
   const RelaxOptions each{options.tolerance,
                           [&](double fraction, int) {
@@ -192,20 +193,20 @@ void Simulation::break_and_settle(double end, const QuasistaticOptions& options,
   state_.start = state_.step;
   heat_.update(lattice_, state_);
   loading_.halt(state_, passed);
-  Relaxation relaxation(lattice_, state_, loading_, heat_.values(), threads_);
+  StaticEquilibrium equilibrium(lattice_, state_, loading_, heat_.values(), threads_);
   ++result.passes.back();
-  Equilibrium rest = go_to_rest(from, relaxation, each);
+  Equilibrium rest = go_to_rest(from, equilibrium, each);
   for (;;) {
     result.iterations += rest.result.iterations;
     const Breakage broken = break_worst(rest.beyond, state_.bonds);
-    if (broken.losses.empty()) return;
+    if (broken.broken_bonds.empty()) return;
     const double unit = lattice_.calibration.c * std::pow(lattice_.grid.dx, 5) / energy_unit();
     state_.released += broken.excess * unit;
-    result.broken += std::ssize(broken.losses);
-    losses.insert(losses.end(), broken.losses.begin(), broken.losses.end());
+    result.broken += std::ssize(broken.broken_bonds);
+    broken_bonds.insert(broken_bonds.end(), broken.broken_bonds.begin(), broken.broken_bonds.end());
     ++result.passes.back();
-    relaxation.lose(broken.losses);
-    rest = settle(relaxation, each);
+    equilibrium.lose(broken.broken_bonds);
+    rest = settle(equilibrium, each);
   }
 }
 

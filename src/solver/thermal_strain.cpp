@@ -38,13 +38,13 @@ void check(const std::vector<double>& strain, const Grid& grid) {
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const double own = strain[grid.index(i, j)];
-      if (std::abs(own) <= most_thermal_strain) continue;
+      if (std::abs(own) <= max_thermal_strain) continue;
       const Vec2 place = grid.position(i, j);
       throw Error(
           ErrorKind::refused,
           fmt::format("temperature: it strains the material by {:.3g} at x = {}, y = {}: "
                       "alphaT times the change must lie within +-{:g}",
-                      own, quantity(place.x(), "m"), quantity(place.y(), "m"), most_thermal_strain),
+                      own, quantity(place.x(), "m"), quantity(place.y(), "m"), max_thermal_strain),
           "take a smaller change of temperature; alphaT of glass is about 3e-6 to 9e-6/K");
     }
 }
@@ -55,7 +55,7 @@ ThermalStrain::ThermalStrain(const Plate& plate, const Lattice& lattice, double 
   std::vector<SpreadHeat> heat = spread_heat(plate, lattice);
   if (heat.size() > 2) crowds_ = crowds_of(heat, lattice.grid);
   for (SpreadHeat& part : heat)
-    parts_.push_back({part.range, std::move(part.strain), Amplitude(part.course, 0.0)});
+    parts_.push_back({part.range, std::move(part.strain), TabulatedAmplitude(part.amplitude, 0.0)});
 }
 
 void ThermalStrain::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end) {

@@ -14,7 +14,7 @@ namespace hackle {
 
 // A bond between i and j is at rest when its e is th_i + th_j, th = alphaT dT of its ends: its
 // stretch is then their mean, to the first order. More than this is beyond that order.
-inline constexpr double most_thermal_strain = 0.1;
+inline constexpr double max_thermal_strain = 0.1;
 
 class ThermalStrain {
  public:
@@ -28,7 +28,7 @@ class ThermalStrain {
   void tabulate(const Clock& clock, std::int64_t begin, std::int64_t end);
 
   // Finds the strain at the time of the state. True when it is not what it was. Throws Error
-  // (refused), and leaves it as it was, where it would exceed most_thermal_strain.
+  // (refused), and leaves it as it was, where it would exceed max_thermal_strain.
   bool update(const Lattice& lattice, const State& state);
 
   // By Grid::index; empty when nothing is heated.
@@ -51,7 +51,7 @@ class ThermalStrain {
   struct Part {
     NodeRange range;
     std::vector<double> strain;
-    Amplitude amplitude;
+    TabulatedAmplitude amplitude;
   };
   using Factors = std::vector<double>;                               // by part
   Factors factors_at(const State& state, std::int64_t steps) const;  // from there

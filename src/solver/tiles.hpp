@@ -33,7 +33,7 @@ struct TileRange {
   Real direct{};  // |d_x u_x|, |d_y u_y|
   Real xy{};      // |d_y u_x|
   Real yx{};      // |d_x u_y|
-  Real least_threshold{};
+  Real min_threshold{};
   std::uint32_t moving = 0;  // some u or v is not 0
 };
 

@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-constexpr hsize_t most_chunk_values = 1 << 17;  // 512 KiB of f32: good for compression and reading
+constexpr hsize_t max_chunk_values = 1 << 17;  // 512 KiB of f32: good for compression and reading
 constexpr hsize_t series_chunk = 2048;
 constexpr unsigned deflate_level = 1;  // level 4 takes 1.4 times as long for 2 % less
 
@@ -39,7 +39,7 @@ Hdf5Handle timeless() {
 
 // How a dataset is cut and compressed: each column by itself, in pieces of at most 512 KiB of f32.
 Hdf5Handle storage(std::vector<hsize_t> shape) {
-  shape[0] = std::clamp<hsize_t>(shape[0], 1, most_chunk_values);
+  shape[0] = std::clamp<hsize_t>(shape[0], 1, max_chunk_values);
   if (shape.size() > 1) shape[1] = 1;
   Hdf5Handle plan = timeless();
   H5Pset_chunk(plan.get(), static_cast<int>(shape.size()), shape.data());

@@ -21,16 +21,16 @@
 namespace hackle {
 namespace {
 
-constexpr std::size_t most_text = std::size_t{1} << 26U;       // bytes
-constexpr std::size_t most_attribute = std::size_t{1} << 16U;  // bytes, as the format has it
-constexpr hsize_t most_piece = hsize_t{1} << 21U;              // bytes; ours are half of it at most
-constexpr hsize_t least_piece = 1024;                          // rows, where there are so many
-constexpr std::size_t small_piece = std::size_t{1} << 16U;     // bytes; unpacks to 66 MB at most
+constexpr std::size_t max_text = std::size_t{1} << 26U;       // bytes
+constexpr std::size_t max_attribute = std::size_t{1} << 16U;  // bytes, as the format has it
+constexpr hsize_t max_piece = hsize_t{1} << 21U;              // bytes; ours are half of it at most
+constexpr hsize_t min_piece = 1024;                           // rows, where there are so many
+constexpr std::size_t small_piece = std::size_t{1} << 16U;    // bytes; unpacks to 66 MB at most
 constexpr hsize_t rows_at_once = hsize_t{1} << 20U;
-constexpr hsize_t most_packed = 1100;  // deflate makes nothing smaller by more than 1032 times
+constexpr hsize_t max_packed = 1100;  // deflate makes nothing smaller by more than 1032 times
 constexpr std::string_view locked = "Resource temporarily unavailable";
 constexpr std::string_view cut_off = "it is cut off";
-constexpr int most_trials = 20;  // of opening a file that grows
+constexpr int max_trials = 20;  // of opening a file that grows
 constexpr std::chrono::milliseconds between_trials{5};
 
 std::string extents_text(const std::vector<hsize_t>& shape) {
@@ -49,8 +49,8 @@ H5Z_filter_t filter_at(const Hdf5Handle& plan, int place) {
 
 bool is_number(hid_t type) {
   const H5T_class_t kind = H5Tget_class(type);
-  constexpr std::size_t most_size = 8;
-  return (kind == H5T_INTEGER || kind == H5T_FLOAT) && H5Tget_size(type) <= most_size;
+  constexpr std::size_t max_size = 8;
+  return (kind == H5T_INTEGER || kind == H5T_FLOAT) && H5Tget_size(type) <= max_size;
 }
 
 // In words of our own: those of the library may repeat names that stand in the file.
@@ -81,7 +81,7 @@ Hdf5Handle opened_once(const std::filesystem::path& path, std::string& why) {
 Hdf5Handle opened_growing(const std::filesystem::path& path, std::string& why) {
   for (int trial = 1;; ++trial) {
     Hdf5Handle file = opened_once(path, why);
-    if (file.get() >= 0 || why != cut_off || trial == most_trials) return file;
+    if (file.get() >= 0 || why != cut_off || trial == max_trials) return file;
     std::this_thread::sleep_for(between_trials);
   }
 }
@@ -140,7 +140,7 @@ std::string Hdf5Reader::text_of(hid_t type, const std::string& name, std::size_t
 std::string Hdf5Reader::attribute(const std::string& name) const {
   const Hdf5Handle attribute = open_attribute(name);
   const Hdf5Handle type(H5Aget_type(attribute.get()), H5Tclose);
-  return text_of(type.get(), name, most_attribute,
+  return text_of(type.get(), name, max_attribute,
                  [&](char* text) { return H5Aread(attribute.get(), type.get(), text); });
 }
 
@@ -152,7 +152,7 @@ std::string Hdf5Reader::text(const std::string& name) const {
   if (H5Dget_storage_size(dataset.get()) < H5Tget_size(type.get()))
     refuse(fmt::format("its {} is missing or damaged", name));
   stop_if_interrupted();
-  return text_of(type.get(), name, most_text, [&](char* text) {
+  return text_of(type.get(), name, max_text, [&](char* text) {
     return H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
   });
 }
@@ -216,9 +216,9 @@ void Hdf5Reader::check_pieces(const Hdf5Handle& dataset, const Hdf5Handle& plan,
   std::array<hsize_t, 2> piece{1, 1};
   const int count = H5Pget_chunk(plan.get(), 2, piece.data());
   const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
-  if (count < 1 || count > 2 || piece[0] > most_piece || piece[1] > most_piece ||
-      piece[0] * piece[1] * H5Tget_size(type.get()) > most_piece ||
-      piece[0] < std::min(shape[0], least_piece))
+  if (count < 1 || count > 2 || piece[0] > max_piece || piece[1] > max_piece ||
+      piece[0] * piece[1] * H5Tget_size(type.get()) > max_piece ||
+      piece[0] < std::min(shape[0], min_piece))
     refuse(fmt::format("its {} is in pieces of another size", name));
   if (!is_packed) return;
   const std::size_t size = piece[0] * piece[1] * H5Tget_size(type.get());
@@ -316,7 +316,7 @@ void Hdf5Reader::check_shape(const std::string& name, const std::vector<hsize_t>
   const Hdf5Handle dataset = open_shaped(name, shape);
   const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
   // What nobody wrote takes no room, and reads as 0.
-  if (H5Dget_storage_size(dataset.get()) * most_packed < shape[0] * H5Tget_size(type.get()))
+  if (H5Dget_storage_size(dataset.get()) * max_packed < shape[0] * H5Tget_size(type.get()))
     refuse(fmt::format("its {} has more rows than it has data", name));
 }
 

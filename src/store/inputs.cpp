@@ -32,11 +32,11 @@ Json function_json(const std::string& text) {
   return {{"function", text}};
 }
 
-Json to_json(const Course& course) {
-  if (course.is_function()) return function_json(course.describe());
-  if (course.is_constant()) return "constant";
+Json to_json(const Amplitude& amplitude) {
+  if (amplitude.is_function()) return function_json(amplitude.describe());
+  if (amplitude.is_constant()) return "constant";
   Json list = Json::array();
-  for (const Vec2& point : course.points()) list.push_back(to_json(point));
+  for (const Vec2& point : amplitude.points()) list.push_back(to_json(point));
   return list;
 }
 

@@ -21,11 +21,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int most_depth = 16;
+constexpr int max_depth = 16;
 // Sixteen bytes each, of a text that has two at least: of a crack they are nine.
-constexpr std::int64_t most_values = 8'000'000;
-constexpr std::int64_t most_cells = std::int64_t{1} << 24;  // of a picture, as when it was read
-constexpr std::int64_t most_cells_in_all = 4 * most_cells;
+constexpr std::int64_t max_values = 8'000'000;
+constexpr std::int64_t max_cells = std::int64_t{1} << 24;  // of a picture, as when it was read
+constexpr std::int64_t max_cells_in_all = 4 * max_cells;
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorKind::files, "the inputs of the run cannot be read: " + what);
@@ -64,8 +64,8 @@ class Cells {
  public:
   // From how many cells in a row are outside, then inside, and so on; a text or a list.
   std::vector<std::uint8_t> read(const Json& run_lengths, std::int64_t count) {
-    if (count < 0 || count > most_cells) refuse("a picture is too large");
-    if ((all_ += count) > most_cells_in_all) refuse("its pictures are too many");
+    if (count < 0 || count > max_cells) refuse("a picture is too large");
+    if ((all_ += count) > max_cells_in_all) refuse("its pictures are too many");
     stop_if_interrupted();
     const auto lengths = run_lengths.is_string()
                              ? lengths_in(run_lengths.get_ref<const std::string&>())
@@ -162,15 +162,15 @@ class Reader {
       field = json.get<double>();
   }
 
-  void read(const Json& json, Course& course) {
+  void read(const Json& json, Amplitude& amplitude) {
     if (json == "constant") return;
     if (json.is_array()) {
       std::vector<Vec2> points;
       read(json, points);
-      course = Course(std::move(points));
+      amplitude = Amplitude(std::move(points));
     } else {
       const Json& text = json.is_object() ? json.at("function") : json;
-      course = Course([](double) -> double { refuse_function(); }, text.get<std::string>());
+      amplitude = Amplitude([](double) -> double { refuse_function(); }, text.get<std::string>());
     }
   }
 
@@ -220,10 +220,10 @@ class Reader {
 class Bounds {
  public:
   bool operator()(int depth, Json::parse_event_t event, Json&) {
-    if (depth > most_depth) refuse("it goes too deep");
+    if (depth > max_depth) refuse("it goes too deep");
     if (event == Json::parse_event_t::object_end || event == Json::parse_event_t::array_end)
       return true;
-    if (++values_ > most_values) refuse(fmt::format("it holds more than {} values", most_values));
+    if (++values_ > max_values) refuse(fmt::format("it holds more than {} values", max_values));
     constexpr std::int64_t now_and_then = 4096;
     if (values_ % now_and_then == 0) stop_if_interrupted();
     return true;

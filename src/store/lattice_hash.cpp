@@ -16,7 +16,7 @@ std::string lattice_hash(const Lattice& lattice) {
       hash.add(std::span(constant, 1));
   hash.add(std::span(lattice.material));
   hash.add(std::span(lattice.bonds.words()));
-  hash.add(std::span(lattice.born));
+  hash.add(std::span(lattice.initial_neighbours));
   hash.add(std::span(lattice.strength));
   return hash.hex();
 }

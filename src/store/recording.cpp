@@ -19,7 +19,7 @@
 namespace hackle {
 namespace {
 
-constexpr std::int64_t most_records = 1'000'000;
+constexpr std::int64_t max_records = 1'000'000;
 
 void check_format(const Hdf5Reader& file) {
   if (!file.has_attribute("software") || file.attribute("software") != "Hackle" ||
@@ -37,7 +37,7 @@ void check_format(const Hdf5Reader& file) {
 // A plate that is only looked at: what acts on it is not asked.
 Plate unloaded(Plate plate) {
   plate.loads = {};
-  plate.starts.clear();
+  plate.initial_conditions.clear();
   plate.contact.reset();
   return plate;
 }
@@ -86,7 +86,7 @@ void check_lattice(const Hdf5Reader& file, const Lattice& lattice) {
 
 std::int64_t committed(const Hdf5Reader& file) {
   const std::int64_t count = file.integer("records_committed");
-  if (count < 0 || count > most_records)
+  if (count < 0 || count > max_records)
     file.refuse(fmt::format("it says that it holds {} records", count));
   if (count == 0) file.refuse("it holds no record", "its run ended before the first one");
   return count;
@@ -126,7 +126,7 @@ struct Recording::Parts {
     steps = file.first_integers("step", count);
     for (std::size_t k = 0; k < count; ++k)
       if (!(std::isfinite(times[k]) && steps[k] >= 0 &&
-            static_cast<double>(steps[k]) <= most_steps && (k == 0 || times[k] >= times[k - 1])))
+            static_cast<double>(steps[k]) <= max_steps && (k == 0 || times[k] >= times[k - 1])))
         file.refuse(fmt::format("time or step of record {} is damaged", k));
     origin = {file.attribute("script_name"), file.text("script")};
   }

@@ -22,8 +22,8 @@
 namespace hackle {
 namespace {
 
-constexpr unsigned most_groups = 1000;  // of a thousand records each
-constexpr unsigned most_members = 6;    // of a record
+constexpr unsigned max_groups = 1000;  // of a thousand records each
+constexpr unsigned max_members = 6;    // of a record
 
 std::vector<double> places(const Grid& grid) {
   std::vector<double> list;
@@ -47,15 +47,15 @@ void require_finite(const Field& field) {
 // The bonds broken since the start, as bits: node by node, the words of each side by side.
 std::vector<std::uint32_t> broken_bonds(const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
-  const BondBits &born = simulation.lattice().bonds, &now = simulation.state().bonds;
+  const BondBits &initial = simulation.lattice().bonds, &now = simulation.state().bonds;
   const auto words = static_cast<std::size_t>(simulation.lattice().family.words());
   std::vector<std::uint32_t> broken;
   broken.reserve(words * grid.nodes());
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       auto at = static_cast<std::size_t>(grid.layout().at(i, j));
-      for (std::size_t word = 0; word < words; ++word, at += born.plane())
-        broken.push_back(born.words()[at] & ~now.words()[at]);
+      for (std::size_t word = 0; word < words; ++word, at += initial.plane())
+        broken.push_back(initial.words()[at] & ~now.words()[at]);
     }
   return broken;
 }
@@ -121,7 +121,7 @@ struct RunFile::Parts {
             H5T_NATIVE_UINT8, 1, simulation.lattice().material.data());
     time = file.series("time", H5T_IEEE_F64LE, "s", "simulated time of each record");
     step = file.series("step", H5T_STD_I64LE, "", "time steps done at each record");
-    file.name(file.group(most_groups), "records");
+    file.name(file.group(max_groups), "records");
     file.flush();
   }
 
@@ -212,7 +212,7 @@ void RunFile::add(const Simulation& simulation) {
   if (record % records_a_group == 0) parts_->begin_thousand();
   // Three flushes: first what nothing points to yet, then the names, then the word that it counts.
   // At no moment does anything committed depend on bytes that are still to come.
-  const Hdf5Handle group = file.group(most_members);
+  const Hdf5Handle group = file.group(max_members);
   parts_->write_field(group, damage(simulation),
                       "share of the bonds a node was born with that are broken");
   parts_->write_field(group, displacement(simulation), "displacement of the nodes");

@@ -56,13 +56,13 @@ TEST(Memory, OfTheProcessIsWithinAThirdOfWhatWasSaid) {
        [](Plate& plate) {
          plate.loads.body_forces.push_back({{}, Vec2(1e5, 0.0), {}});
        }},
-      {"p:start { velocity = {1, 0} }",
+      {"p:initial { velocity = {1, 0} }",
        [](Plate& plate) {
-         plate.starts.push_back({{}, Vec2(0.0, 0.0), Vec2(1.0, 0.0)});
+         plate.initial_conditions.push_back({{}, Vec2(0.0, 0.0), Vec2(1.0, 0.0)});
        }},
       {"p:temperature { change = 1, time = ramp(1*us) }",
        [](Plate& plate) {
-         plate.loads.heatings.push_back({{}, 1.0, ramp(1e-6)});
+         plate.loads.thermal_loads.push_back({{}, 1.0, ramp(1e-6)});
        }},
   };
   for (const Precision precision : {Precision::f32, Precision::f64})

@@ -43,13 +43,13 @@ TEST_F(NotesTest, ADampedPlateUnderASmallLoadStaysWhole) {
 }
 
 TEST_F(NotesTest, WhatComesAndGoesBetweenStepsIsSaidBeforeTheRun) {
-  for (const char* course :
+  for (const char* amplitude :
        {"time = pulse(1e-12)", "time = {{0, 0}, {1.01*us, 0}, {1.02*us, 1}, {1.03*us, 0}}",
         "time = function(t) return math.sin(2*math.pi*t/20e-9) end"}) {
-    const auto ended = run(pulled(std::string("stress = {0, 1e6}, ") + course));
+    const auto ended = run(pulled(std::string("stress = {0, 1e6}, ") + amplitude));
     EXPECT_EQ(ended.code, 0) << ended.err;
-    EXPECT_THAT(ended.err, HasSubstr("note: traction comes and goes within")) << course;
-    EXPECT_THAT(ended.err, HasSubstr("give a step of")) << course;
+    EXPECT_THAT(ended.err, HasSubstr("note: traction comes and goes within")) << amplitude;
+    EXPECT_THAT(ended.err, HasSubstr("give a step of")) << amplitude;
   }
   const auto ended = run(pulled("stress = {0, 1e6}, time = ramp(2*us)"));
   EXPECT_THAT(ended.err, Not(HasSubstr("note")));

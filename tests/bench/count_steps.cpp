@@ -33,7 +33,8 @@ int main(int argc, char** argv) {
   }
   if (with("heated") || with("warming")) {
     plate.material.alphaT = 1e-6;
-    plate.loads.heatings.push_back({std::nullopt, 1.0, with("warming") ? ramp(1e-3) : Course()});
+    plate.loads.thermal_loads.push_back(
+        {std::nullopt, 1.0, with("warming") ? ramp(1e-3) : Amplitude()});
   }
   const InstructionSet set =
       is_supported(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;

@@ -35,7 +35,7 @@ struct Fault {
 class FaultyProgram {
  public:
   // Beyond it a program counts as hanging and is ended, which its code tells.
-  static constexpr unsigned most_seconds = 100;
+  static constexpr unsigned max_seconds = 100;
 
   explicit FaultyProgram(const Folder& folder) : folder_(folder.path) {}
 
@@ -84,7 +84,7 @@ class FaultyProgram {
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     if (chdir(folder_.c_str()) != 0) _exit(99);
-    alarm(most_seconds);
+    alarm(max_seconds);
     for (int number : fault.ignored) std::signal(number, SIG_IGN);
     for (const auto& [resource, most] : fault.limits) {
       const rlimit limit{most, most};

@@ -90,7 +90,7 @@ const std::vector<std::string> endless_scripts{
     test::scene + "while true do pcall(simulate, p, { spacing = 2*mm }) end",
     test::scene + "while true do s:fork() end",
     test::scene + "while true do s:cracks() end",
-    test::scene + "while true do s:pieces() end",
+    test::scene + "while true do s:fragments() end",
     test::scene + "while true do s:report() end",
     test::scene + "while true do s:at({ 50*mm, 20*mm }) end",
     test::scene + "while true do pcall(s.relax, s) end",

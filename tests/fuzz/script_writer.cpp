@@ -156,7 +156,7 @@ std::string value(Bytes& bytes, const Option& option) {
     case OptionType::window:
       return fmt::format("{{{0}, {0}, {0}}}", number(bytes, option.unit));
     case OptionType::points:
-    case OptionType::course:
+    case OptionType::amplitude:
       return bytes.once_in(4) ? bytes.pick(functions) : list(bytes, a_point);
     case OptionType::markers:
       return list(bytes, [&] {
@@ -251,10 +251,10 @@ t = s:fork()
 }  // namespace
 
 std::string script_of(std::span<const std::uint8_t> input) {
-  constexpr int most_statements = 16;
+  constexpr int max_statements = 16;
   Bytes bytes(input);
   std::string script = prologue;
-  for (int k = 0; k < most_statements && !bytes.empty(); ++k)
+  for (int k = 0; k < max_statements && !bytes.empty(); ++k)
     script += fmt::format("pcall(function() {} end)\n", statement(bytes));
   return script;
 }

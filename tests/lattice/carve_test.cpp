@@ -125,7 +125,7 @@ TEST(Carve, ANodeOnTheRimStays) {
   EXPECT_TRUE(lattice.is_void(3, 3));
   EXPECT_TRUE(holds(lattice.grid, lattice.family, lattice.bonds, 2, 2, 0, 1));  // along the rim
   EXPECT_FALSE(holds(lattice.grid, lattice.family, lattice.bonds, 2, 3, 1, 0));
-  EXPECT_EQ(lattice.born[lattice.grid.index(4, 4)], 0);
+  EXPECT_EQ(lattice.initial_neighbours[lattice.grid.index(4, 4)], 0);
 }
 
 TEST(Carve, InclusionsOfOneMaterialShareAnIndex) {

@@ -68,8 +68,8 @@ TEST(CrackCut, BrokenCracksCountAsDamageAndAbsentOnesDoNot) {
   const Lattice absent = cut_plate(20, 20, one);
   EXPECT_EQ(broken.bonds, absent.bonds);
   const std::size_t beside = broken.grid.index(5, 10);
-  EXPECT_GT(broken.born[beside], degree(broken, 5, 10));
-  EXPECT_EQ(absent.born[beside], degree(absent, 5, 10));
+  EXPECT_GT(broken.initial_neighbours[beside], degree(broken, 5, 10));
+  EXPECT_EQ(absent.initial_neighbours[beside], degree(absent, 5, 10));
 }
 
 TEST(CrackCut, AnInnerCornerBelongsToAPolylineAndItsEndsDoNot) {
@@ -119,7 +119,7 @@ TEST(CrackCut, SeveralCutWhatEachOfThemCuts) {
       }
   });
   std::int64_t born = 0;
-  for (const std::uint16_t bonds : together.born) born += bonds;
+  for (const std::uint16_t bonds : together.initial_neighbours) born += bonds;
   plate.cracks = {cracks[2], cracks[3]};
   EXPECT_EQ(born / 2, Lattice(plate, test::numerics(0.5e-3, 1.5e-3)).bonds.count());
 }

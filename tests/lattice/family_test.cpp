@@ -102,7 +102,7 @@ TEST(Family, ExactAreasLeaveOutCellsThatOnlyTouchTheHorizon) {
 }
 
 TEST(Family, EveryChoiceReachesNoFurtherThanAGroupOfColumnsAndHasWeights) {
-  for (double m = least_m; m <= most_m; m += 0.125)
+  for (double m = min_m; m <= max_m; m += 0.125)
     for (const auto quadrature :
          {Quadrature::full, Quadrature::ramp, Quadrature::area, Quadrature::centroid})
       for (const auto micromodulus : {Micromodulus::constant, Micromodulus::conical}) {

@@ -18,7 +18,7 @@ TEST(Lattice, CountsTheBondsOfARectangle) {
   lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int) {
     expected += (200 - std::abs(a)) * (80 - std::abs(b));
   });
-  EXPECT_EQ(lattice.bonds_born(), expected);
+  EXPECT_EQ(lattice.initial_bonds(), expected);
   EXPECT_EQ(lattice.bonds.count(), expected);
 }
 
@@ -117,9 +117,9 @@ TEST(Lattice, IsMixedByEveryPropertyOfBonds) {
   EXPECT_TRUE(with([](Material& m) { m.alpha = 0.2; }).has_history());
   EXPECT_FALSE(with([](Material& m) { m.E *= 2.0; }).has_history());
   const Lattice weak = with([](Material& m) { m.G0 *= 0.25; });
-  EXPECT_DOUBLE_EQ(weak.least_stretch(), 0.5 * weak.calibration.s0);
+  EXPECT_DOUBLE_EQ(weak.min_stretch(), 0.5 * weak.calibration.s0);
   const Lattice strong = with([](Material& m) { m.G0 *= 4.0; });
-  EXPECT_DOUBLE_EQ(strong.least_stretch(), strong.calibration.s0);
+  EXPECT_DOUBLE_EQ(strong.min_stretch(), strong.calibration.s0);
 }
 
 TEST(Lattice, StrengthScalesTheCriticalStretchOfItsNode) {
@@ -145,8 +145,8 @@ TEST(Lattice, ACrackIsBornAsItSays) {
   const Lattice broken = with(Born::broken), absent = with(Born::absent);
   EXPECT_EQ(broken.bonds.count(), absent.bonds.count());
   EXPECT_LT(broken.bonds.count(), whole.bonds.count());
-  EXPECT_EQ(broken.bonds_born(), whole.bonds.count());
-  EXPECT_EQ(absent.bonds_born(), absent.bonds.count());
+  EXPECT_EQ(broken.initial_bonds(), whole.bonds.count());
+  EXPECT_EQ(absent.initial_bonds(), absent.bonds.count());
 }
 
 // Of the stiffest and the lightest, wherever they stand; contacts stiffen it.

@@ -12,7 +12,7 @@ namespace {
 std::vector<LoadedNode> forces_of(const Plate& plate, const Lattice& lattice) {
   std::vector<LoadedNode> sum;
   for (SpreadForce& force : spread_forces(plate, lattice)) {
-    for (LoadedNode& node : force.nodes) node.acceleration *= force.course.at(0.0);
+    for (LoadedNode& node : force.nodes) node.acceleration *= force.amplitude.at(0.0);
     sum = sum_of(sum, force.nodes, lattice.grid);
   }
   return sum;
@@ -130,9 +130,9 @@ TEST(Heat, IsTheExpansionOfTheMaterialOfEveryNode) {
   plate.inclusions.push_back({rectangle({0.0, 0.0}, {1e-3, 4e-3}), stiff});
   plate.inclusions.push_back({rectangle({4e-3, 0.0}, {5e-3, 4e-3}), inert});
   plate.cutouts.push_back({rectangle({2e-3, 1e-3}, {3e-3, 2e-3}), ""});
-  plate.loads.heatings.push_back({rectangle({0.0, 0.0}, {5e-3, 2e-3}),
-                                  ScalarField([](const Vec2& x) { return 1e6 * x.x(); }),
-                                  ramp(1e-6)});
+  plate.loads.thermal_loads.push_back({rectangle({0.0, 0.0}, {5e-3, 2e-3}),
+                                       ScalarField([](const Vec2& x) { return 1e6 * x.x(); }),
+                                       ramp(1e-6)});
   const Lattice lattice(plate, test::numerics());
   const std::vector<SpreadHeat> heat = spread_heat(plate, lattice);
   ASSERT_EQ(heat.size(), 1U);
@@ -149,7 +149,7 @@ TEST(Heat, IsTheExpansionOfTheMaterialOfEveryNode) {
       EXPECT_NEAR(strain, alphaT * 1e6 * lattice.grid.position(i, j).x(), 1e-15);
     }
   EXPECT_EQ(heated, 8U * 4U - 2U * 2U);
-  EXPECT_EQ(heat.front().course.at(0.5e-6), 0.5);
+  EXPECT_EQ(heat.front().amplitude.at(0.5e-6), 0.5);
 }
 
 TEST(Pressures, ActAtTheRimsOfTheirNameAlone) {
@@ -301,7 +301,7 @@ TEST(Tractions, TakeTheStressOfTheirPlaceAlongEveryEdge) {
     }
 }
 
-TEST(Loads, OfOneKindAddUpAndKeepTheirCourses) {
+TEST(Loads, OfOneKindAddUpAndKeepTheirAmplitudes) {
   Plate plate = test::bare_plate(30, 20);
   plate.cutouts.push_back({rectangle({5e-3, 4e-3}, {9e-3, 6e-3}), "slot"});
   plate.loads.body_forces.push_back({rectangle({0, 0}, {5e-3, 10e-3}), {1e6, 0.0}, ramp(4e-6)});
@@ -316,8 +316,8 @@ TEST(Loads, OfOneKindAddUpAndKeepTheirCourses) {
   const double at[] = {7e-6, 0.0, 2e-6, 3e-6, 3e-6, 0.0}, wanted[] = {1, 1, 1, 1, 0.75, 1};
   const double before[] = {6.9e-6, 0.0, 1.9e-6, 2.9e-6, 1e-6, 0.0}, was[] = {0, 1, 0, 0, 0.25, 1};
   for (std::size_t k = 0; k < spread.size(); ++k) {
-    EXPECT_DOUBLE_EQ(spread[k].course.at(at[k]), wanted[k]) << k;
-    EXPECT_DOUBLE_EQ(spread[k].course.at(before[k]), was[k]) << k;
+    EXPECT_DOUBLE_EQ(spread[k].amplitude.at(at[k]), wanted[k]) << k;
+    EXPECT_DOUBLE_EQ(spread[k].amplitude.at(before[k]), was[k]) << k;
   }
   EXPECT_NEAR(resultant(spread[0].nodes, lattice).y(), 1e6 * 15e-3, 1e-6);
   EXPECT_NEAR(resultant(spread[1].nodes, lattice).y(), 4e6 * 15e-3, 1e-6);
@@ -335,7 +335,7 @@ TEST(Supports, HoldTheNodesOfTheirAreaAsTheySay) {
   pulled.region = rectangle({0, 0}, {2e-3, 10e-3});
   pulled.value = VectorField([](const Vec2& at) { return Vec2(3.0 * at.x(), 5.0 * at.y()); });
   pulled.along_y = false;
-  pulled.course = ramp(4e-6);
+  pulled.amplitude = ramp(4e-6);
   Support moved;
   moved.kind = Support::Kind::velocity;
   moved.value = Vec2(1.0, -2.0);
@@ -346,8 +346,8 @@ TEST(Supports, HoldTheNodesOfTheirAreaAsTheySay) {
   ASSERT_EQ(supports.size(), 2U);
   EXPECT_EQ(supports[0].kind, Support::Kind::displacement);
   EXPECT_EQ(supports[1].kind, Support::Kind::velocity);
-  EXPECT_EQ(supports[0].course.at(1e-6), 0.25);
-  EXPECT_TRUE(supports[1].course.is_constant());
+  EXPECT_EQ(supports[0].amplitude.at(1e-6), 0.25);
+  EXPECT_TRUE(supports[1].amplitude.is_constant());
   EXPECT_EQ(supports[0].nodes.size(), 4U * 20U - 4U);
   EXPECT_EQ(supports[1].nodes.size(), 30U * 20U - 4U);  // everywhere
   for (const HeldNode& node : supports[0].nodes) {

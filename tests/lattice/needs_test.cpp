@@ -59,11 +59,11 @@ TEST(Needs, OfTemperatureAreThoseOfTheAreasThatChange) {
   const Numerics numerics = test::numerics();
   Plate plate = test::edge_crack(0.0);
   const double plain = kept(plate, numerics);
-  plate.loads.heatings.push_back({});
+  plate.loads.thermal_loads.push_back({});
   // Critical stretch, threshold, strain; of tiles its bound; of nodes all strain and the change.
   const double heated = plain + places * 3.0 * 8.0 + tiles * 8.0 + 16000.0 * 16.0;
   EXPECT_EQ(kept(plate, numerics), heated);
-  plate.loads.heatings.push_back({rectangle({0.01, 0.01}, {0.02, 0.02}), 10.0, {}});
+  plate.loads.thermal_loads.push_back({rectangle({0.01, 0.01}, {0.02, 0.02}), 10.0, {}});
   const double change = kept(plate, numerics) - heated;
   EXPECT_GE(change, 8.0 * 20.0 * 20.0);
   EXPECT_LE(change, 8.0 * 24.0 * 24.0);

@@ -129,7 +129,7 @@ TEST(Scatter, ExtremesArePositiveAndFinite) {
         Scatter{Scatter::Kind::weibull, 5.0, 0.26e-3, 1},
         Scatter{Scatter::Kind::normal, 0.3, 1e300, std::numeric_limits<std::int64_t>::min()}})
     for (const float v : strengths(scatter, square(50)))
-      ASSERT_TRUE(v >= static_cast<float>(least_strength) && v < 50.0F) << v;
+      ASSERT_TRUE(v >= static_cast<float>(min_strength) && v < 50.0F) << v;
 }
 
 TEST(Scatter, BitsAreTheSameOnEveryMachine) {

@@ -53,7 +53,7 @@ TEST(Touching, ADiscMayCrossATenthOfASpacingInAStep) {
   EXPECT_EQ(longest_step_of_impact(plate, spacing), std::numeric_limits<double>::infinity());
   plate.loads.impactors = {disc(100.0), disc(-1000.0)};
   EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, spacing), 50e-9);
-  plate.starts.push_back({{}, Vec2(0, 0), Vec2(1000.0, 0.0)});  // head on
+  plate.initial_conditions.push_back({{}, Vec2(0, 0), Vec2(1000.0, 0.0)});  // head on
   EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, spacing), 25e-9);
 }
 

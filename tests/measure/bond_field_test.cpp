@@ -77,24 +77,24 @@ TEST(ClosestToBreaking, IsOneWhereABondIsAboutToBreak) {
   EXPECT_LT(*std::ranges::max_element(pressed), 0.0);
 }
 
-TEST(PieceNumbers, CountFromTheLargest) {
+TEST(FragmentNumbers, CountFromTheLargest) {
   Plate plate = test::bare_plate(30, 20);
-  const std::vector<int> whole = piece_numbers(Simulation(plate, test::numerics()));
+  const std::vector<int> whole = fragment_numbers(Simulation(plate, test::numerics()));
   EXPECT_EQ(*std::ranges::max_element(whole), 1);
   plate.cracks.push_back({{5e-3, 0.0}, {5e-3, plate.height}});
   const Simulation simulation(plate, test::numerics());
-  const std::vector<int> numbers = piece_numbers(simulation);
+  const std::vector<int> numbers = fragment_numbers(simulation);
   const Grid& grid = simulation.lattice().grid;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       EXPECT_EQ(numbers[grid.index(i, j)], i < 10 ? 2 : 1) << i << ", " << j;
 }
 
-TEST(PieceNumbers, ANodeWithoutBondsHasNone) {
+TEST(FragmentNumbers, ANodeWithoutBondsHasNone) {
   Simulation simulation(test::bare_plate(12, 12), test::numerics());
   simulation.restore(test::displaced(simulation, [](const Vec2& x) { return Vec2(x); }));
   simulation.step();
-  for (const int number : piece_numbers(simulation)) EXPECT_EQ(number, 0);
+  for (const int number : fragment_numbers(simulation)) EXPECT_EQ(number, 0);
 }
 
 }  // namespace

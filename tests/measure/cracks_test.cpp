@@ -60,10 +60,10 @@ TEST(Cracks, TheTipIsTheFarthestNode) {
               2e-3);  // a horizon: there nodes have lost less
 }
 
-TEST(Pieces, AreListedTheLargestFirst) {
+TEST(Fragments, AreListedTheLargestFirst) {
   Plate plate = test::bare_plate(30, 20);
   plate.cracks.push_back({{5e-3, 0.0}, {5e-3, plate.height}});
-  EXPECT_EQ(piece_sizes(Simulation(plate, test::numerics(), {1})), (std::vector<int>{400, 200}));
+  EXPECT_EQ(fragment_sizes(Simulation(plate, test::numerics(), {1})), (std::vector<int>{400, 200}));
 }
 
 TEST(Foremost, IsTheFarthestNodeOnACrackInThatDirection) {

@@ -58,7 +58,7 @@ TEST(BondLines, AreThoseKeptByTheNodesOfTheBlockTheBrokenOnesLast) {
 TEST(BondLines, ABlockMayReachBeyondTheLattice) {
   const Simulation simulation(test::bare_plate(20, 20), test::numerics(), {1});
   EXPECT_EQ(static_cast<std::int64_t>(bond_lines(simulation, {-5, 40, -5, 40}).size()),
-            simulation.lattice().bonds_born());
+            simulation.lattice().initial_bonds());
 }
 
 // By place, direction and whether it holds, against the question asked bond by bond.

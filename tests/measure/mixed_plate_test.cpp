@@ -53,11 +53,11 @@ Plate mixed_plate(Plane plane) {
   plate.cutouts.push_back({Ellipse{{14e-3, 5e-3}, {1.6e-3, 1.6e-3}, 0.0}, ""});
   plate.scatter = Scatter{Scatter::Kind::normal, 0.2, 0.0, 5};
   const auto index = [](double x) { return static_cast<int>(x / dx); };
-  plate.loads.heatings.push_back(
+  plate.loads.thermal_loads.push_back(
       {{},
        ScalarField([index](const Vec2& x) { return warmth(index(x.x()), index(x.y())).x(); }),
        {}});
-  plate.loads.heatings.push_back(
+  plate.loads.thermal_loads.push_back(
       {{},
        ScalarField([index](const Vec2& x) { return warmth(index(x.x()), index(x.y())).y(); }),
        {}});
@@ -125,7 +125,7 @@ class ByHand {
     if (field == "shear") return 0.5 * root;
     if (field == "von_mises") return von_mises(xx, yy, xy, across(i, j, xx, yy));
     if (field == "fringes") return kind == nothing ? 0.0 : root / material.fringe;
-    if (field == "pieces") return piece(i, j);
+    if (field == "fragments") return piece(i, j);
     if (field == "strength") return simulation_.lattice().strength[node];
     if (field == "temperature") return kind == nothing ? 0.0 : warmth(i, j).sum();
     ADD_FAILURE() << "no sum for " << field;

@@ -62,7 +62,7 @@ TEST(Scalars, HaveTheEndsOfTheirDefinition) {
       {"von_mises", {0.0, 0.5 * stress}},
       {"shear", {0.0, 0.25 * stress}},
       {"fringes", {0.0, stress / 136.5e3}},
-      {"pieces", {0.0, 12.0}},
+      {"fragments", {0.0, 12.0}},
       {"strength", {0.5, 1.5}},
       {"temperature", {-warm, warm}}};
   ASSERT_GT(0.5 * s0 / 4e-6, 1.0);
@@ -90,13 +90,13 @@ TEST(Scalars, AreTheirDefinitionsOnAnAnalyticState) {
   EXPECT_NEAR(value("velocity_y", 5), -4e-3 * unit, 1e-6 * unit);
   EXPECT_EQ(value("strength", 0), 1.0);
   EXPECT_EQ(value("temperature", 0), 0.0);
-  EXPECT_EQ(value("pieces", 0), 1.0);
+  EXPECT_EQ(value("fragments", 0), 1.0);
 }
 
 TEST(Scalars, TemperatureIsTheChangeThatWasAsked) {
   Plate plate = test::bare_plate(20, 20);
   plate.material.alphaT = 3e-6;
-  plate.loads.heatings.push_back({{}, -120.0, {}});
+  plate.loads.thermal_loads.push_back({{}, -120.0, {}});
   Simulation simulation(plate, test::numerics(), {1});
   simulation.step();
   for (const float value : scalar_of("temperature").values(simulation))

@@ -18,8 +18,8 @@ Simulation simulation(const Loads& loads) {
   return {plate, test::numerics(2e-3, 8e-3), {1}};
 }
 
-Traction traction(Edge edge, double stress, Course course = {}) {
-  return {edge, VectorField(0.0, stress), 0.0, std::move(course)};
+Traction traction(Edge edge, double stress, Amplitude amplitude = {}) {
+  return {edge, VectorField(0.0, stress), 0.0, std::move(amplitude)};
 }
 
 TEST(LoadCurve, IsInPascalWhereThereAreStressesOnly) {
@@ -40,7 +40,7 @@ TEST(LoadCurve, IsInPascalWhereThereAreStressesOnly) {
 
 TEST(LoadCurve, AFunctionIsKnownAtThePresentOnly) {
   Loads loads;
-  const Course wave([](double t) { return 1e5 * t; }, "a wave");
+  const Amplitude wave([](double t) { return 1e5 * t; }, "a wave");
   loads.tractions = {traction(Edge::top, 12e6, wave), traction(Edge::bottom, -6e6)};
   Simulation s = simulation(loads);
   s.run(1e-5);
@@ -55,7 +55,7 @@ TEST(LoadCurve, LoadsOfSeveralUnitsShowTheirFactors) {
   loads.tractions = {traction(Edge::top, 12e6)};
   Support pull;
   pull.value = VectorField(0.0, 1e-6);
-  pull.course = ramp(2e-6);
+  pull.amplitude = ramp(2e-6);
   Support clamp;
   loads.supports = {pull, clamp};
   const Chart chart = load_curve(simulation(loads));
@@ -128,11 +128,11 @@ TEST(LoadCurve, NamesEveryKindOfLoadAndItsPlace) {
   EXPECT_EQ(stresses.curves[1].place, "bore");
   EXPECT_EQ(stresses.curves[1].points.back(), Vec2(stresses.until, 6.0));
   plate.loads.body_forces.push_back({{}, {1.0, 0.0}, ramp(3e-6)});
-  plate.loads.supports.push_back({.value = Vec2(1e-9, 0.0), .course = ramp(4e-6)});
-  plate.loads.heatings.push_back({{}, 1.0, ramp(5e-6)});
+  plate.loads.supports.push_back({.value = Vec2(1e-9, 0.0), .amplitude = ramp(4e-6)});
+  plate.loads.thermal_loads.push_back({{}, 1.0, ramp(5e-6)});
   const Chart all = load_curve(Simulation(plate, test::numerics(), {1}));
   ASSERT_EQ(all.curves.size(), 5U);
-  const char* const kinds[] = {"traction", "pressure", "body force", "support", "heating"};
+  const char* const kinds[] = {"traction", "pressure", "body force", "support", "temperature"};
   for (std::size_t k = 0; k < 5; ++k) {
     EXPECT_EQ(all.curves[k].kind, kinds[k]);
     EXPECT_DOUBLE_EQ(all.curves[k].points[1].x(), static_cast<double>(k + 1) * 1e-6) << kinds[k];
@@ -159,7 +159,7 @@ TEST(EnergyChart, TellsItsEntriesApart) {
 // What rest has taken has a curve of its own, once there is any.
 TEST(EnergyChart, ShowsWhatWasReleased) {
   Plate plate = test::bare_plate(20, 10);
-  plate.starts.push_back(
+  plate.initial_conditions.push_back(
       {{}, Vec2(0, 0), VectorField([](const Vec2& x) { return Vec2(x.y(), 0); })});
   Simulation simulation(plate, test::numerics(), {1});
   EXPECT_EQ(energy_chart(simulation).curves.size(), 3U);

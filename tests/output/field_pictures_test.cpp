@@ -67,7 +67,7 @@ std::map<std::string, double> expected(const Simulation& simulation) {
           {"von_mises", std::sqrt(sxx * sxx - sxx * syy + syy * syy + 3.0 * sxy * sxy)},
           {"shear", shear},
           {"fringes", 2.0 * shear * thickness / simulation.plate().material.fringe},
-          {"pieces", 1.0},
+          {"fragments", 1.0},
           {"strength", 1.0},
           {"temperature", 0.0}};
 }

@@ -36,7 +36,7 @@ TEST(LedgerRemark, NamesWhatTheSceneHas) {
   };
   EXPECT_THAT(of(plate), HasSubstr("the step is long for what happens"));
   Plate hot = plate, hit = plate, damped = plate;
-  hot.loads.heatings.push_back({{}, ScalarField(-10.0), {}});
+  hot.loads.thermal_loads.push_back({{}, ScalarField(-10.0), {}});
   hit.loads.impactors.push_back({{-3e-3, 2e-3}, 2e-3, {10.0, 0.0}, 0.1});
   damped.loads.damping = 3e6;
   EXPECT_THAT(of(hot), HasSubstr("how fast the temperature changes"));
@@ -50,13 +50,14 @@ TEST(LedgerRemark, NamesWhatTheSceneHas) {
 TEST(LedgerRemark, IsSilentWhereNothingHappened) {
   Plate plate = test::bare_plate(20, 10);
   plate.material.alphaT = 1e-5;
-  plate.loads.heatings.push_back({{}, ScalarField(-300.0), ramp(3e-6)});
+  plate.loads.thermal_loads.push_back({{}, ScalarField(-300.0), ramp(3e-6)});
   Simulation simulation(plate, test::numerics());
   simulation.load_slowly({3e-6, 1, 1e-6, {}});
   EXPECT_EQ(ledger_remark(simulation, energy(simulation)), std::nullopt);
   Plate carried = test::bare_plate(20, 10);
-  carried.loads.supports.push_back(
-      {.region = strip(carried, Edge::top, 1e-3), .value = Vec2(14e-6, 0.0), .course = ramp(2e-6)});
+  carried.loads.supports.push_back({.region = strip(carried, Edge::top, 1e-3),
+                                    .value = Vec2(14e-6, 0.0),
+                                    .amplitude = ramp(2e-6)});
   Simulation moved(carried, test::numerics());
   moved.load_slowly({3e-6, 3, 1e-6, {}});
   moved.run(2e-6);

@@ -20,19 +20,19 @@ using testing::IsEmpty;
 constexpr double dt = 0.2e-6, end = 40e-6;
 constexpr double forever = std::numeric_limits<double>::infinity();
 
-double swing(const Course& course, double begin = 0.0) {
-  return shortest_swing(course, begin, end, dt);
+double swing(const Amplitude& amplitude, double begin = 0.0) {
+  return shortest_swing(amplitude, begin, end, dt);
 }
 
-Course function(std::function<double(double)> factor) {
-  return Course(std::move(factor), "function");
+Amplitude function(std::function<double(double)> factor) {
+  return Amplitude(std::move(factor), "function");
 }
 
 TEST(ShortestSwing, IsEndlessForWhatStaysRisesOrJumps) {
-  EXPECT_EQ(swing(Course()), forever);
+  EXPECT_EQ(swing(Amplitude()), forever);
   EXPECT_EQ(swing(ramp(1e-12)), forever);
   EXPECT_EQ(swing(step_at(3e-6)), forever);
-  EXPECT_NEAR(swing(Course({{0.0, 1.0}, {3e-6 - 1e-12, 1.0}, {3e-6, 0.0}})), 3e-6, 1e-12);
+  EXPECT_NEAR(swing(Amplitude({{0.0, 1.0}, {3e-6 - 1e-12, 1.0}, {3e-6, 0.0}})), 3e-6, 1e-12);
   EXPECT_EQ(swing(function([](double t) { return t < 3e-6 ? 0.0 : 1.0; })), forever);
   EXPECT_EQ(swing(function([](double t) { return t; })), forever);
 }
@@ -42,21 +42,21 @@ TEST(ShortestSwing, OfAPulseIsItsLength) {
     for (const double length : {1e-12, 0.1e-6, 0.5e-6, 5e-6})
       EXPECT_NEAR(swing(pulse(length, start)), length, 1e-6 * length + 1e-20) << start;
   // What is there at the start and goes, too.
-  EXPECT_NEAR(swing(Course({{0.0, 1.0}, {1e-12, 0.0}})), 0.5e-12, 1e-18);
+  EXPECT_NEAR(swing(Amplitude({{0.0, 1.0}, {1e-12, 0.0}})), 0.5e-12, 1e-18);
   // After it nothing swings.
   EXPECT_EQ(swing(pulse(1e-12, 3e-6), 4e-6), forever);
 }
 
 TEST(ShortestSwing, OfASpikeIsItsWidthAtHalfItsHeight) {
-  const Course alone({{1e-6, 0.0}, {1.05e-6, 1.0}, {1.1e-6, 0.0}});
+  const Amplitude alone({{1e-6, 0.0}, {1.05e-6, 1.0}, {1.1e-6, 0.0}});
   EXPECT_NEAR(swing(alone), 0.05e-6, 1e-15);
-  const Course on_a_slope(
+  const Amplitude on_a_slope(
       {{0.0, 0.0}, {10e-6, 1.0}, {10.02e-6, 3.0}, {10.04e-6, 1.0}, {30e-6, 0.0}});
   EXPECT_NEAR(swing(on_a_slope), 0.03e-6, 1e-15);
-  const Course dip({{0.0, 1.0}, {5e-6, 1.0}, {5.01e-6, 0.2}, {5.02e-6, 1.0}});
+  const Amplitude dip({{0.0, 1.0}, {5e-6, 1.0}, {5.01e-6, 0.2}, {5.02e-6, 1.0}});
   EXPECT_NEAR(swing(dip), 0.01e-6, 1e-15);
   // One of a hundredth is noise.
-  EXPECT_GT(swing(Course({{0.0, 0.0}, {5e-6, 1.0}, {5.01e-6, 0.99}, {5.02e-6, 1.0}})), 1e-6);
+  EXPECT_GT(swing(Amplitude({{0.0, 0.0}, {5e-6, 1.0}, {5.01e-6, 0.99}, {5.02e-6, 1.0}})), 1e-6);
 }
 
 TEST(ShortestSwing, OfAFunctionIsFoundBetweenTheSteps) {
@@ -84,15 +84,15 @@ TEST(LoadRemarks, NameTheLoadTheTimeAndTheStep) {
 
 TEST(LoadRemarks, AreSilentForOrdinaryLoads) {
   Plate plate = test::edge_crack(12e6);
-  plate.loads.tractions[0].course = ramp(5e-6);
-  plate.loads.tractions[1].course = pulse(3e-6, 1e-6);
+  plate.loads.tractions[0].amplitude = ramp(5e-6);
+  plate.loads.tractions[1].amplitude = pulse(3e-6, 1e-6);
   EXPECT_THAT(load_remarks(Simulation(plate, test::numerics()), end), IsEmpty());
 }
 
-Plate heated(double change, Course course = {}) {
+Plate heated(double change, Amplitude amplitude = {}) {
   Plate plate = test::bare_plate(40, 20);
   plate.material.alphaT = 3.3e-6;
-  plate.loads.heatings.push_back({{}, ScalarField(change), std::move(course)});
+  plate.loads.thermal_loads.push_back({{}, ScalarField(change), std::move(amplitude)});
   return plate;
 }
 
@@ -109,21 +109,21 @@ TEST(ShockRemarks, TellOfColdThatBreaksBondsAtOnce) {
 }
 
 TEST(ShockRemarks, TellOfJumpsToCome) {
-  const auto of = [](double change, const Course& course) {
-    return at_once_remarks(Simulation(heated(change, course), test::numerics()), end, true);
+  const auto of = [](double change, const Amplitude& amplitude) {
+    return at_once_remarks(Simulation(heated(change, amplitude), test::numerics()), end, true);
   };
   EXPECT_THAT(of(-1000.0, step_at(5e-6)), ElementsAre(HasSubstr("at once")));
-  EXPECT_THAT(of(1000.0, Course({{0.0, 0.0}, {8e-6, 1.0}, {8e-6, 0.0}})),
+  EXPECT_THAT(of(1000.0, Amplitude({{0.0, 0.0}, {8e-6, 1.0}, {8e-6, 0.0}})),
               ElementsAre(HasSubstr("at once")));
   EXPECT_THAT(of(-1000.0, ramp(5e-6)), IsEmpty());
   EXPECT_THAT(of(-1000.0, step_at(50e-6)), IsEmpty());  // later
 }
 
-std::vector<std::string> remarks_on_grip(Support::Kind kind, double value, Course course,
+std::vector<std::string> remarks_on_grip(Support::Kind kind, double value, Amplitude amplitude,
                                          bool fresh = true) {
   Plate plate = test::bare_plate(40, 20);
   Support grip{strip(plate, Edge::right, 1e-3), kind, {value, 0.0}};
-  grip.course = std::move(course);
+  grip.amplitude = std::move(amplitude);
   plate.loads.supports.push_back(grip);
   return at_once_remarks(Simulation(plate, test::numerics()), end, fresh);
 }
@@ -131,12 +131,12 @@ std::vector<std::string> remarks_on_grip(Support::Kind kind, double value, Cours
 // s0 times the spacing is 0.76 um here.
 TEST(AtOnceRemarks, TellOfGripsThatTearBondsInOneStep) {
   using Kind = Support::Kind;
-  const auto displaced = [](double value, Course course) {
-    return remarks_on_grip(Kind::displacement, value, std::move(course));
+  const auto displaced = [](double value, Amplitude amplitude) {
+    return remarks_on_grip(Kind::displacement, value, std::move(amplitude));
   };
-  for (const Course& course : {Course(), step_at(5e-6), pulse(5e-6, 2e-6)}) {
-    EXPECT_THAT(displaced(1e-6, course), ElementsAre(HasSubstr("its work is not known")));
-    EXPECT_THAT(displaced(0.1e-6, course), IsEmpty());
+  for (const Amplitude& amplitude : {Amplitude(), step_at(5e-6), pulse(5e-6, 2e-6)}) {
+    EXPECT_THAT(displaced(1e-6, amplitude), ElementsAre(HasSubstr("its work is not known")));
+    EXPECT_THAT(displaced(0.1e-6, amplitude), IsEmpty());
   }
   EXPECT_THAT(displaced(20e-6, ramp(15e-6)), IsEmpty());
   EXPECT_THAT(displaced(-1e-6, {}), ElementsAre(HasSubstr("0.002, s0 is 0.001")));

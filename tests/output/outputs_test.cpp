@@ -20,8 +20,8 @@ class Hopeless : public Output {
   explicit Hopeless(std::string name) : name_(std::move(name)) {}
   bool due(const Simulation&) override { return false; }
   void observe(const Simulation&) override {}
-  Expected expected(double, std::int64_t most_looks) const override {
-    return {name_, most_looks, 6e8};
+  Expected expected(double, std::int64_t max_looks) const override {
+    return {name_, max_looks, 6e8};
   }
   void close() override { throw Error(ErrorKind::files, name_ + " is lost", "pray"); }
   std::vector<std::filesystem::path> files() const override { return {}; }

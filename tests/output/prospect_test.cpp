@@ -19,9 +19,9 @@ class ProspectTest : public testing::Test {
     plate.loads = {};
     return plate;
   }
-  static Loads pull(double stress, Course course = {}) {
+  static Loads pull(double stress, Amplitude amplitude = {}) {
     Loads loads;
-    loads.tractions.push_back({Edge::top, {0.0, stress}, 0.0, std::move(course)});
+    loads.tractions.push_back({Edge::top, {0.0, stress}, 0.0, std::move(amplitude)});
     return loads;
   }
   static Loads led(double velocity) {
@@ -67,7 +67,7 @@ TEST_F(ProspectTest, JudgesLoadsAsTheyWereWhileTheyActed) {
   EXPECT_EQ(prospect_.steps(), std::ceil(31e-6 / simulation_.dt()));
 }
 
-TEST_F(ProspectTest, LooksAtCoursesInTheTimeThatPasses) {
+TEST_F(ProspectTest, LooksAtAmplitudesInTheTimeThatPasses) {
   exchange(pull(24e6, step_at(20e-6)));
   prospect_.run(simulation_, 10e-6);
   EXPECT_EQ(verdict(), Verdict::nothing_loads_it);
@@ -115,7 +115,7 @@ TEST_F(ProspectTest, KnowsHeatOfAnInclusionAlone) {
   Plate plate = ProspectTest::plate();
   plate.inclusions.push_back({rectangle({0.04, 0.01}, {0.06, 0.03}), plate.material});
   plate.inclusions.front().material.alphaT = 9e-6;
-  plate.loads.heatings.push_back({std::nullopt, 100.0, {}});
+  plate.loads.thermal_loads.push_back({std::nullopt, 100.0, {}});
   const Simulation simulation(plate, test::numerics(4e-3, 16e-3), {1});
   Prospect prospect;
   prospect.relax(simulation);
@@ -143,7 +143,7 @@ TEST_F(ProspectTest, WhatFollowsALookAtResultsIsUnknown) {
 }
 
 TEST_F(ProspectTest, AFunctionThatIsZeroWhereverItWasAskedIsNoReassurance) {
-  exchange(pull(24e6, Course([](double) { return 0.0; }, "function")));
+  exchange(pull(24e6, Amplitude([](double) { return 0.0; }, "function")));
   prospect_.run(simulation_, 1e-6);
   EXPECT_THAT(text(), testing::HasSubstr("unknown"));
   EXPECT_THAT(text(), testing::Not(testing::HasSubstr("nothing can break")));

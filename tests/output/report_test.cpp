@@ -47,7 +47,7 @@ TEST(Report, SaysWhatIsSwitchedOn) {
   plate.contact = Contact{};
   plate.scatter = Scatter{Scatter::Kind::weibull, 20.0, 0.0, 1};
   plate.loads.damping = 1e3;
-  plate.loads.tractions.front().course = ramp(1e-6);
+  plate.loads.tractions.front().amplitude = ramp(1e-6);
   hackle::Run run(plate, test::numerics(), {1}, Talk::quiet, {"x.lua", ""});
   run.run(2e-6);
   EXPECT_THAT(run.report(),
@@ -158,7 +158,7 @@ TEST(Report, NamesEachFeatureByItself) {
                         {"thermal strain",
                          [](Plate& p, Numerics&) {
                            p.material.alphaT = 1e-6;
-                           p.loads.heatings.push_back({{}, 10.0, {}});
+                           p.loads.thermal_loads.push_back({{}, 10.0, {}});
                          }},
                         {"fidelity 0.25", [](Plate&, Numerics& n) { n.fidelity = 0.25; }}};
   for (const Case& one : cases) {
@@ -179,7 +179,7 @@ TEST(Report, NamesEachStageByItself) {
                         {"heat",
                          [](Plate& p) {
                            p.material.alphaT = 1e-6;
-                           p.loads.heatings.push_back({{}, 10.0, {}});
+                           p.loads.thermal_loads.push_back({{}, 10.0, {}});
                          }},
                         {"varying loads",
                          [](Plate& p) {

@@ -126,7 +126,7 @@ TEST(Summary, OfARunIsThatOfItsSimulation) {
   const Simulation& simulation = run.simulation();
   EXPECT_EQ(summary.script, "small.lua");
   EXPECT_EQ(summary.nodes, 4000);
-  EXPECT_EQ(summary.bonds, simulation.lattice().bonds_born());
+  EXPECT_EQ(summary.bonds, simulation.lattice().initial_bonds());
   EXPECT_LT(simulation.state().bonds.count(), summary.bonds);
   EXPECT_EQ(summary.steps, simulation.state().step);
   EXPECT_EQ(summary.time, static_cast<double>(summary.steps) * simulation.dt());

@@ -20,7 +20,7 @@ TEST(ChartHistory, SinglePointsBecomeACurve) {
   EXPECT_EQ(all.curves[0].points, (Points{{0.0, 1.0}, {1.0, 4.0}, {3.0, 2.0}}));
 }
 
-TEST(ChartHistory, AKnownCourseIsWholeFromTheStartAndDoesNotGrow) {
+TEST(ChartHistory, AKnownAmplitudeIsWholeFromTheStartAndDoesNotGrow) {
   const Chart ramp = chart({{0.0, 0.0}, {4.0, 1.0}, {10.0, 1.0}});
   ChartHistory history;
   for (int k = 0; k < 5; ++k)
@@ -28,7 +28,7 @@ TEST(ChartHistory, AKnownCourseIsWholeFromTheStartAndDoesNotGrow) {
 }
 
 // Loads exchanged during a run: what was stays, what was foreseen gives way.
-TEST(ChartHistory, AnExchangedCourseShowsWhatItWas) {
+TEST(ChartHistory, AnExchangedAmplitudeShowsWhatItWas) {
   ChartHistory history;
   history.add(chart({{0.0, 2.0}, {10.0, 2.0}}), 0.0);
   history.add(chart({{0.0, 2.0}, {10.0, 2.0}}), 4.0);

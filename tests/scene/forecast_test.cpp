@@ -53,10 +53,11 @@ TEST(Forecast, TellsWhatLoadsTooLittleOrNotAtAll) {
 
 TEST(Forecast, LooksAtTheStrongestMomentWithinTheDuration) {
   Plate plate = pulled(12e6);
-  for (Traction& load : plate.loads.tractions) load.course = step_at(50e-6);
+  for (Traction& load : plate.loads.tractions) load.amplitude = step_at(50e-6);
   EXPECT_EQ(of(plate, 40e-6).verdict(), Verdict::nothing_loads_it);
   EXPECT_EQ(of(plate, 60e-6).verdict(), Verdict::breaks);
-  for (Traction& load : plate.loads.tractions) load.course = pulse(1e-9, 20e-6);  // between moments
+  for (Traction& load : plate.loads.tractions)
+    load.amplitude = pulse(1e-9, 20e-6);  // between moments
   EXPECT_EQ(of(plate, 40e-6).verdict(), Verdict::breaks);
 }
 
@@ -80,7 +81,7 @@ TEST(Forecast, KnowsEveryLoad) {
                    }),
                    2e6);
   EXPECT_DOUBLE_EQ(with([](Plate& p) {
-                     p.loads.heatings.push_back({{}, -100.0, {}});
+                     p.loads.thermal_loads.push_back({{}, -100.0, {}});
                    }),
                    2.0 * 65e9 * 3e-6 * 100.0);
   EXPECT_DOUBLE_EQ(with([](Plate& p) {
@@ -88,7 +89,7 @@ TEST(Forecast, KnowsEveryLoad) {
                    }),
                    2.0 * impedance * 50.0);
   EXPECT_DOUBLE_EQ(with([](Plate& p) {
-                     p.starts.push_back({{}, {0.0, 0.0}, {0.0, 5.0}});
+                     p.initial_conditions.push_back({{}, {0.0, 0.0}, {0.0, 5.0}});
                    }),
                    2.0 * impedance * 5.0);
   EXPECT_DOUBLE_EQ(

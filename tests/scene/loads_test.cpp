@@ -19,7 +19,7 @@ TEST(Loads, AreCountedByKind) {
   loads.pressures.resize(1);
   loads.body_forces.resize(3);
   loads.supports.resize(4);
-  loads.heatings.resize(5);
+  loads.thermal_loads.resize(5);
   loads.impactors.resize(6);
   loads.damping = 1.0;
   EXPECT_EQ(describe(loads),
@@ -48,8 +48,8 @@ Impactor disc() {
   return {{0.05, 0.1}, 1e-3, {0.0, -10.0}, 1.0};
 }
 
-Course backwards() {
-  return Course({{1.0, 0.0}, {0.0, 1.0}});
+Amplitude backwards() {
+  return Amplitude({{1.0, 0.0}, {0.0, 1.0}});
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
               }},
         Wrong{"traction", [](Plate& p) { p.loads.tractions[1].stress = Vec2(0.0, nan); }},
         Wrong{"traction", [](Plate& p) { p.loads.tractions[1].depth = -1.0; }},
-        Wrong{"traction", [](Plate& p) { p.loads.tractions[1].course = backwards(); }},
+        Wrong{"traction", [](Plate& p) { p.loads.tractions[1].amplitude = backwards(); }},
         Wrong{"body_force",
               [](Plate& p) {
                 p.loads.body_forces.push_back({{}, {nan, 0}, {}});
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
                 p.loads.body_forces.push_back({rectangle({0, 0}, {0, 1}), {1, 0}, {}});
               }},
         Wrong{"support", [](Plate& p) { p.loads.supports.push_back({.value = Vec2(nan, 0.0)}); }},
-        Wrong{"support", [](Plate& p) { p.loads.supports.push_back({.course = backwards()}); }},
+        Wrong{"support", [](Plate& p) { p.loads.supports.push_back({.amplitude = backwards()}); }},
         Wrong{"support",
               [](Plate& p) {
                 p.loads.supports.push_back({.region = rectangle({0, 0}, {0, 1})});
@@ -126,17 +126,17 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"temperature",
               [](Plate& p) {
                 p.material.alphaT = 1e-6;
-                p.loads.heatings.push_back({{}, nan, {}});
+                p.loads.thermal_loads.push_back({{}, nan, {}});
               }},
         Wrong{"temperature",
               [](Plate& p) {
                 p.material.alphaT = 1e-6;
-                p.loads.heatings.push_back({{}, 1.0, backwards()});
+                p.loads.thermal_loads.push_back({{}, 1.0, backwards()});
               }},
         Wrong{"temperature",
               [](Plate& p) {
                 p.material.alphaT = 1e-6;
-                p.loads.heatings.push_back({rectangle({0, 0}, {0, 1}), 1.0, {}});
+                p.loads.thermal_loads.push_back({rectangle({0, 0}, {0, 1}), 1.0, {}});
               }},
         Wrong{"impactor: radius",
               [](Plate& p) {

@@ -93,7 +93,7 @@ TEST(Plate, DescriptionSaysPlaneStrain) {
 
 TEST(Plate, ATemperatureNeedsAMaterialThatExpands) {
   Plate plate = test::edge_crack(12e6);
-  plate.loads.heatings.push_back({std::nullopt, 100.0, Course()});
+  plate.loads.thermal_loads.push_back({std::nullopt, 100.0, Amplitude()});
   EXPECT_THAT(problems_of(plate), testing::HasSubstr("does not expand, its alphaT is 0"));
   Material other = plate.material;
   other.alphaT = 9e-6;

@@ -43,7 +43,7 @@ TEST(Gallery, TheRingFliesApart) {
   test::WatchedScript script("gallery/ring.lua", {}, "interval = 2*us");
   EXPECT_TRUE(script.holds(R"((function()
     local large = 0
-    for _, nodes in ipairs(runs[1].s:pieces()) do if nodes > 50 then large = large + 1 end end
+    for _, nodes in ipairs(runs[1].s:fragments()) do if nodes > 50 then large = large + 1 end end
     return large >= 10
   end)())"));
   EXPECT_EQ(script.pictures(), 1U);
@@ -75,7 +75,7 @@ TEST(Gallery, ADiscShattersAPlate) {
   EXPECT_EQ(script("runs[1].s:cracks { from = {0, 29*mm}, to = {3*mm, 31*mm} }.nodes"), 12 * 8);
   for (const char* far : {"right", "top"})
     EXPECT_GT(script(std::string("runs[1].s:cracks().") + far), 59 * mm) << far;
-  EXPECT_GT(script("#runs[1].s:pieces()"), 5);
+  EXPECT_GT(script("#runs[1].s:fragments()"), 5);
   EXPECT_GT(script("runs[1].s.energy.broken"), 100);
 }
 

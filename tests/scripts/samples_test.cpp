@@ -41,7 +41,7 @@ TEST(Samples, CentreCrackRunsStraightToBothEdges) {
   EXPECT_LE(script(inside + ".top"), 21 * mm);
   EXPECT_GE(script(inside + ".bottom"), 19 * mm);
   EXPECT_NEAR(script("through"), 25 * us, 2.5 * us);
-  EXPECT_GE(script("#runs[1].s:pieces()"), 2);
+  EXPECT_GE(script("#runs[1].s:fragments()"), 2);
 }
 
 TEST(Samples, CentreCrackStaysAtRestUnderTheLoadThatThePaperPrints) {
@@ -51,9 +51,10 @@ TEST(Samples, CentreCrackStaysAtRestUnderTheLoadThatThePaperPrints) {
 
 // Cracks from both sides of the hole (10 to 30 mm), straight, through by 40 us; none before 15 us.
 TEST(Samples, HoleCracksAtItsSides) {
-  test::WatchedScript script("samples/hole.lua", {},
-                             "function log(s) if not two and s.time > 15*us and #s:pieces() >= 2 "
-                             "then two = s.time end end");
+  test::WatchedScript script(
+      "samples/hole.lua", {},
+      "function log(s) if not two and s.time > 15*us and #s:fragments() >= 2 "
+      "then two = s.time end end");
   EXPECT_NEAR(script("runs[1].first"), 20 * us, 2 * us);
   EXPECT_LE(script("two"), 40 * us + interval);
   for (const std::string side :

@@ -182,7 +182,7 @@ TEST_P(Composite, MirrorImagesStaySoToTheLastBit) {
            test::steel()});
     }
     if (GetParam().heated)
-      plate.loads.heatings.push_back({test::disc(middle, 9e-3), -300.0, ramp(1e-6)});
+      plate.loads.thermal_loads.push_back({test::disc(middle, 9e-3), -300.0, ramp(1e-6)});
     plate.cracks.push_back({Vec2(middle - Vec2(7e-3, 0)), Vec2(middle + Vec2(7e-3, 0))});
     plate.loads.tractions.push_back({Edge::top, {0.0, 50e6}});
     plate.loads.tractions.push_back({Edge::bottom, {0.0, -50e6}});

@@ -20,8 +20,8 @@ Plate halves(const Vec2& left, const Vec2& right) {
   plate.cracks.push_back({{0.01, 0.0}, {0.01, 0.01}});
   plate.no_fail.push_back(rectangle({0.0, 0.0}, {0.02, 0.01}));
   plate.contact = Contact{};
-  plate.starts.push_back({rectangle({0.0, 0.0}, {0.01, 0.01}), {{0, 0}}, {left}});
-  plate.starts.push_back({rectangle({0.01, 0.0}, {0.02, 0.01}), {{0, 0}}, {right}});
+  plate.initial_conditions.push_back({rectangle({0.0, 0.0}, {0.01, 0.01}), {{0, 0}}, {left}});
+  plate.initial_conditions.push_back({rectangle({0.01, 0.0}, {0.02, 0.01}), {{0, 0}}, {right}});
   return plate;
 }
 
@@ -194,8 +194,8 @@ TEST(ContactForces, AreThoseOfACrackThatOpensInTheRunAndClosesAgain) {
   plate.no_fail.push_back(rectangle({0.0, 0.0}, {0.005, 0.01}));
   plate.no_fail.push_back(rectangle({0.007, 0.0}, {0.012, 0.01}));
   plate.contact = Contact{};
-  plate.starts = {{rectangle({0.0, 0.0}, {0.006, 0.01}), {{0, 0}}, {Vec2(-40.0, 0)}},
-                  {rectangle({0.006, 0.0}, {0.012, 0.01}), {{0, 0}}, {Vec2(40.0, 0)}}};
+  plate.initial_conditions = {{rectangle({0.0, 0.0}, {0.006, 0.01}), {{0, 0}}, {Vec2(-40.0, 0)}},
+                              {rectangle({0.006, 0.0}, {0.012, 0.01}), {{0, 0}}, {Vec2(40.0, 0)}}};
   Simulation simulation(plate, test::numerics(), {1});
   const auto agrees = [&] {
     simulation.run(0.5e-6);

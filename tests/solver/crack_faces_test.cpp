@@ -66,9 +66,9 @@ TEST(CrackFaces, BearWhatBondsWould) {
 
 double shortening(const Plate& given, double stress, double damping = 2e5) {
   Plate plate = given;
-  const Course course = ramp(30e-6);
-  plate.loads.tractions.push_back({Edge::top, {0.0, stress}, 0.0, course});
-  plate.loads.tractions.push_back({Edge::bottom, {0.0, -stress}, 0.0, course});
+  const Amplitude amplitude = ramp(30e-6);
+  plate.loads.tractions.push_back({Edge::top, {0.0, stress}, 0.0, amplitude});
+  plate.loads.tractions.push_back({Edge::bottom, {0.0, -stress}, 0.0, amplitude});
   plate.loads.damping = damping;
   Simulation simulation(plate, test::numerics(), {1});
   simulation.run(120e-6);
@@ -139,7 +139,7 @@ TEST(CrackFaces, TurnFreely) {
 TEST(CrackFaces, AreNotPressedByCooling) {
   Plate plate = across();
   plate.material.alphaT = 3.3e-6;
-  plate.loads.heatings.push_back({std::nullopt, -200.0, {}});
+  plate.loads.thermal_loads.push_back({std::nullopt, -200.0, {}});
   Simulation simulation(plate, test::numerics(), {1});
   const double strain = std::sqrt(1.0 - 2.0 * 200.0 * 3.3e-6) - 1.0;
   simulation.restore(test::displaced(simulation, [&](const Vec2& x) { return Vec2(strain * x); }));
@@ -150,8 +150,10 @@ TEST(CrackFaces, AreNotPressedByCooling) {
 TEST(CrackFaces, KeepEnergyToSecondOrderInTheStep) {
   const auto leak = [](double dt) {
     Plate plate = across();
-    plate.starts.push_back({rectangle({0.0, 0.0}, {0.02, 0.01}), {{0, 0}}, {Vec2(0.0, 2.0)}});
-    plate.starts.push_back({rectangle({0.0, 0.01}, {0.02, 0.02}), {{0, 0}}, {Vec2(0.0, -2.0)}});
+    plate.initial_conditions.push_back(
+        {rectangle({0.0, 0.0}, {0.02, 0.01}), {{0, 0}}, {Vec2(0.0, 2.0)}});
+    plate.initial_conditions.push_back(
+        {rectangle({0.0, 0.01}, {0.02, 0.02}), {{0, 0}}, {Vec2(0.0, -2.0)}});
     Numerics numerics = test::numerics();
     numerics.step = dt;
     Simulation simulation(plate, numerics, {1});
@@ -193,7 +195,8 @@ TEST(CrackFaces, AreNotSeenBySlowLoading) {
 // Faces that a start presses hold energy from the start.
 TEST(CrackFaces, StartWithWhatIsStoredInThem) {
   Plate plate = across();
-  plate.starts.push_back({rectangle({0.0, 0.01}, {0.02, 0.02}), {Vec2(0.0, -1e-6)}, {{0, 0}}});
+  plate.initial_conditions.push_back(
+      {rectangle({0.0, 0.01}, {0.02, 0.02}), {Vec2(0.0, -1e-6)}, {{0, 0}}});
   Simulation simulation(plate, test::numerics(), {1});
   const Energy before = energy(simulation);
   EXPECT_GT(before.contact, 0.01 * before.external);

@@ -12,10 +12,10 @@
 namespace hackle {
 namespace {
 
-Plate heated(int nx, int ny, double change, Course course = {}) {
+Plate heated(int nx, int ny, double change, Amplitude amplitude = {}) {
   Plate plate = test::bare_plate(nx, ny);
   plate.material.alphaT = 9e-6;
-  plate.loads.heatings.push_back({std::nullopt, change, std::move(course)});
+  plate.loads.thermal_loads.push_back({std::nullopt, change, std::move(amplitude)});
   return plate;
 }
 
@@ -82,8 +82,8 @@ double mean_strain_that_pulls(const Simulation& simulation) {
 TEST(Heat, AHeatedPlateBetweenWallsIsPressedByEAlphaTTimesTheChange) {
   Plate plate = heated(60, 60, 100.0, ramp(5e-6));
   for (const Edge edge : {Edge::left, Edge::right})
-    plate.loads.supports.push_back(
-        {strip(plate, edge, 1e-3), Support::Kind::displacement, Vec2(0, 0), true, false, Course()});
+    plate.loads.supports.push_back({strip(plate, edge, 1e-3), Support::Kind::displacement,
+                                    Vec2(0, 0), true, false, Amplitude()});
   plate.loads.damping = 4e5;
   Simulation simulation(plate, test::numerics(0.5e-3, 1e-3), {1});
   simulation.run(60e-6);
@@ -94,7 +94,7 @@ TEST(Heat, AHeatedPlateBetweenWallsIsPressedByEAlphaTTimesTheChange) {
 TEST(Heat, WhatIsFarFromItStaysStill) {
   Plate plate = test::bare_plate(200, 100);
   plate.material.alphaT = 9e-6;
-  plate.loads.heatings.push_back({test::disc({25e-3, 25e-3}, 3e-3), 100.0, Course()});
+  plate.loads.thermal_loads.push_back({test::disc({25e-3, 25e-3}, 3e-3), 100.0, Amplitude()});
   Simulation simulation(plate, test::numerics(), {1});
   simulation.step();
   EXPECT_GT(simulation.path_counts()[static_cast<int>(Path::still)], 50);
@@ -108,7 +108,7 @@ TEST(Heat, CoolingBreaksAPlateThatIsHeld) {
   for (const double share : {0.98, 1.02}) {
     Plate plate = heated(30, 30, -share * s0 / 9e-6);
     plate.loads.supports.push_back(
-        {std::nullopt, Support::Kind::displacement, Vec2(0, 0), true, true, Course()});
+        {std::nullopt, Support::Kind::displacement, Vec2(0, 0), true, true, Amplitude()});
     Simulation simulation(plate, test::numerics(), {1});
     simulation.step();
     EXPECT_EQ(simulation.state().bonds.count() == 0, share > 1.0) << share;
@@ -120,7 +120,7 @@ TEST(Heat, CanBeTurnedOnAndOffWhileThePlateIsSolved) {
   simulation.run(1e-6);
   EXPECT_EQ(energy(simulation).kinetic, 0.0);
   Loads loads;
-  loads.heatings.push_back({std::nullopt, 20.0, Course()});
+  loads.thermal_loads.push_back({std::nullopt, 20.0, Amplitude()});
   simulation.set_loads(loads);
   EXPECT_NEAR(energy(simulation).strain / simulation.external_work(), 1.0, 1e-12);
   simulation.run(3e-6);
@@ -136,15 +136,15 @@ TEST(Heat, CanBeTurnedOnAndOffWhileThePlateIsSolved) {
   EXPECT_NO_THROW(simulation.run(3e-6));
 }
 
-// Node by node: alphaT of the material there times the sum of what acts, each by its own course.
+// Node by node: alphaT of the material there times the sum of what acts, each by its own amplitude.
 TEST(Heat, OfSeveralChangesAddsUpInEveryMaterial) {
   Plate plate = test::bare_plate(40, 20);  // 20 x 10 mm
   plate.material.alphaT = 4e-6;
   plate.inclusions.push_back({rectangle({0, 0}, {5e-3, 10e-3}), test::resin()});
-  plate.loads.heatings.push_back({{}, -30.0, ramp(2e-6)});
-  plate.loads.heatings.push_back({rectangle({0, 0}, {20e-3, 5e-3}),
-                                  ScalarField([](const Vec2& x) { return 2000.0 * x.x(); }),
-                                  step_at(1e-6)});
+  plate.loads.thermal_loads.push_back({{}, -30.0, ramp(2e-6)});
+  plate.loads.thermal_loads.push_back({rectangle({0, 0}, {20e-3, 5e-3}),
+                                       ScalarField([](const Vec2& x) { return 2000.0 * x.x(); }),
+                                       step_at(1e-6)});
   Simulation simulation(plate, test::numerics(), {1});
   for (int step = 0; step < 12; ++step) {
     const double t = simulation.time();
@@ -169,11 +169,11 @@ TEST(Heat, IsRefusedWhereNothingExpandsOrTooMuchDoes) {
   EXPECT_THAT(refusal(plate), HasSubstr("Duran 50 glass does not expand, its alphaT is 0"));
   plate.inclusions.push_back({test::disc({5e-3, 5e-3}, 2e-3), test::resin()});
   EXPECT_EQ(refusal(plate), "");
-  plate.loads.heatings.front().region = test::disc({15e-3, 5e-3}, 2e-3);
+  plate.loads.thermal_loads.front().region = test::disc({15e-3, 5e-3}, 2e-3);
   EXPECT_THAT(refusal(plate), HasSubstr("there is no node whose material expands"));
   EXPECT_THAT(refusal(heated(40, 30, 1e5)), HasSubstr("strains the material by 0.9"));
   EXPECT_THAT(refusal(heated(40, 30, -1e5)), HasSubstr("strains the material by -0.9"));
-  EXPECT_THAT(refusal(heated(40, 30, 1e4, Course({{0.0, 1.0}, {2e-6, 1e6}}))),
+  EXPECT_THAT(refusal(heated(40, 30, 1e4, Amplitude({{0.0, 1.0}, {2e-6, 1e6}}))),
               HasSubstr("strains the material by"));
   plate.material.alphaT = -1e-6;
   EXPECT_THAT(refusal(plate), HasSubstr("alphaT is -1e-06 1/K, it must be at least 0"));

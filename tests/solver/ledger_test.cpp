@@ -50,7 +50,7 @@ const std::vector<Change>& changes() {
        }},
       {"varying",
        [](Loads& loads, const Plate&) {
-         loads.tractions[0].course = Course({{0.0, 0.5}, {3e-6, -1.0}});
+         loads.tractions[0].amplitude = Amplitude({{0.0, 0.5}, {3e-6, -1.0}});
        }},
       {"clamp",
        [](Loads& loads, const Plate& plate) {
@@ -68,13 +68,14 @@ const std::vector<Change>& changes() {
       {"no damping", [](Loads& loads, const Plate&) { loads.damping = 0.0; }},
       {"temperature",
        [](Loads& loads, const Plate& plate) {
-         loads.heatings.push_back(
+         loads.thermal_loads.push_back(
              {rectangle({0, 0}, {0.5 * plate.width, plate.height}), ScalarField(20.0), {}});
        }},
-      {"no temperature", [](Loads& loads, const Plate&) { loads.heatings.clear(); }},
+      {"no temperature", [](Loads& loads, const Plate&) { loads.thermal_loads.clear(); }},
       {"changing temperature",
        [](Loads& loads, const Plate&) {
-         loads.heatings.push_back({{}, ScalarField(-25.0), Course({{1e-6, 1.0}, {3e-6, 0.0}})});
+         loads.thermal_loads.push_back(
+             {{}, ScalarField(-25.0), Amplitude({{1e-6, 1.0}, {3e-6, 0.0}})});
        }},
       {"impactor",
        [](Loads& loads, const Plate& plate) {
@@ -95,7 +96,8 @@ Plate busy_plate(bool mixed, double damping, double heat) {
       support(rectangle({8e-3, 0}, {12e-3, 1e-3}), Support::Kind::velocity, {0.5, -1.0})};
   plate.loads.damping = damping;
   if (heat != 0.0)
-    plate.loads.heatings.push_back({rectangle({6e-3, 0}, {12e-3, 8e-3}), ScalarField(heat), {}});
+    plate.loads.thermal_loads.push_back(
+        {rectangle({6e-3, 0}, {12e-3, 8e-3}), ScalarField(heat), {}});
   return plate;
 }
 
@@ -216,20 +218,20 @@ TEST(LedgerOfChanges, WorkOfSupportsIsThatOfTheirReactions) {
     plate.loads.tractions.clear();
     plate.loads.supports.push_back(
         support(strip(plate, Edge::top, 1e-3), Support::Kind::velocity, {0.4, 2.0}));
-    plate.loads.supports.back().course = Course({{0.0, 0.0}, {0.8e-6, 1.0}, {2e-6, 1.0}});
+    plate.loads.supports.back().amplitude = Amplitude({{0.0, 0.0}, {0.8e-6, 1.0}, {2e-6, 1.0}});
     Simulation simulation(plate, with_step(80e-9), {1});
     const Lattice& lattice = simulation.lattice();
-    const auto mass = [&](const LedNode& node) {
+    const auto mass = [&](const PrescribedNode& node) {
       return lattice.material_at(node.i, node.j).material.rho * lattice.grid.dx * lattice.grid.dx;
     };
     const double unit = std::pow(lattice.grid.dx / simulation.dt(), 2);
     double done = 0.0;
     for (int n = 0; n < 24; ++n) {
       const auto a = test::Reference(simulation).accelerations();
-      const std::vector<LedNode> led = simulation.loading().led();
+      const std::vector<PrescribedNode> prescribed = simulation.loading().prescribed();
       std::vector<Vec2> before;
       double ahead = 0.0;
-      for (const LedNode& node : led) {
+      for (const PrescribedNode& node : prescribed) {
         before.push_back(simulation.state().v(node.i, node.j));
         if (n > 0)
           ahead -= 0.5 * mass(node) * unit *
@@ -237,8 +239,8 @@ TEST(LedgerOfChanges, WorkOfSupportsIsThatOfTheirReactions) {
       }
       EXPECT_NEAR(simulation.external_work(), done + ahead, 1e-9 * std::abs(done) + 1e-15) << n;
       simulation.step();
-      for (std::size_t k = 0; k < led.size(); ++k) {
-        const LedNode& node = led[k];
+      for (std::size_t k = 0; k < prescribed.size(); ++k) {
+        const PrescribedNode& node = prescribed[k];
         const Vec2 v = simulation.state().v(node.i, node.j);
         const Vec2 bonds = a[lattice.grid.index(node.i, node.j)].cast<double>();
         // At the start there is no half step before.
@@ -252,8 +254,8 @@ TEST(LedgerOfChanges, WorkOfSupportsIsThatOfTheirReactions) {
   }
 }
 
-// The reproduction of a user: a load taken away by hand or by its course.
-TEST(LedgerOfChanges, ACallAndACourseDoTheSame) {
+// The reproduction of a user: a load taken away by hand or by its amplitude.
+TEST(LedgerOfChanges, ACallAndAnAmplitudeDoTheSame) {
   const auto external = [](bool call) {
     Plate plate = test::bare_plate(40, 40);
     plate.no_fail.push_back(strip(plate, Edge::top, plate.height));
@@ -261,7 +263,8 @@ TEST(LedgerOfChanges, ACallAndACourseDoTheSame) {
         support(strip(plate, Edge::bottom, 2e-3), Support::Kind::displacement, {0.0, 0.0}));
     plate.loads.tractions.push_back({Edge::top, {0.0, 6e6}});
     if (!call)
-      plate.loads.tractions[0].course = Course({{0.0, 1.0}, {3e-6 - 1e-12, 1.0}, {3e-6, 0.0}});
+      plate.loads.tractions[0].amplitude =
+          Amplitude({{0.0, 1.0}, {3e-6 - 1e-12, 1.0}, {3e-6, 0.0}});
     Simulation simulation(plate, with_step(20e-9));
     simulation.run(3e-6);
     if (call) {
@@ -272,8 +275,8 @@ TEST(LedgerOfChanges, ACallAndACourseDoTheSame) {
     simulation.run(3e-6);
     return simulation.external_work();
   };
-  const double course = external(false);
-  EXPECT_NEAR(external(true), course, 1e-12 * course);
+  const double amplitude = external(false);
+  EXPECT_NEAR(external(true), amplitude, 1e-12 * amplitude);
 }
 
 TEST(LedgerOfChanges, WhatChangesNothingLeavesTheBits) {
@@ -355,7 +358,7 @@ TEST(Damping, OfAnyRateIsStable) {
 TEST(Damping, SaidLaterTakesWhatThereIs) {
   for (const double rate : {1e6, 5e6, 1e7, 1e8, 1e300}) {
     Plate plate = test::bare_plate(20, 10);
-    plate.starts.push_back({std::nullopt, {0.0, 0.0}, {1.0, 0.0}});
+    plate.initial_conditions.push_back({std::nullopt, {0.0, 0.0}, {1.0, 0.0}});
     Simulation simulation(plate, test::numerics(), {1});
     const double there = simulation.kinetic_energy();
     simulation.run(5e-6);

@@ -15,17 +15,18 @@ Execution threads(int count) {
   return {.threads = count};
 }
 
-Support moved(const Shape& region, Support::Kind kind, const Vec2& value, Course course = {}) {
+Support moved(const Shape& region, Support::Kind kind, const Vec2& value,
+              Amplitude amplitude = {}) {
   Support support;
   support.region = region;
   support.kind = kind;
   support.value = value;
-  support.course = std::move(course);
+  support.amplitude = std::move(amplitude);
   return support;
 }
 
 // A body force on a whole free plate accelerates it as a point mass: u'' = a f(t).
-TEST(Loading, FollowsItsCourseInTime) {
+TEST(Loading, FollowsItsAmplitudeInTime) {
   const double force = 1e9, rho = 2235.0;
   for (const Precision precision : {Precision::f64, Precision::f32}) {
     Plate plate = test::bare_plate(20, 10);
@@ -45,7 +46,7 @@ TEST(Loading, FollowsItsCourseInTime) {
 TEST(Loading, GivesTheBitsOfConstantLoadsWhenTheFactorIsOne) {
   Plate constant = test::edge_crack(12e6), varied = constant;
   for (Traction& traction : varied.loads.tractions)
-    traction.course = Course([](double) { return 1.0; }, "one");
+    traction.amplitude = Amplitude([](double) { return 1.0; }, "one");
   Simulation one(constant, test::numerics()), other(varied, test::numerics());
   one.run(8e-6);
   other.run(8e-6);
@@ -60,7 +61,7 @@ TEST(Loading, GivesTheBitsOfConstantLoadsWhenTheFactorIsOne) {
 TEST(Loading, TheLedgerOfARampIsOfSecondOrderInTheStep) {
   const auto leak = [](double dt) {
     Plate plate = test::edge_crack(12e6);
-    for (Traction& traction : plate.loads.tractions) traction.course = ramp(5e-6);
+    for (Traction& traction : plate.loads.tractions) traction.amplitude = ramp(5e-6);
     Numerics numerics = test::numerics();
     numerics.step = dt;
     Simulation simulation(plate, numerics);
@@ -77,7 +78,7 @@ TEST(Loading, RefusesARunTooLongToCountOrToTabulate) {
   Simulation simulation(plate, test::numerics(), {1});
   EXPECT_THROW(simulation.run(1e300), Error);
   EXPECT_THROW(simulation.run(1e9), Error);
-  plate.loads.body_forces.push_back({{}, {1.0, 0.0}, Course([](double) { return 1.0; }, "one")});
+  plate.loads.body_forces.push_back({{}, {1.0, 0.0}, Amplitude([](double) { return 1.0; }, "one")});
   Simulation loaded(plate, test::numerics(), {1});
   EXPECT_THROW(loaded.run(100.0), Error);
   for (const Simulation* one : {&simulation, &loaded}) EXPECT_EQ(one->state().step, 0);
@@ -94,7 +95,7 @@ TEST(Loading, AsksAFunctionBeforeTheRunOnly) {
     ++calls;
     return 1e6 * t;
   };
-  plate.loads.tractions.push_back({Edge::top, {0.0, 1e6}, 0.0, Course(factor, "line")});
+  plate.loads.tractions.push_back({Edge::top, {0.0, 1e6}, 0.0, Amplitude(factor, "line")});
   Simulation simulation(plate, test::numerics(), threads(1));
   struct Watch : Observer {
     explicit Watch(bool& r) : mark(r) {}
@@ -110,7 +111,10 @@ TEST(Loading, AsksAFunctionBeforeTheRunOnly) {
 TEST(Loading, AFunctionThatFailsLeavesTheRunWhereItWas) {
   Plate plate = test::bare_plate(20, 10);
   plate.loads.tractions.push_back(
-      {Edge::top, {0.0, 1e6}, 0.0, Course([](double t) { return t < 2e-6 ? 1.0 : NAN; }, "bad")});
+      {Edge::top,
+       {0.0, 1e6},
+       0.0,
+       Amplitude([](double t) { return t < 2e-6 ? 1.0 : NAN; }, "bad")});
   Simulation simulation(plate, test::numerics());
   simulation.run(1e-6);
   const std::string before = simulation.state().hash();
@@ -127,13 +131,13 @@ TEST(Supports, HoldNodesWhereTheyAreAndFreeTheOtherAxis) {
   plate.loads.supports.push_back(clamp);
   Simulation simulation(plate, test::numerics());
   simulation.run(10e-6);
-  double most_y = 0.0;
+  double max_y = 0.0;
   for (int j = 0; j < 80; ++j)
     for (int i = 196; i < 200; ++i) {
       EXPECT_EQ(simulation.displacement(i, j).x(), 0.0);
-      most_y = std::max(most_y, std::abs(simulation.displacement(i, j).y()));
+      max_y = std::max(max_y, std::abs(simulation.displacement(i, j).y()));
     }
-  EXPECT_GT(most_y, 1e-7);
+  EXPECT_GT(max_y, 1e-7);
 }
 
 TEST(Supports, LeadNodesToTheirDisplacementAndAtTheirVelocity) {
@@ -185,10 +189,11 @@ TEST(Loads, MayBeChangedBetweenRuns) {
   EXPECT_EQ(simulation.plate().loads.tractions.front().stress.constant().y(), 5e6);
 }
 
-TEST(Start, SetsThePlateInMotionAndItsEnergyIsAccountedFor) {
+TEST(InitialCondition, SetsThePlateInMotionAndItsEnergyIsAccountedFor) {
   Plate plate = test::bare_plate(40, 20);
-  plate.starts.push_back({{}, Vec2(0.0, 0.0), Vec2(3.0, -1.0)});
-  plate.starts.push_back({rectangle({0, 0}, {5e-3, 10e-3}), Vec2(1e-7, 0.0), Vec2(0.0, 0.0)});
+  plate.initial_conditions.push_back({{}, Vec2(0.0, 0.0), Vec2(3.0, -1.0)});
+  plate.initial_conditions.push_back(
+      {rectangle({0, 0}, {5e-3, 10e-3}), Vec2(1e-7, 0.0), Vec2(0.0, 0.0)});
   Simulation simulation(plate, test::numerics());
   const Energy at_start = energy(simulation);
   const double mass = 2235.0 * 0.02 * 0.01;
@@ -204,7 +209,7 @@ TEST(Damping, TakesTheMotionOfAPlateAsTheExponentialSays) {
   for (const int count : {1, 3}) {
     Plate plate = test::bare_plate(40, 20);
     plate.loads.damping = rate;
-    plate.starts.push_back({{}, Vec2(0.0, 0.0), Vec2(2.0, 0.0)});
+    plate.initial_conditions.push_back({{}, Vec2(0.0, 0.0), Vec2(2.0, 0.0)});
     Simulation simulation(plate, test::numerics(), threads(count));
     simulation.run(10e-6);
     const double factor = std::exp(-rate * simulation.time());
@@ -218,7 +223,7 @@ TEST(Damping, TakesTheMotionOfAPlateAsTheExponentialSays) {
 TEST(Loading, GivesTheSameBitsForAnyNumberOfThreadsAndCuts) {
   Plate plate = test::edge_crack(12e6);
   plate.loads.damping = 1e4;
-  plate.loads.tractions[0].course = ramp(3e-6);
+  plate.loads.tractions[0].amplitude = ramp(3e-6);
   plate.loads.supports.push_back(moved(strip(plate, Edge::right, 1e-3), Support::Kind::velocity,
                                        {1.0, 0.0}, pulse(2e-6, 1e-6)));
   Simulation one(plate, test::numerics(), threads(1)), other(plate, test::numerics(), threads(4));

@@ -29,7 +29,7 @@ void include(Plate& plate, const std::function<void(Material&)>& change) {
 
 void heat(Plate& plate, Region region) {
   plate.material.alphaT = 9e-6;
-  plate.loads.heatings.push_back({std::move(region), 20.0, {}});
+  plate.loads.thermal_loads.push_back({std::move(region), 20.0, {}});
 }
 
 void cut_out(Plate& plate) {
@@ -92,7 +92,7 @@ const std::vector<Scene> scenes{
      }},
     {"start",
      [](Plate& p, Numerics&) {
-       p.starts.push_back({patch(p, 0.9), Vec2(0.0, 0.0), Vec2(1.0, 0.0)});
+       p.initial_conditions.push_back({patch(p, 0.9), Vec2(0.0, 0.0), Vec2(1.0, 0.0)});
      }},
     {"all at once",
      [](Plate& p, Numerics&) {

@@ -145,9 +145,9 @@ INSTANTIATE_TEST_SUITE_P(
                return Vec2(2e7, -1e7) * area_of_material() + Vec2(0, 5e7) * 5e-3 * height;
              }}));
 
-// Two that act on the same nodes, each with a course of its own: half of the triangle under a ramp,
-// and a pulse.
-TEST(Loads, OfOneKindKeepTheirOwnCourses) {
+// Two that act on the same nodes, each with an amplitude of its own: half of the triangle under a
+// ramp, and a pulse.
+TEST(Loads, OfOneKindKeepTheirOwnAmplitudes) {
   Plate plate = three_materials();
   plate.loads.tractions.push_back({Edge::bottom, {1e5, 0}, 0.0, ramp(4e-6)});
   plate.loads.tractions.push_back({Edge::bottom, {0, -2e5}, 0.0, pulse(1e-6, 1e-6)});
@@ -160,12 +160,13 @@ TEST(Loads, OfOneKindKeepTheirOwnCourses) {
   EXPECT_NEAR(momentum(simulation).y(), -2e5 * width * 1e-6, 2e5 * width * 21e-9);
 }
 
-Support led(const Shape& region, Support::Kind kind, const Vec2& value, Course course) {
+Support prescribed(const Shape& region, Support::Kind kind, const Vec2& value,
+                   Amplitude amplitude) {
   Support support;
   support.region = region;
   support.kind = kind;
   support.value = value;
-  support.course = std::move(course);
+  support.amplitude = std::move(amplitude);
   return support;
 }
 
@@ -181,13 +182,13 @@ TEST(Supports, OnEveryMaterialDoTheWorkThatThePlateReceives) {
         const bool velocity = kind == Support::Kind::velocity;
         const Vec2 value = velocity ? Vec2(0.3, 0.2) : Vec2(1e-6, 2e-6);
         // Smooth, as the resin's waves are slow: a sine from rest to rest.
-        const Course course(
+        const Amplitude amplitude(
             [velocity](double t) {
               const double phase = std::min(t / 6e-6, 1.0) * 3.141592653589793;
               return velocity ? std::sin(phase) : 0.5 - 0.5 * std::cos(phase);
             },
             "wave");
-        Support support = led(place, kind, value, course);
+        Support support = prescribed(place, kind, value, amplitude);
         support.along_x = axes != 2;
         support.along_y = axes != 1;
         plate.loads.supports.push_back(support);
@@ -206,8 +207,8 @@ TEST(Supports, OnEveryMaterialDoTheWorkThatThePlateReceives) {
 TEST(Supports, OfWhichTwoHoldANodeTheLastOneDoesAlongItsAxis) {
   Plate plate = three_materials();
   const Shape all = rectangle({0, 0}, {4e-3, height}), part = rectangle({0, 0}, {4e-3, 5e-3});
-  plate.loads.supports = {led(all, Support::Kind::displacement, {1e-6, 2e-6}, ramp(1e-6)),
-                          led(part, Support::Kind::displacement, {3e-6, 4e-6}, ramp(1e-6))};
+  plate.loads.supports = {prescribed(all, Support::Kind::displacement, {1e-6, 2e-6}, ramp(1e-6)),
+                          prescribed(part, Support::Kind::displacement, {3e-6, 4e-6}, ramp(1e-6))};
   plate.loads.supports.back().along_y = false;
   Simulation simulation = simulate(plate);
   simulation.run(2e-6);
@@ -217,12 +218,12 @@ TEST(Supports, OfWhichTwoHoldANodeTheLastOneDoesAlongItsAxis) {
   EXPECT_NEAR(simulation.displacement(3, 20).y(), 2e-6, 1e-18);
 }
 
-TEST(Supports, FollowTheirCourseAtItsOwnMoment) {
+TEST(Supports, FollowTheirAmplitudeAtItsOwnMoment) {
   Plate plate = three_materials();
   const Shape left = rectangle({0, 0}, {2e-3, height}),
               right = rectangle({27e-3, 0}, {width, height});
-  plate.loads.supports = {led(left, Support::Kind::displacement, {1e-6, 0}, ramp(3e-6)),
-                          led(right, Support::Kind::velocity, {0.5, 0}, ramp(3e-6))};
+  plate.loads.supports = {prescribed(left, Support::Kind::displacement, {1e-6, 0}, ramp(3e-6)),
+                          prescribed(right, Support::Kind::velocity, {0.5, 0}, ramp(3e-6))};
   Simulation simulation = simulate(plate);
   for (int step = 1; step <= 20; ++step) {
     simulation.step();
@@ -238,10 +239,10 @@ TEST(Supports, FollowTheirCourseAtItsOwnMoment) {
 // counts it in.
 TEST(Supports, KnowHowFarThePlateHasFlown) {
   Plate plate = test::bare_plate(20, 10);
-  plate.starts.push_back({{}, Vec2(0, 0), Vec2(300.0, -200.0)});
-  const Course flight([](double t) { return t; }, "flight");
-  plate.loads.supports = {
-      led(rectangle({0, 0}, {1e-3, 5e-3}), Support::Kind::displacement, {300.0, -200.0}, flight)};
+  plate.initial_conditions.push_back({{}, Vec2(0, 0), Vec2(300.0, -200.0)});
+  const Amplitude flight([](double t) { return t; }, "flight");
+  plate.loads.supports = {prescribed(rectangle({0, 0}, {1e-3, 5e-3}), Support::Kind::displacement,
+                                     {300.0, -200.0}, flight)};
   Numerics numerics = test::numerics();
   numerics.precision = Precision::f32;
   Simulation simulation(plate, numerics, {1});
@@ -254,10 +255,11 @@ TEST(Supports, KnowHowFarThePlateHasFlown) {
   }
 }
 
-TEST(Start, GivesEveryMaterialItsMotion) {
+TEST(InitialCondition, GivesEveryMaterialItsMotion) {
   Plate plate = three_materials();
-  plate.starts.push_back({{}, Vec2(0, 0), Vec2(3.0, -1.0)});
-  plate.starts.push_back({rectangle({0, 0}, {15e-3, height}), Vec2(2e-8, -1e-8), Vec2(0.0, 3.0)});
+  plate.initial_conditions.push_back({{}, Vec2(0, 0), Vec2(3.0, -1.0)});
+  plate.initial_conditions.push_back(
+      {rectangle({0, 0}, {15e-3, height}), Vec2(2e-8, -1e-8), Vec2(0.0, 3.0)});
   const Simulation simulation = simulate(plate);
   double wanted = 0.0;
   for (int j = 0; j < ny; ++j)
@@ -276,7 +278,7 @@ TEST(Start, GivesEveryMaterialItsMotion) {
 TEST(Damping, TakesTheEnergyOfEveryMaterial) {
   Plate plate = three_materials();
   plate.loads.damping = 1e5;
-  plate.starts.push_back({{}, Vec2(0, 0), Vec2(1.0, -2.0)});
+  plate.initial_conditions.push_back({{}, Vec2(0, 0), Vec2(1.0, -2.0)});
   Simulation simulation = simulate(plate);
   const double before = kinetic(simulation);
   simulation.run(5e-6);
@@ -291,7 +293,7 @@ TEST(Damping, TakesTheEnergyOfEveryMaterial) {
 TEST(MixedPlate, MovesAsAWholeWithoutForce) {
   for (const Precision precision : {Precision::f64, Precision::f32}) {
     Plate plate = three_materials();
-    plate.starts.push_back({{}, Vec2(0, 0), Vec2(2.0, -1.0)});
+    plate.initial_conditions.push_back({{}, Vec2(0, 0), Vec2(2.0, -1.0)});
     Numerics numerics = test::numerics(dx, 3 * dx);
     numerics.precision = precision;
     Simulation simulation(plate, numerics, {1});

@@ -35,7 +35,7 @@ std::set<std::string> hashes(Precision precision, const Put& put) {
 // Values whose plain sums differ from order to order.
 constexpr std::array odd{1.1, 2.3, -0.7, 3.1, 0.9};
 
-Shape most_of(const Plate& plate, int k) {
+Shape max_of(const Plate& plate, int k) {
   return strip(plate, Edge::top, plate.height * (0.5 + 0.1 * k));
 }
 
@@ -46,7 +46,7 @@ TEST_P(Order, OfForcesMeansNothing) {
     const double own = odd.at(static_cast<std::size_t>(k));
     plate.loads.tractions.push_back({Edge::top, Vec2(own / 3 * 1e6, own * 1e6), 0.0, {}});
     plate.loads.body_forces.push_back(
-        {most_of(plate, k), Vec2(own * 1e7, own / 7 * 1e7), k % 2 == 0 ? ramp(1e-6) : Course()});
+        {max_of(plate, k), Vec2(own * 1e7, own / 7 * 1e7), k % 2 == 0 ? ramp(1e-6) : Amplitude()});
   };
   EXPECT_EQ(hashes(GetParam(), put).size(), 1U);
 }
@@ -54,8 +54,8 @@ TEST_P(Order, OfForcesMeansNothing) {
 TEST_P(Order, OfTemperaturesMeansNothing) {
   const auto put = [](Plate& plate, int k) {
     const double own = odd.at(static_cast<std::size_t>(k));
-    plate.loads.heatings.push_back(
-        {most_of(plate, k), own * 100.0 / 3, k % 2 == 0 ? ramp(1e-6) : Course()});
+    plate.loads.thermal_loads.push_back(
+        {max_of(plate, k), own * 100.0 / 3, k % 2 == 0 ? ramp(1e-6) : Amplitude()});
   };
   EXPECT_EQ(hashes(GetParam(), put).size(), 1U);
 }
@@ -63,8 +63,8 @@ TEST_P(Order, OfTemperaturesMeansNothing) {
 TEST_P(Order, OfStartsMeansNothing) {
   const auto put = [](Plate& plate, int k) {
     const double own = odd.at(static_cast<std::size_t>(k));
-    plate.starts.push_back(
-        {most_of(plate, k), Vec2(own * 1e-8 / 3, own * 1e-8 / 7), Vec2(own / 3, own / 11)});
+    plate.initial_conditions.push_back(
+        {max_of(plate, k), Vec2(own * 1e-8 / 3, own * 1e-8 / 7), Vec2(own / 3, own / 11)});
   };
   EXPECT_EQ(hashes(GetParam(), put).size(), 1U);
 }
@@ -90,7 +90,7 @@ TEST(Order, OfHeatAndColdThatTakeEachOtherBackMeansNothing) {
   Plate plate = test::bare_plate(12, 10);
   plate.material.alphaT = 1e-3;
   for (const double change : {90.0, 90.0, -120.0})
-    plate.loads.heatings.push_back({std::nullopt, change, {}});
+    plate.loads.thermal_loads.push_back({std::nullopt, change, {}});
   EXPECT_NO_THROW(Simulation(plate, test::numerics(), {1}));
 }
 

@@ -25,7 +25,7 @@ Plate opened(double shift, int columns = 40, int rows = 30) {
     Support support;
     support.region = strip(plate, edge, 2e-3);
     support.value = Vec2(0.0, sign * shift);
-    support.course = ramp(duration);
+    support.amplitude = ramp(duration);
     plate.loads.supports.push_back(support);
     plate.no_fail.push_back(strip(plate, edge, 4e-3));
   }
@@ -56,7 +56,7 @@ TEST(Quasistatic, TimeGoesOnByIncrements) {
     EXPECT_DOUBLE_EQ(clock.times[static_cast<std::size_t>(k)], k * duration / 4);
   EXPECT_EQ(simulation.time(), duration);
   const Energy before = energy(simulation);
-  simulation.run(200 * simulation.dt());  // the course has ended: nothing moves
+  simulation.run(200 * simulation.dt());  // the amplitude has ended: nothing moves
   EXPECT_LT(energy(simulation).kinetic, 1e-6 * before.strain);
 }
 
@@ -90,7 +90,7 @@ TEST(Quasistatic, SaysThatThePlateComesApart) {
   Plate plate = opened(0.0, 20, 24);
   plate.loads.supports.pop_back();
   plate.loads.tractions = {{Edge::bottom, {0.0, -80e6}}};
-  plate.loads.tractions[0].course = ramp(duration);
+  plate.loads.tractions[0].amplitude = ramp(duration);
   Simulation simulation(plate, test::numerics(), {1});
   const QuasistaticResult result = simulation.load_slowly({duration, 2});
   EXPECT_FALSE(result.bears);
@@ -153,12 +153,12 @@ TEST(Quasistatic, TheWorstBreakFirst) {
   const std::ptrdiff_t at = lattice.grid.layout().at(5, 5);
   const Breakage broken =
       break_worst({{at, 0, 1.05, 1.0}, {at, 1, 1.5, 2.0}, {at, 2, 1.4, 4.0}}, bonds);
-  ASSERT_EQ(broken.losses.size(), 2U);
-  EXPECT_EQ(broken.losses[1].bit, 4U);
+  ASSERT_EQ(broken.broken_bonds.size(), 2U);
+  EXPECT_EQ(broken.broken_bonds[1].bit, 4U);
   EXPECT_EQ(broken.excess, 6.0);
   EXPECT_TRUE(bonds.holds(at, 0));
   EXPECT_FALSE(bonds.holds(at, 1) || bonds.holds(at, 2));
-  EXPECT_TRUE(break_worst({}, bonds).losses.empty());
+  EXPECT_TRUE(break_worst({}, bonds).broken_bonds.empty());
 }
 
 // A run goes to the first step at or after its end; what it went too far is not added up.

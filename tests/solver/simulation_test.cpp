@@ -109,9 +109,10 @@ TEST(Simulation, EveryBondThatBreaksIsLostOnce) {
     const std::int64_t before = simulation.state().bonds.count();
     simulation.step();
     std::set<std::tuple<std::ptrdiff_t, int, std::uint32_t>> lost;
-    for (const Loss& loss : simulation.losses()) lost.emplace(loss.at, loss.word, loss.bit);
+    for (const BrokenBond& loss : simulation.broken_bonds())
+      lost.emplace(loss.at, loss.word, loss.bit);
     EXPECT_GT(lost.size(), 1000U);
-    EXPECT_EQ(lost.size(), simulation.losses().size());
+    EXPECT_EQ(lost.size(), simulation.broken_bonds().size());
     EXPECT_EQ(before - simulation.state().bonds.count(), std::ssize(lost));
   }
 }

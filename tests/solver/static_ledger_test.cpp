@@ -15,11 +15,11 @@ namespace {
 
 constexpr double ramp_time = 10e-6;
 
-Support grip(Shape region, const VectorField& value, const Course& course) {
+Support grip(Shape region, const VectorField& value, const Amplitude& amplitude) {
   Support support;
   support.region = std::move(region);
   support.value = value;
-  support.course = course;
+  support.amplitude = amplitude;
   return support;
 }
 
@@ -109,7 +109,7 @@ TEST(StaticLedger, DeadLoadsWorkThroughJumps) {
   Plate plate = led_apart(0.0);
   plate.loads.supports.pop_back();
   plate.loads.tractions = {{Edge::top, {0.0, 9e6}}};
-  plate.loads.tractions[0].course = ramp(ramp_time);
+  plate.loads.tractions[0].amplitude = ramp(ramp_time);
   Simulation simulation(plate, test::numerics(), {1});
   double last = 0.0;
   for (int k = 0; k < 4; ++k) {
@@ -156,7 +156,8 @@ TEST(StaticLedger, MotionThatIsTakenAwayIsReleased) {
 
 TEST(StaticLedger, ADisplacedPlateGivesOffWhatTheStartGave) {
   Plate plate = test::bare_plate(40, 20);
-  plate.starts.push_back({rectangle({0, 0}, {0.01, 0.01}), Vec2(1e-7, 2e-7), Vec2(1.0, 0.0)});
+  plate.initial_conditions.push_back(
+      {rectangle({0, 0}, {0.01, 0.01}), Vec2(1e-7, 2e-7), Vec2(1.0, 0.0)});
   Simulation simulation(plate, test::numerics(), {1});
   const Energy before = energy(simulation);
   simulation.relax();
@@ -210,7 +211,7 @@ TEST(StaticLedger, ARunGoesOnFromThere) {
   }
 }
 
-// A grip with a velocity goes as far as its course makes in the time; where there is none, it
+// A grip with a velocity goes as far as its amplitude makes in the time; where there is none, it
 // stays.
 TEST(StaticLedger, AVelocityMovesItsNodesByItsIntegral) {
   for (const bool function : {false, true}) {
@@ -218,8 +219,8 @@ TEST(StaticLedger, AVelocityMovesItsNodesByItsIntegral) {
     Support& grip = plate.loads.supports.back();
     grip.kind = Support::Kind::velocity;
     grip.value = Vec2(0, 0.01);
-    grip.course = function ? Course([](double t) { return std::min(1.0, t / ramp_time); }, "")
-                           : ramp(ramp_time);
+    grip.amplitude = function ? Amplitude([](double t) { return std::min(1.0, t / ramp_time); }, "")
+                              : ramp(ramp_time);
     Simulation simulation(plate, test::numerics(), {1});
     simulation.load_slowly({0.5 * ramp_time, 3});
     EXPECT_NEAR(simulation.displacement(12, 23).y(), 0.01 * 0.125 * ramp_time,
@@ -234,7 +235,7 @@ TEST(StaticLedger, AVelocityMovesItsNodesByItsIntegral) {
 }
 
 // Stretched along x, compressed along y: with a history the latter makes bonds bear more.
-Plate squeezed(double alpha, const Course& course) {
+Plate squeezed(double alpha, const Amplitude& amplitude) {
   Plate plate = test::bare_plate(20, 20);
   plate.material.G0 = 0.0;
   plate.material.s0 = 0.02;
@@ -243,7 +244,7 @@ Plate squeezed(double alpha, const Course& course) {
   const VectorField field(
       [=](const Vec2& x) { return Vec2(0.025 * (x.x() - 0.5 * w), -0.02 * (x.y() - 0.5 * h)); });
   for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top})
-    plate.loads.supports.push_back(grip(strip(plate, edge, 3e-3), field, course));
+    plate.loads.supports.push_back(grip(strip(plate, edge, 3e-3), field, amplitude));
   return plate;
 }
 
@@ -275,7 +276,7 @@ TEST(StaticHistory, HoldsInTheFirstStepAfterAPrescribedState) {
     Numerics numerics = test::numerics(0.5e-3, 1.5e-3);
     numerics.precision = precision;
     Plate plate = squeezed(0.5, {});
-    plate.starts.push_back({{}, plate.loads.supports[0].value, Vec2(0, 0)});
+    plate.initial_conditions.push_back({{}, plate.loads.supports[0].value, Vec2(0, 0)});
     plate.loads.supports.clear();
     Simulation simulation(plate, numerics, {1});
     simulation.step();
@@ -285,7 +286,8 @@ TEST(StaticHistory, HoldsInTheFirstStepAfterAPrescribedState) {
       for (int i = 0; i < 20; ++i)
         state.set_u(
             i, j,
-            plate.starts[0].displacement.at(simulation.lattice().grid.position(i, j)) / 0.5e-3);
+            plate.initial_conditions[0].displacement.at(simulation.lattice().grid.position(i, j)) /
+                0.5e-3);
     Simulation restored(squeezed(0.5, {}), numerics, {1});
     restored.restore(state);
     restored.step();
@@ -293,10 +295,10 @@ TEST(StaticHistory, HoldsInTheFirstStepAfterAPrescribedState) {
   }
 }
 
-Plate warmed(double change, const Course& course) {
+Plate warmed(double change, const Amplitude& amplitude) {
   Plate plate = test::bare_plate(30, 20);
   plate.material.alphaT = 9e-6;
-  plate.loads.heatings.push_back({{}, ScalarField(change), course});
+  plate.loads.thermal_loads.push_back({{}, ScalarField(change), amplitude});
   return plate;
 }
 

@@ -468,8 +468,8 @@ class Hostile : public testing::Test {
 TEST_F(Hostile, FilesAreRefusedByKindSoonInLittleMemoryAndUnquoted) {
   ASSERT_EQ(complaint(honest), "");
   const std::vector<Crafted> all = all_crafted();
-  constexpr double most_seconds = 20.0;                 // of a processor; each takes less than one
-  constexpr std::uint64_t most_memory = 1'500'000'000;  // of this test itself are 128 MB
+  constexpr double max_seconds = 20.0;                 // of a processor; each takes less than one
+  constexpr std::uint64_t max_memory = 1'500'000'000;  // of this test itself are 128 MB
   for (const Crafted& one : all) {
     SCOPED_TRACE(one.name);
     const fs::path path = crafted(one.by);
@@ -479,8 +479,8 @@ TEST_F(Hostile, FilesAreRefusedByKindSoonInLittleMemoryAndUnquoted) {
     EXPECT_THAT(told, HasSubstr(one.says));
     EXPECT_THAT(told, testing::Not(HasSubstr("SECRET")));
     EXPECT_THAT(told, testing::Not(HasSubstr("root:")));
-    EXPECT_LT(taken, most_seconds);
-    EXPECT_LT(peak_resident_memory(), most_memory);
+    EXPECT_LT(taken, max_seconds);
+    EXPECT_LT(peak_resident_memory(), max_memory);
   }
   RecordProperty("crafted_files", static_cast<int>(all.size()));
   std::printf("%zu crafted files\n", all.size());

@@ -100,7 +100,7 @@ Bitmap some_bitmap() {
 
 Loads every_load() {
   Loads loads;
-  const Course table({{0.0, 0.25}, {1e-6, 1.0}, {1e-6, 0.5}});
+  const Amplitude table({{0.0, 0.25}, {1e-6, 1.0}, {1e-6, 0.5}});
   loads.tractions = {{Edge::left, {1e6, 2e6}, 1.1e-3, table}, {Edge::bottom, {-3e6, 4e6}, 0.0, {}}};
   loads.pressures = {{"bore", 5e6, ramp(2e-6)}, {"slit", -6e6, {}}};
   loads.body_forces = {{Ellipse{{0.01, 0.02}, {3e-3, 4e-3}, 0.5}, {7.0, 8.0}, step_at(3e-6)},
@@ -112,8 +112,8 @@ Loads every_load() {
                      false,
                      pulse(1e-6, 2e-6)},
                     {std::nullopt, Support::Kind::displacement, {1e-6, 2e-6}, false, true, {}}};
-  loads.heatings = {{Capsule{{{0.01, 0.011}, {0.012, 0.013}}, 1e-3}, 40.0, table},
-                    {some_bitmap(), -50.0, {}}};
+  loads.thermal_loads = {{Capsule{{{0.01, 0.011}, {0.012, 0.013}}, 1e-3}, 40.0, table},
+                         {some_bitmap(), -50.0, {}}};
   loads.impactors = {{{0.02, 0.06}, 2e-3, {3.0, -80.0}, 0.7}};
   loads.damping = 1234.5;
   return loads;
@@ -131,8 +131,8 @@ Plate every_member() {
                   {{0.06, 0.04}, {0.07, 0.041}, Born::broken}};
   plate.no_fail = {rectangle({0.0, 0.0}, {0.001, 0.053}),
                    Capsule{{{0.05, 0.05}, {0.06, 0.052}}, 1.5e-3}};
-  plate.starts = {{Ellipse{{0.01, 0.01}, {1e-3, 1e-3}, 0.0}, {1e-6, 2e-6}, {3.0, 4.0}},
-                  {std::nullopt, {5e-6, 6e-6}, {7.0, 8.0}}};
+  plate.initial_conditions = {{Ellipse{{0.01, 0.01}, {1e-3, 1e-3}, 0.0}, {1e-6, 2e-6}, {3.0, 4.0}},
+                              {std::nullopt, {5e-6, 6e-6}, {7.0, 8.0}}};
   plate.scatter = Scatter{Scatter::Kind::normal, 0.11, 1.3e-3, 99};
   plate.contact = Contact{40.0, 0.8};
   plate.loads = every_load();
@@ -147,7 +147,7 @@ bool same(const Numerics& one, const Numerics& other) {
          std::tie(b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11);
 }
 
-bool same(const Course& one, const Course& other) {
+bool same(const Amplitude& one, const Amplitude& other) {
   return one.is_constant() == other.is_constant() && one.points() == other.points();
 }
 
@@ -157,35 +157,35 @@ bool same(const FieldOfPlace<T>& one, const FieldOfPlace<T>& other) {
 }
 
 bool same(const Traction& one, const Traction& other) {
-  const auto& [edge, stress, depth, course] = one;
-  const auto& [other_edge, other_stress, other_depth, other_course] = other;
+  const auto& [edge, stress, depth, amplitude] = one;
+  const auto& [other_edge, other_stress, other_depth, other_amplitude] = other;
   return edge == other_edge && same(stress, other_stress) && depth == other_depth &&
-         same(course, other_course);
+         same(amplitude, other_amplitude);
 }
 
 bool same(const Pressure& one, const Pressure& other) {
-  const auto& [rim, pressure, course] = one;
-  const auto& [other_rim, other_pressure, other_course] = other;
-  return rim == other_rim && pressure == other_pressure && same(course, other_course);
+  const auto& [rim, pressure, amplitude] = one;
+  const auto& [other_rim, other_pressure, other_amplitude] = other;
+  return rim == other_rim && pressure == other_pressure && same(amplitude, other_amplitude);
 }
 
 bool same(const BodyForce& one, const BodyForce& other) {
-  const auto& [region, force, course] = one;
-  const auto& [other_region, other_force, other_course] = other;
-  return region == other_region && same(force, other_force) && same(course, other_course);
+  const auto& [region, force, amplitude] = one;
+  const auto& [other_region, other_force, other_amplitude] = other;
+  return region == other_region && same(force, other_force) && same(amplitude, other_amplitude);
 }
 
 bool same(const Support& one, const Support& other) {
-  const auto& [region, kind, value, along_x, along_y, course] = one;
-  const auto& [other_region, other_kind, other_value, other_x, other_y, other_course] = other;
+  const auto& [region, kind, value, along_x, along_y, amplitude] = one;
+  const auto& [other_region, other_kind, other_value, other_x, other_y, other_amplitude] = other;
   return region == other_region && kind == other_kind && same(value, other_value) &&
-         along_x == other_x && along_y == other_y && same(course, other_course);
+         along_x == other_x && along_y == other_y && same(amplitude, other_amplitude);
 }
 
-bool same(const Heating& one, const Heating& other) {
-  const auto& [region, change, course] = one;
-  const auto& [other_region, other_change, other_course] = other;
-  return region == other_region && same(change, other_change) && same(course, other_course);
+bool same(const ThermalLoad& one, const ThermalLoad& other) {
+  const auto& [region, change, amplitude] = one;
+  const auto& [other_region, other_change, other_amplitude] = other;
+  return region == other_region && same(change, other_change) && same(amplitude, other_amplitude);
 }
 
 bool same(const Impactor& one, const Impactor& other) {
@@ -195,7 +195,7 @@ bool same(const Impactor& one, const Impactor& other) {
          mass == other_mass;
 }
 
-bool same(const Start& one, const Start& other) {
+bool same(const InitialCondition& one, const InitialCondition& other) {
   const auto& [region, displacement, velocity] = one;
   const auto& [other_region, other_displacement, other_velocity] = other;
   return region == other_region && same(displacement, other_displacement) &&
@@ -243,12 +243,13 @@ void expect_same(const std::vector<T>& found, const std::vector<T>& wanted, cons
 TEST(Inputs, KeepEveryMemberOfEveryLoad) {
   const Loads wanted = every_load();
   const Loads found = read_inputs(inputs_of(every_member(), every_choice())).plate.loads;
-  const auto& [tractions, pressures, body_forces, supports, heatings, impactors, damping] = found;
+  const auto& [tractions, pressures, body_forces, supports, thermal_loads, impactors, damping] =
+      found;
   expect_same(tractions, wanted.tractions, "tractions");
   expect_same(pressures, wanted.pressures, "pressures");
   expect_same(body_forces, wanted.body_forces, "body forces");
   expect_same(supports, wanted.supports, "supports");
-  expect_same(heatings, wanted.heatings, "heatings");
+  expect_same(thermal_loads, wanted.thermal_loads, "heatings");
   expect_same(impactors, wanted.impactors, "impactors");
   EXPECT_EQ(damping, wanted.damping);
 }
@@ -256,8 +257,8 @@ TEST(Inputs, KeepEveryMemberOfEveryLoad) {
 TEST(Inputs, KeepEveryMemberOfAPlate) {
   const Plate wanted = every_member();
   const Plate found = read_inputs(inputs_of(wanted, every_choice())).plate;
-  const auto& [width, height, material, plane, cutouts, inclusions, cracks, no_fail, starts,
-               scatter, contact, loads] = found;
+  const auto& [width, height, material, plane, cutouts, inclusions, cracks, no_fail,
+               initial_conditions, scatter, contact, loads] = found;
   EXPECT_EQ(width, wanted.width);
   EXPECT_EQ(height, wanted.height);
   EXPECT_EQ(material, wanted.material);
@@ -266,7 +267,7 @@ TEST(Inputs, KeepEveryMemberOfAPlate) {
   expect_same(inclusions, wanted.inclusions, "inclusions");
   expect_same(cracks, wanted.cracks, "cracks");
   EXPECT_EQ(no_fail, wanted.no_fail);
-  expect_same(starts, wanted.starts, "starts");
+  expect_same(initial_conditions, wanted.initial_conditions, "initial_conditions");
   ASSERT_TRUE(scatter && contact);
   EXPECT_TRUE(same(*scatter, *wanted.scatter));
   EXPECT_TRUE(same(*contact, *wanted.contact));
@@ -294,13 +295,13 @@ TEST(Inputs, OfAPlateWithoutAnythingAreEmpty) {
 TEST(Inputs, MarkFunctionsWhichCannotBeRead) {
   Plate plate = test::bare_plate(20, 10);
   Traction load{Edge::top, VectorField([](const Vec2& at) { return at; }), 0.0,
-                Course([](double t) { return t; }, "a function of time")};
+                Amplitude([](double t) { return t; }, "a function of time")};
   plate.loads.tractions.push_back(load);
   const std::string text = inputs_of(plate, test::numerics());
   EXPECT_THAT(text, HasSubstr("\"function\": \"a function of time\""));
   const Traction found = read_inputs(text).plate.loads.tractions.at(0);
-  EXPECT_EQ(found.course.describe(), "a function of time");
-  EXPECT_THROW(found.course.at(0.0), Error);
+  EXPECT_EQ(found.amplitude.describe(), "a function of time");
+  EXPECT_THROW(found.amplitude.at(0.0), Error);
   EXPECT_FALSE(found.stress.is_constant());
   EXPECT_THROW(found.stress.at({0.0, 0.0}), Error);
 }

@@ -114,22 +114,22 @@ TEST(AKilledRun, LeavesEveryCommittedRecordWhateverTheMoment) {
   const RunFileReader whole(folder / "whole.h5");
   const fs::path path = folder / "partly.h5";
   const int file = open(path.c_str(), O_WRONLY | O_CREAT, 0600);
-  long long most_committed = -1;
+  long long max_committed = -1;
   for (std::size_t k = 0; k < writes.size(); ++k) {
     apply(writes[k], file);
     const RunFileReader partly(path);
     // Before the constructor of RunFile has returned, there is no file to speak of.
     const bool complete = partly.opens() && partly.holds("records");
     if (!complete) {
-      ASSERT_EQ(most_committed, -1) << "write " << k << " of " << writes.size();
+      ASSERT_EQ(max_committed, -1) << "write " << k << " of " << writes.size();
       continue;
     }
-    ASSERT_GE(partly.committed(), most_committed);
-    most_committed = partly.committed();
+    ASSERT_GE(partly.committed(), max_committed);
+    max_committed = partly.committed();
     ASSERT_TRUE(committed_are_whole(partly, whole)) << "write " << k << " of " << writes.size();
   }
   close(file);
-  EXPECT_EQ(most_committed, records);
+  EXPECT_EQ(max_committed, records);
 }
 
 }  // namespace

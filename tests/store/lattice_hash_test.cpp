@@ -27,7 +27,7 @@ TEST(LatticeHash, KnowsEveryMember) {
       {"s0 of another", [](Lattice& l) { l.materials.back().calibration.s0 *= 2.0; }},
       {"material", [](Lattice& l) { l.material.back() = 1; }},
       {"bonds", [](Lattice& l) { l.bonds.clear(l.grid.layout().at(2, 2), 3); }},
-      {"born", [](Lattice& l) { ++l.born.back(); }},
+      {"initial_neighbours", [](Lattice& l) { ++l.initial_neighbours.back(); }},
       {"strength", [](Lattice& l) { l.strength.assign(l.grid.nodes(), 1.0F); }}};
   for (const Change& change : changes) {
     Lattice other = lattice;

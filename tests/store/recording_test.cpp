@@ -93,7 +93,7 @@ double tolerance_of(std::string_view field, const Simulation& simulation) {
   const double strain = stretch_error(simulation);
   if (field.starts_with("stress") || field == "von_mises" || field == "shear")
     return 4.0 * stiffest(simulation) * strain;
-  if (field == "stretch") return 2.0 * strain / (0.1 * simulation.lattice().least_stretch());
+  if (field == "stretch") return 2.0 * strain / (0.1 * simulation.lattice().min_stretch());
   return 0.0;
 }
 

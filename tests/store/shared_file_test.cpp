@@ -58,9 +58,9 @@ long long whole_records(const fs::path& path) {
 // As above, for readers that are stopped in the middle of what they read while the writer goes on:
 // such a reading fails by a checksum or a length, and the next one does not.
 long long whole_records_soon(const fs::path& path) {
-  constexpr int most_trials = 20;
+  constexpr int max_trials = 20;
   long long count = -1;
-  for (int trial = 0; trial < most_trials && count < 0; ++trial) count = whole_records(path);
+  for (int trial = 0; trial < max_trials && count < 0; ++trial) count = whole_records(path);
   return count;
 }
 

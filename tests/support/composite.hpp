@@ -45,10 +45,10 @@ inline Plate composite(int nx, int ny, const Mixture& mixture) {
     plate.cutouts.push_back({disc({0.85 * w, 0.5 * h}, 0.1 * h), "bore"});
   }
   if (mixture.heated) {
-    plate.loads.heatings.push_back(
+    plate.loads.thermal_loads.push_back(
         {rectangle({0.0, 0.5 * h}, {w, h}),
-         ScalarField([w](const Vec2& x) { return 150.0 * x.x() / w - 50.0; }), Course()});
-    plate.loads.heatings.push_back({std::nullopt, 80.0, ramp(2e-6)});
+         ScalarField([w](const Vec2& x) { return 150.0 * x.x() / w - 50.0; }), Amplitude()});
+    plate.loads.thermal_loads.push_back({std::nullopt, 80.0, ramp(2e-6)});
   }
   return plate;
 }

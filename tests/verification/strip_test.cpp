@@ -28,7 +28,7 @@ Plate gripped(const Strip& s, double shift) {
     Support support;
     support.region = strip(plate, edge, s.m * dx);
     support.value = Vec2(0.0, sign * shift);
-    support.course = ramp(duration);
+    support.amplitude = ramp(duration);
     plate.loads.supports.push_back(support);
     plate.no_fail.push_back(strip(plate, edge, 2 * s.m * dx));
   }

@@ -18,7 +18,7 @@
 namespace hackle {
 namespace {
 
-constexpr int least_width = 320;  // px, of a picture that is painted
+constexpr int min_width = 320;  // px, of a picture that is painted
 
 constexpr auto sheet_options = joined(
     std::array{
@@ -110,7 +110,7 @@ void check_kind(Arguments& arguments) {
 Image sheet_of_recordings(const Arguments& arguments, const Tiles& tiles,
                           const SheetLayout& layout) {
   PictureOptions options = picture_of(arguments);
-  options.width = std::max(least_width, layout.width + layout.width % 2);
+  options.width = std::max(min_width, layout.width + layout.width % 2);
   return sheet_of(tiles, arguments.numbers("times"), options, layout);
 }
 

@@ -41,7 +41,7 @@ void complete(BodyForce& load, Arguments& arguments, const Plate& plate, const F
   load.region = region_of(arguments, plate, doc.name);
 }
 
-void complete(Heating& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+void complete(ThermalLoad& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
   load.region = region_of(arguments, plate, doc.name);
 }
 
@@ -144,13 +144,13 @@ int release(lua_State* L) {
 int add_start(lua_State* L) {
   Plate& plate = self<Plate>(L, plate_start_doc);
   Arguments arguments = Arguments::from_table(L, 2, plate_start_doc);
-  auto start = noun_of<Start>(arguments);
-  start.region = region_of(arguments, plate, "start");
+  auto start = noun_of<InitialCondition>(arguments);
+  start.region = region_of(arguments, plate, "initial");
   if (!arguments.has("displacement") && !arguments.has("velocity") &&
       arguments.good({"displacement", "velocity"}))
-    arguments.problems.add("start: no motion is given", "give velocity, displacement or both");
+    arguments.problems.add("initial: no motion is given", "give velocity, displacement or both");
   arguments.problems.throw_if_any();
-  plate.starts.push_back(std::move(start));
+  plate.initial_conditions.push_back(std::move(start));
   return return_plate(L);
 }
 
@@ -160,7 +160,7 @@ constexpr std::array plate_methods{
     Function{&plate_body_force_doc, guarded<add_to_plate<BodyForce, plate_body_force_doc>>},
     Function{&plate_clamp_doc, guarded<add_to_plate<Support, plate_clamp_doc>>},
     Function{&plate_move_doc, guarded<add_to_plate<Support, plate_move_doc>>},
-    Function{&plate_temperature_doc, guarded<add_to_plate<Heating, plate_temperature_doc>>},
+    Function{&plate_temperature_doc, guarded<add_to_plate<ThermalLoad, plate_temperature_doc>>},
     Function{&plate_impactor_doc, guarded<add_to_plate<Impactor, plate_impactor_doc>>},
     Function{&plate_damping_doc, guarded<damp_plate>},
     Function{&plate_start_doc, guarded<add_start>},
@@ -172,16 +172,16 @@ constexpr std::array simulation_methods{
     Function{&run_body_force_doc, guarded<change_in_run<BodyForce, run_body_force_doc>>},
     Function{&run_clamp_doc, guarded<change_in_run<Support, run_clamp_doc>>},
     Function{&run_move_doc, guarded<change_in_run<Support, run_move_doc>>},
-    Function{&run_temperature_doc, guarded<change_in_run<Heating, run_temperature_doc>>},
+    Function{&run_temperature_doc, guarded<change_in_run<ThermalLoad, run_temperature_doc>>},
     Function{&run_impactor_doc, guarded<change_in_run<Impactor, run_impactor_doc>>},
     Function{&run_damping_doc, guarded<damp_run>},
     Function{&release_doc, guarded<release>},
 };
 
-void push_course(lua_State* L, const Course& course) {
-  lua_createtable(L, static_cast<int>(course.points().size()), 0);
+void push_amplitude(lua_State* L, const Amplitude& amplitude) {
+  lua_createtable(L, static_cast<int>(amplitude.points().size()), 0);
   lua_Integer place = 0;
-  for (const Vec2& point : course.points()) {
+  for (const Vec2& point : amplitude.points()) {
     lua_createtable(L, 2, 0);
     lua_pushnumber(L, point.x());
     lua_rawseti(L, -2, 1);
@@ -191,25 +191,25 @@ void push_course(lua_State* L, const Course& course) {
   }
 }
 
-template <const FunctionDoc& doc, Course (*make)(const Arguments&)>
+template <const FunctionDoc& doc, Amplitude (*make)(const Arguments&)>
 int push(lua_State* L) {
   const Arguments arguments = Arguments::from_values(L, 1, doc);
   arguments.problems.throw_if_any();
-  push_course(L, make(arguments));
+  push_amplitude(L, make(arguments));
   return 1;
 }
 
-Course make_ramp(const Arguments& arguments) {
+Amplitude make_ramp(const Arguments& arguments) {
   return ramp(arguments.number("duration"));
 }
-Course make_pulse(const Arguments& arguments) {
+Amplitude make_pulse(const Arguments& arguments) {
   return pulse(arguments.number("duration"), arguments.number("start"));
 }
-Course make_step(const Arguments& arguments) {
+Amplitude make_step(const Arguments& arguments) {
   return step_at(arguments.number("start"));
 }
 
-constexpr std::array courses{
+constexpr std::array amplitudes{
     Function{&ramp_doc, guarded<push<ramp_doc, make_ramp>>},
     Function{&pulse_doc, guarded<push<pulse_doc, make_pulse>>},
     Function{&step_at_doc, guarded<push<step_at_doc, make_step>>},
@@ -225,8 +225,8 @@ std::span<const Function> load_methods_of_simulation() {
   return simulation_methods;
 }
 
-std::span<const Function> course_functions() {
-  return courses;
+std::span<const Function> amplitude_functions() {
+  return amplitudes;
 }
 
 }  // namespace hackle

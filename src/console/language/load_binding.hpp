@@ -11,7 +11,7 @@ namespace hackle {
 std::span<const Function> load_methods_of_plate();
 // They replace the like load at the same place.
 std::span<const Function> load_methods_of_simulation();
-// Courses in time: ramp, pulse, step_at.
-std::span<const Function> course_functions();
+// Amplitudes in time: ramp, pulse, step_at.
+std::span<const Function> amplitude_functions();
 
 }  // namespace hackle

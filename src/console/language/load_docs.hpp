@@ -26,7 +26,7 @@ inline constexpr auto move_options = joined(
     joined(without("along_x", without("along_y", options_of<Support>)), std::array{axis_option}),
     region_options);
 
-inline constexpr auto temperature_options = joined(options_of<Heating>, region_options);
+inline constexpr auto temperature_options = joined(options_of<ThermalLoad>, region_options);
 
 inline constexpr auto impactor_options = joined(
     options_of<Impactor>,
@@ -46,7 +46,7 @@ inline constexpr auto damping_options = [] {
   return options;
 }();
 
-inline constexpr auto start_options = joined(options_of<Start>, region_options);
+inline constexpr auto start_options = joined(options_of<InitialCondition>, region_options);
 
 inline constexpr FunctionDoc plate_traction_doc{
     .name = "traction",
@@ -101,11 +101,11 @@ inline constexpr FunctionDoc plate_damping_doc{.name = "damping",
                                                .options = damping_options,
                                                .example = "p:damping { rate = 1e5 }"};
 inline constexpr FunctionDoc plate_start_doc{
-    .name = "start",
+    .name = "initial",
     .owner = "p",
-    .sentence = "Gives an area, or the plate, a motion to start with; several add up.",
+    .sentence = "Sets the initial condition of an area, or of the plate; several add up.",
     .options = start_options,
-    .example = "p:start { velocity = function(x, y) return 0, 3*(y - 20*mm)/(20*mm) end }"};
+    .example = "p:initial { velocity = function(x, y) return 0, 3*(y - 20*mm)/(20*mm) end }"};
 
 // The same of a simulation: from now on, instead of the like load at the same place.
 constexpr FunctionDoc of_simulation(FunctionDoc doc, std::string_view example) {
@@ -172,17 +172,17 @@ inline constexpr std::array step_at_options{Option{.name = "start",
 
 inline constexpr FunctionDoc ramp_doc{.name = "ramp",
                                       .call = Call::values,
-                                      .sentence = "A time course from 0 to 1, then 1.",
+                                      .sentence = "An amplitude in time: from 0 to 1, then 1.",
                                       .options = duration_option,
                                       .example = "ramp(2*us)"};
 inline constexpr FunctionDoc pulse_doc{.name = "pulse",
                                        .call = Call::values,
-                                       .sentence = "A time course that is 1 for a while.",
+                                       .sentence = "An amplitude that is 1 for a while.",
                                        .options = pulse_options,
                                        .example = "pulse(1*us, 3*us)"};
 inline constexpr FunctionDoc step_at_doc{.name = "step_at",
                                          .call = Call::values,
-                                         .sentence = "A time course that is 0 before, 1 after.",
+                                         .sentence = "An amplitude that is 0 before, 1 after.",
                                          .options = step_at_options,
                                          .example = "step_at(5*us)"};
 

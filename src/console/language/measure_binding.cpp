@@ -36,12 +36,13 @@ constexpr FunctionDoc cracks_doc{
     .options = cracks_options,
     .example = "tip = s:cracks { from = {0, 10*mm}, to = {100*mm, 30*mm} }.right"};
 
-constexpr FunctionDoc pieces_doc{
-    .name = "pieces",
-    .owner = "s",
-    .call = Call::values,
-    .sentence = "The nodes of each part that hangs together, the largest first, as a list.",
-    .example = "print(#s:pieces())"};
+constexpr FunctionDoc fragments_doc{.name = "fragments",
+                                    .owner = "s",
+                                    .call = Call::values,
+                                    .sentence =
+                                        "Its fragments: the nodes of each part that bonds hold "
+                                        "together, the largest first, as a list.",
+                                    .example = "print(#s:fragments())"};
 
 constexpr std::array at_options{
     Option{.name = "place",
@@ -90,12 +91,12 @@ int find_cracks(lua_State* L) {
   return 1;
 }
 
-int pieces(lua_State* L) {
-  const Simulation& simulation = self<ScriptedRun>(L, pieces_doc).results();
-  Arguments::from_values(L, 2, pieces_doc).problems.throw_if_any();
+int fragments(lua_State* L) {
+  const Simulation& simulation = self<ScriptedRun>(L, fragments_doc).results();
+  Arguments::from_values(L, 2, fragments_doc).problems.throw_if_any();
   lua_newtable(L);
   lua_Integer place = 0;
-  for (const int size : piece_sizes(simulation)) {
+  for (const int size : fragment_sizes(simulation)) {
     lua_pushinteger(L, size);
     lua_rawseti(L, -2, ++place);
   }
@@ -133,7 +134,7 @@ int at(lua_State* L) {
 
 std::span<const Function> measure_methods() {
   static constexpr std::array methods{Function{&cracks_doc, guarded<find_cracks>},
-                                      Function{&pieces_doc, guarded<pieces>},
+                                      Function{&fragments_doc, guarded<fragments>},
                                       Function{&at_doc, guarded<at>}};
   return methods;
 }

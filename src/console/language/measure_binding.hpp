@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a script can ask of the state of a simulation: s:cracks, s:pieces, s:at.
+// What a script can ask of the state of a simulation: s:cracks, s:fragments, s:at.
 #pragma once
 
 #include <span>

@@ -8,7 +8,7 @@
 #include "base/described.hpp"
 #include "console/language/scripted_material.hpp"
 #include "console/schema/arguments.hpp"
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
 
 namespace hackle {
@@ -27,7 +27,7 @@ constexpr std::optional<OptionType> option_type() {
   if constexpr (std::is_same_v<T, Material>) return OptionType::material;
   if constexpr (std::is_same_v<T, VectorField>) return OptionType::vector_field;
   if constexpr (std::is_same_v<T, ScalarField>) return OptionType::scalar_field;
-  if constexpr (std::is_same_v<T, Course>) return OptionType::course;
+  if constexpr (std::is_same_v<T, Amplitude>) return OptionType::amplitude;
   return std::nullopt;
 }
 

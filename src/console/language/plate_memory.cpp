@@ -33,7 +33,7 @@ std::size_t beyond(const Part& part) {
   if constexpr (requires { part.shape; }) bytes += beyond(part.shape);
   if constexpr (requires { *part.region; })
     if (part.region) bytes += beyond(*part.region);
-  if constexpr (requires { part.course; }) bytes += bytes_of(part.course.points());
+  if constexpr (requires { part.amplitude; }) bytes += bytes_of(part.amplitude.points());
   return bytes;
 }
 
@@ -50,9 +50,10 @@ std::size_t PlateMemory::grown(const Plate& plate) {
   const Loads& loads = plate.loads;
   std::size_t bytes = added(plate.cutouts, counted_[0]) + added(plate.inclusions, counted_[1]) +
                       added(plate.cracks, counted_[2]) + added(plate.no_fail, counted_[3]) +
-                      added(plate.starts, counted_[4]) + added(loads.tractions, counted_[5]) +
-                      added(loads.pressures, counted_[6]) + added(loads.body_forces, counted_[7]) +
-                      added(loads.supports, counted_[8]) + added(loads.heatings, counted_[9]);
+                      added(plate.initial_conditions, counted_[4]) +
+                      added(loads.tractions, counted_[5]) + added(loads.pressures, counted_[6]) +
+                      added(loads.body_forces, counted_[7]) + added(loads.supports, counted_[8]) +
+                      added(loads.thermal_loads, counted_[9]);
   total_ += bytes;
   return bytes;
 }

@@ -18,9 +18,9 @@
 namespace hackle {
 namespace {
 
-constexpr int symbol_size = 4;    // px a side: a crack finer than a quarter of a symbol fades
-constexpr int lines_kept = 3;     // for the call, the line beneath, the prompt
-constexpr int most_width = 1600;  // px: larger pictures take seconds over a slow line
+constexpr int symbol_size = 4;   // px a side: a crack finer than a quarter of a symbol fades
+constexpr int lines_kept = 3;    // for the call, the line beneath, the prompt
+constexpr int max_width = 1600;  // px: larger pictures take seconds over a slow line
 constexpr std::size_t piece_size = 4096;  // bytes between two looks at Ctrl-C
 
 struct Release {
@@ -195,16 +195,16 @@ Terminal terminal_of(int file) {
 }
 
 Extent room_for_picture(const Terminal& terminal) {
-  return {std::min(terminal.columns * terminal.cell.width, most_width),
+  return {std::min(terminal.columns * terminal.cell.width, max_width),
           rows_for_picture(terminal) * terminal.cell.height};
 }
 
 Extent bare_picture(const Terminal& terminal, double shape) {
   const double rows_a_column = terminal.cell.width / (shape * terminal.cell.height);
-  const int most_rows = rows_for_picture(terminal);
-  const double wide = std::min<double>(terminal.columns, most_rows / rows_a_column);
+  const int max_rows = rows_for_picture(terminal);
+  const double wide = std::min<double>(terminal.columns, max_rows / rows_a_column);
   const int columns = std::max(1, static_cast<int>(wide));
-  const int rows = std::clamp(static_cast<int>(std::lround(wide * rows_a_column)), 1, most_rows);
+  const int rows = std::clamp(static_cast<int>(std::lround(wide * rows_a_column)), 1, max_rows);
   const Extent cell = cell_size(terminal);
   return {columns * cell.width, rows * cell.height};
 }

@@ -37,7 +37,7 @@ constexpr std::array quasistatic_options{
            .range = above(0.0),
            .required = true,
            .sentence =
-               "Of the courses of the loads to go through; nodes held at a velocity go as far "
+               "Of the amplitudes of the loads to go through; nodes held at a velocity go as far "
                "as it makes."},
     Option{.name = "increments",
            .type = OptionType::integer,

@@ -146,7 +146,7 @@ int to_text(lua_State* L) {
   std::string text =
       fmt::format("{} nodes, {} bonds, horizon {} (m = {:.4g}), step {} (limit {}), {}",
                   grouped(static_cast<std::int64_t>(simulation.lattice().grid.nodes())),
-                  rounded_count(simulation.lattice().bonds_born()),
+                  rounded_count(simulation.lattice().initial_bonds()),
                   quantity(numerics.horizon_or_default(), "m"), numerics.m(),
                   quantity(simulation.dt(), "s"), quantity(simulation.lattice().step_limit, "s"),
                   quantity(memory_of(simulation.plate(), numerics).all(), "B"));
@@ -191,7 +191,7 @@ int push_nodes(lua_State* L) {
 }
 
 int push_bonds(lua_State* L) {
-  lua_pushinteger(L, simulation_of(L).lattice().bonds_born());
+  lua_pushinteger(L, simulation_of(L).lattice().initial_bonds());
   return 1;
 }
 

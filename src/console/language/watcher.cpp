@@ -39,10 +39,10 @@ bool DamageAlarm::due(const Simulation& simulation) {
     return due;
   }
   const NodeLayout layout = grid.layout();
-  for (const Loss& loss : simulation.losses()) {
-    const auto j = static_cast<int>(loss.at / layout.stride());
-    const auto i = static_cast<int>(loss.at - layout.at(0, j));
-    const int lost = 32 * loss.word + std::countr_zero(loss.bit);
+  for (const BrokenBond& broken : simulation.broken_bonds()) {
+    const auto j = static_cast<int>(broken.at / layout.stride());
+    const auto i = static_cast<int>(broken.at - layout.at(0, j));
+    const int lost = 32 * broken.word + std::countr_zero(broken.bit);
     due = due || is_damaged(simulation, i, j);
     lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
       if (bit == lost) due = due || is_damaged(simulation, i + a, j + b);
@@ -54,7 +54,7 @@ bool DamageAlarm::due(const Simulation& simulation) {
 // What broke in the last step of an earlier run is not news.
 bool BreakAlarm::due(const Simulation& simulation) {
   if (!start_) start_ = simulation.time();
-  return !rung_ && simulation.time() > *start_ && !simulation.losses().empty();
+  return !rung_ && simulation.time() > *start_ && !simulation.broken_bonds().empty();
 }
 
 }  // namespace hackle

@@ -37,8 +37,8 @@ std::ptrdiff_t head_of_userdata(lua_State* L) {
 
 }  // namespace
 
-LuaState::LuaState(std::size_t most_memory)
-    : memory_(most_memory), state_(lua_newstate(LuaMemory::allocate, &memory_)) {
+LuaState::LuaState(std::size_t max_memory)
+    : memory_(max_memory), state_(lua_newstate(LuaMemory::allocate, &memory_)) {
   if (state_ == nullptr) throw Error(ErrorKind::run_failed, "no memory for a Lua state");
   set_session(state_, nullptr);
   lua_atpanic(state_, panic);

@@ -17,7 +17,7 @@ class LuaState {
  public:
   // Without any library. Its values may take so many bytes. Throws Error (run_failed) when there is
   // no memory for it.
-  explicit LuaState(std::size_t most_memory = default_lua_memory);
+  explicit LuaState(std::size_t max_memory = default_lua_memory);
   ~LuaState();
   LuaState(const LuaState&) = delete;
   LuaState& operator=(const LuaState&) = delete;

@@ -15,7 +15,7 @@ namespace hackle {
 namespace {
 
 constexpr int deepest = 3;
-constexpr std::size_t most_entries = 40;
+constexpr std::size_t max_entries = 40;
 
 std::string nested_text(lua_State* L, int index, int depth);
 
@@ -74,13 +74,13 @@ struct Others {
 
 // The entries that are not of the list 1..listed; of very many the first that come.
 Others others(lua_State* L, int index, lua_Integer listed, int depth) {
-  constexpr std::size_t most_sorted = 1000;
+  constexpr std::size_t max_sorted = 1000;
   Others found;
   for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
     const int key = lua_gettop(L) - 1;
     if (lua_isinteger(L, key) && lua_tointeger(L, key) >= 1 && lua_tointeger(L, key) <= listed)
       continue;
-    if (++found.count > most_sorted) continue;
+    if (++found.count > max_sorted) continue;
     std::string name = key_text(L, key);
     found.entries.emplace_back(std::move(name), nested_text(L, key + 1, depth + 1));
   }
@@ -91,14 +91,14 @@ Others others(lua_State* L, int index, lua_Integer listed, int depth) {
 std::string table_text(lua_State* L, int index, int depth) {
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
   std::vector<std::string> parts;
-  for (lua_Integer k = 1; k <= count && parts.size() < most_entries; ++k) {
+  for (lua_Integer k = 1; k <= count && parts.size() < max_entries; ++k) {
     lua_rawgeti(L, index, k);
     parts.push_back(nested_text(L, lua_gettop(L), depth + 1));
     lua_pop(L, 1);
   }
   const Others named = others(L, index, count, depth);
   for (const auto& [key, value] : named.entries)
-    if (parts.size() < most_entries) parts.push_back(fmt::format("{} = {}", key, value));
+    if (parts.size() < max_entries) parts.push_back(fmt::format("{} = {}", key, value));
   const std::size_t all = static_cast<std::size_t>(count) + named.count;
   if (all > parts.size()) parts.push_back(fmt::format("... {} more", all - parts.size()));
   std::string text;

@@ -157,7 +157,8 @@ std::string page_of_order() {
          line("tostring",
               "tables, functions and the like are counted: table: 1; so by %s and %p.") +
          line("math.random", "begins with the same number, after math.randomseed() too.") +
-         line("loads", "on one node add up alike in any order; so do temperatures and starts.") +
+         line("loads",
+              "on one node add up alike in any order; so do temperatures and initial conditions.") +
          "\n\nThe order counts where things cover each other: the last inclusion holds, and of\n"
          "supports that hold a node along one axis the last one does. Discs are numbered as they\n"
          "were said.\n\n"

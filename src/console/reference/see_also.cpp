@@ -14,9 +14,9 @@ constexpr auto groups = std::to_array<std::string_view>({
     "traction pressure body_force impactor temperature move",
     "clamp move release nofail",
     "ramp pulse step_at traction",
-    "start damping move",
+    "initial damping move",
     "strength nofail material",
-    "contact impactor pieces",
+    "contact impactor fragments",
     "run step start simulate on",
     "on stop run",
     "start wait status pause resume stop",
@@ -28,7 +28,7 @@ constexpr auto groups = std::to_array<std::string_view>({
     "recording record frame movie show contact_sheet side_by_side",
     "contact_sheet side_by_side recording frame",
     "close movie record",
-    "cracks pieces at report",
+    "cracks fragments at report",
     "options help",
 });
 

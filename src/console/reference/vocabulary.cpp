@@ -23,7 +23,7 @@ std::vector<const TypeDoc*> all_types() {
 std::vector<Function> all_functions() {
   std::vector<Function> list;
   for (const auto functions :
-       {material_functions(), plate_functions(), course_functions(), simulation_functions(),
+       {material_functions(), plate_functions(), amplitude_functions(), simulation_functions(),
         background_functions(), show_functions(), recording_functions(), contact_sheet_functions(),
         options_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());

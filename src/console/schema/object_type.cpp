@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/renamed.hpp"
 #include "base/text.hpp"
 #include "console/lua/description.hpp"
 
@@ -20,8 +21,11 @@ const TypeDoc& type_of_closure(lua_State* L) {
   std::vector<std::string_view> names;
   for (const Function& method : type.methods) names.push_back(method.doc->name);
   for (const Property& field : type.fields) names.push_back(field.name);
+  const std::string what = fmt::format("{} has no '{}'", type.name, name.substr(0, 40));
+  if (const auto now = renamed(type.name, name))
+    throw Error(ErrorKind::refused, what, fmt::format("it is called '{}' now", *now));
   const auto near = nearest(name, names);
-  throw Error(ErrorKind::refused, fmt::format("{} has no '{}'", type.name, name.substr(0, 40)),
+  throw Error(ErrorKind::refused, what,
               near ? fmt::format("did you mean '{}'?", *near)
                    : fmt::format("help '{}' tells what it has", type.name));
 }

@@ -46,7 +46,7 @@ std::string_view type_word(OptionType type) {
       return "{x, y} or function";
     case OptionType::scalar_field:
       return "number or function";
-    case OptionType::course:
+    case OptionType::amplitude:
       return "times or function";
     case OptionType::function:
       return "function";

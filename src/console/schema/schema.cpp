@@ -71,7 +71,7 @@ std::string expectation(const Option& option) {
       return "{x, y}" + in_unit + ", or a function of x and y that returns two numbers";
     case OptionType::scalar_field:
       return "a number" + in_unit + ", or a function of x and y";
-    case OptionType::course:
+    case OptionType::amplitude:
       return "{{t, factor}, ...}, as ramp, pulse and step_at make it, or a function of t";
     case OptionType::function:
       return "a function";

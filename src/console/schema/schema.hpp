@@ -33,7 +33,7 @@ enum class OptionType {
   material,      // the name of one, or what material{...} returns
   vector_field,  // {x, y}, or a function of x and y that returns two numbers
   scalar_field,  // a number, or a function of x and y that returns one
-  course,        // {{t, factor}, ...} in time, or a function of t
+  amplitude,     // {{t, factor}, ...} in time, or a function of t
   function,      // of Lua
 };
 

@@ -15,7 +15,7 @@
 #include "base/units.hpp"
 #include "console/lua/description.hpp"
 #include "console/lua/lua_function.hpp"
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
 #include "scene/vec2.hpp"
 
@@ -238,8 +238,8 @@ std::any read_function(const GivenValue& given) {
   return LuaFunction(given.L, given.index, given.name());
 }
 
-Course course_of(const LuaFunction& function) {
-  return Course(
+Amplitude amplitude_of(const LuaFunction& function) {
+  return Amplitude(
       [function](double t) {
         double factor = 0.0;
         function.call({&t, 1}, {&factor, 1}, fmt::format("at t = {}", quantity(t, "s")));
@@ -248,19 +248,19 @@ Course course_of(const LuaFunction& function) {
       function.text());
 }
 
-std::any read_course(const GivenValue& given) {
+std::any read_amplitude(const GivenValue& given) {
   const auto& [L, index, doc, option, problems] = given;
-  if (lua_type(L, index) == LUA_TFUNCTION) return course_of(LuaFunction(L, index, given.name()));
+  if (lua_type(L, index) == LUA_TFUNCTION) return amplitude_of(LuaFunction(L, index, given.name()));
   if (lua_type(L, index) != LUA_TTABLE) return given.wrong_type();
   const auto points = points_at(L, index);
   if (!points || points->empty())
     return given.wrong(
         fmt::format("{} is not a list of pairs, expected {}", given.name(), expectation(option)));
-  Course course(*points);
+  Amplitude amplitude(*points);
   Problems found;
-  check(course, given.name(), found);
+  check(amplitude, given.name(), found);
   for (const Problem& problem : found.list()) problems.add(problem.what, problem.remedy);
-  return found.empty() ? std::any(std::move(course)) : std::any();
+  return found.empty() ? std::any(std::move(amplitude)) : std::any();
 }
 
 }  // namespace
@@ -295,8 +295,8 @@ std::any read_value(const GivenValue& given) {
       return read_vector_field(given);
     case OptionType::scalar_field:
       return read_scalar_field(given);
-    case OptionType::course:
-      return read_course(given);
+    case OptionType::amplitude:
+      return read_amplitude(given);
     case OptionType::function:
       return read_function(given);
     case OptionType::markers:

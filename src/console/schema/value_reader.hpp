@@ -22,8 +22,8 @@ struct Choice {
 //   window: Eigen::Vector3d
 //   numbers: std::vector<double>
 //   choice: Choice
-//   vector_field, scalar_field, course, function: VectorField, ScalarField, Course, LuaFunction
-//   any other: what the option's own reader says
+//   vector_field, scalar_field, amplitude, function: VectorField, ScalarField, Amplitude,
+//   LuaFunction any other: what the option's own reader says
 std::any read_value(const GivenValue& given);
 
 }  // namespace hackle

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
 #include "scene/shape.hpp"
 
@@ -11,7 +11,7 @@ namespace hackle {
 struct BodyForce {
   Region region;
   VectorField force;  // N/m3
-  Course course;
+  Amplitude amplitude;
 };
 
 template <>
@@ -21,7 +21,7 @@ inline constexpr auto description_of<BodyForce> =
                          {.unit = "N/m3",
                           .required = true,
                           .sentence = "Force per volume; positive right and up."}),
-                  member("time", &BodyForce::course, about_course));
+                  member("time", &BodyForce::amplitude, about_amplitude));
 
 inline bool same_place(const BodyForce& one, const BodyForce& other) {
   return one.region == other.region;

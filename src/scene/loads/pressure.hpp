@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 
 namespace hackle {
 
@@ -11,7 +11,7 @@ namespace hackle {
 struct Pressure {
   std::string rim;        // name of the cut-out
   double pressure = 0.0;  // Pa
-  Course course;
+  Amplitude amplitude;
 };
 
 template <>
@@ -21,7 +21,7 @@ inline constexpr auto description_of<Pressure> = describe_noun(
     member(
         "pressure", &Pressure::pressure,
         {.unit = "Pa", .required = true, .sentence = "Positive when it pushes into the material."}),
-    member("time", &Pressure::course, about_course));
+    member("time", &Pressure::amplitude, about_amplitude));
 
 inline bool same_place(const Pressure& one, const Pressure& other) {
   return one.rim == other.rim;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
 #include "scene/shape.hpp"
 
@@ -15,7 +15,7 @@ struct Support {
   VectorField value;  // m or m/s, of the moment when the factor is 1
   bool along_x = true;
   bool along_y = true;
-  Course course;
+  Amplitude amplitude;
 };
 
 template <>
@@ -30,7 +30,7 @@ inline constexpr auto description_of<Support> = describe_noun(
                                        .alternative = true,
                                        .sentence = "The velocity that is imposed, instead."}})),
     member("along_x", &Support::along_x), member("along_y", &Support::along_y),
-    member("time", &Support::course, about_course));
+    member("time", &Support::amplitude, about_amplitude));
 
 inline bool same_place(const Support& one, const Support& other) {
   return one.region == other.region && one.along_x == other.along_x && one.along_y == other.along_y;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
 #include "scene/loads/edge.hpp"
 
@@ -13,7 +13,7 @@ struct Traction {
   Edge edge = Edge::top;
   VectorField stress;  // Pa
   double depth = 0.0;  // m; 0: one spacing
-  Course course;
+  Amplitude amplitude;
 };
 
 template <>
@@ -30,7 +30,7 @@ inline constexpr auto description_of<Traction> = describe_noun(
             .range = above(0.0),
             .fallback = "one spacing",
             .sentence = "Depth of the layer that the force is spread over; its sum is the same."}),
-    member("time", &Traction::course, about_course));
+    member("time", &Traction::amplitude, about_amplitude));
 
 // A new load at the same place replaces the old one, here as in the other headers of this folder.
 inline bool same_place(const Traction& one, const Traction& other) {

@@ -74,7 +74,7 @@ TEST(LoadBinding, AFunctionMayNotRunOrChangeTheSimulation) {
               HasSubstr("the simulation is running"));
 }
 
-TEST(LoadBinding, CoursesAreListsOfPairs) {
+TEST(LoadBinding, AmplitudesAreListsOfPairs) {
   EXPECT_EQ(test::message_of("local r = ramp(2*us) assert(#r == 2 and r[2][1] == 2*us)\n"
                              "local q = pulse(1*us, 3*us)\n"
                              "assert(q[1][2] == 0 and q[2][2] == 1 and q[4][1] == 4*us)\n"
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"p:temperature { change = {1, 2} }", "or a function of x and y"},
         Bad{"p:damping { rate = -1 }", "at least 0 1/s"},
         Bad{"p:damping { rate = 1/0 }", "expected a finite number"},
-        Bad{"p:start { }", "no motion is given"},
+        Bad{"p:initial { }", "no motion is given"},
         Bad{"sim():release { }", "nothing is clamped or moved there"},
         Bad{"sim():clamp { edge = 'top' }", "the area is not clear"}, Bad{"ramp(0)", "above 0 s"},
         Bad{"pulse()", "duration is missing"}, Bad{"step_at(-1)", "at least 0 s"}));

@@ -35,11 +35,11 @@ TEST(MeasureBinding, CracksSideBySideAreNoFork) {
             "");
 }
 
-TEST(MeasureBinding, CountsPiecesTheLargestFirst) {
+TEST(MeasureBinding, CountsFragmentsTheLargestFirst) {
   EXPECT_EQ(test::message_of(test::scene + R"(
-    assert(#s:pieces() == 1 and s:pieces()[1] == 1000)
+    assert(#s:fragments() == 1 and s:fragments()[1] == 1000)
     p:crack { from = {20*mm, 0}, to = {20*mm, 40*mm} }
-    local list = simulate(p, { spacing = 2*mm }):pieces()
+    local list = simulate(p, { spacing = 2*mm }):fragments()
     assert(#list == 3 and list[1] == 800 and list[2] == 100 and list[3] == 100)
   )"),
             "");
@@ -48,7 +48,7 @@ TEST(MeasureBinding, CountsPiecesTheLargestFirst) {
 TEST(MeasureBinding, TellsWhatANodeDoes) {
   EXPECT_EQ(test::message_of(R"(
     local p = plate { width = 20*mm, height = 10*mm, material = "duran50" }
-    p:start { displacement = function(x, y) return 1e-3*x, -1e-3*y end }
+    p:initial { displacement = function(x, y) return 1e-3*x, -1e-3*y end }
     local s = simulate(p, { spacing = 1*mm })
     local corner, middle = s:at({0, 0}), s:at({20*mm, 10*mm})
     assert(math.abs(corner.x - 0.5*mm) < 1e-12 and math.abs(corner.ux - 0.5e-6) < 1e-15)
@@ -68,7 +68,7 @@ TEST(MeasureBinding, RefusesBadInput) {
            {"cracks { from = {1, 0}, to = {0, 1} }", "the area is empty"},
            {"cracks { form = {0, 0} }", "did you mean 'from'?"},
            {"cracks(3)", "expected options in braces"},
-           {"pieces(2)", "one value too many"},
+           {"fragments(2)", "one value too many"},
            {"at()", "place is missing"},
            {"at({1, 0})", "beyond the plate along x"},
            {"at({0, -1*mm})", "beyond the plate along y"},

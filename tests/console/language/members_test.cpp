@@ -283,17 +283,17 @@ TEST_F(Members, OfTractionsAndPressures) {
   EXPECT_EQ(loads.tractions[0].edge, Edge::right);
   EXPECT_EQ(loads.tractions[0].stress.constant(), Vec2(1e6, 2e6));
   EXPECT_EQ(loads.tractions[0].depth, 3e-3);
-  EXPECT_DOUBLE_EQ(loads.tractions[0].course.at(1e-6), 0.25);
+  EXPECT_DOUBLE_EQ(loads.tractions[0].amplitude.at(1e-6), 0.25);
   EXPECT_EQ(loads.tractions[1].edge, Edge::left);
   EXPECT_EQ(loads.tractions[1].stress.at({10.0, 100.0}), Vec2(50.0, 600.0));
   EXPECT_EQ(loads.tractions[1].depth, 0.0);
-  EXPECT_TRUE(loads.tractions[1].course.is_constant());
+  EXPECT_TRUE(loads.tractions[1].amplitude.is_constant());
   ASSERT_EQ(loads.pressures.size(), 1U);
   EXPECT_EQ(loads.pressures[0].rim, "bore");
   EXPECT_EQ(loads.pressures[0].pressure, 7e6);
-  EXPECT_EQ(loads.pressures[0].course.at(2.9e-6), 0.0);
-  EXPECT_EQ(loads.pressures[0].course.at(4.9e-6), 1.0);
-  EXPECT_EQ(loads.pressures[0].course.at(5.1e-6), 0.0);
+  EXPECT_EQ(loads.pressures[0].amplitude.at(2.9e-6), 0.0);
+  EXPECT_EQ(loads.pressures[0].amplitude.at(4.9e-6), 1.0);
+  EXPECT_EQ(loads.pressures[0].amplitude.at(5.1e-6), 0.0);
 }
 
 TEST_F(Members, OfBodyForcesAndTemperatures) {
@@ -309,16 +309,16 @@ TEST_F(Members, OfBodyForcesAndTemperatures) {
   ASSERT_EQ(loads.body_forces.size(), 2U);
   EXPECT_EQ(loads.body_forces[0].force.constant(), Vec2(1, 2));
   expect_box(loads.body_forces[0].region, {1e-3, 2e-3}, {3e-3, 9e-3});
-  EXPECT_EQ(loads.body_forces[0].course.at(2.9e-6), 0.0);
-  EXPECT_EQ(loads.body_forces[0].course.at(3.1e-6), 1.0);
+  EXPECT_EQ(loads.body_forces[0].amplitude.at(2.9e-6), 0.0);
+  EXPECT_EQ(loads.body_forces[0].amplitude.at(3.1e-6), 1.0);
   EXPECT_EQ(loads.body_forces[1].force.constant(), Vec2(4, 5));
   EXPECT_FALSE(loads.body_forces[1].region);
-  ASSERT_EQ(loads.heatings.size(), 2U);
-  EXPECT_EQ(loads.heatings[0].change.constant(), -6.0);
-  expect_box(loads.heatings[0].region, {0.045, 0.015}, {0.055, 0.025});
-  EXPECT_DOUBLE_EQ(loads.heatings[0].course.at(1e-6), 0.5);
-  EXPECT_EQ(loads.heatings[1].change.at({10.0, 100.0}), 870.0);
-  EXPECT_FALSE(loads.heatings[1].region);
+  ASSERT_EQ(loads.thermal_loads.size(), 2U);
+  EXPECT_EQ(loads.thermal_loads[0].change.constant(), -6.0);
+  expect_box(loads.thermal_loads[0].region, {0.045, 0.015}, {0.055, 0.025});
+  EXPECT_DOUBLE_EQ(loads.thermal_loads[0].amplitude.at(1e-6), 0.5);
+  EXPECT_EQ(loads.thermal_loads[1].change.at({10.0, 100.0}), 870.0);
+  EXPECT_FALSE(loads.thermal_loads[1].region);
 }
 
 TEST_F(Members, OfSupports) {
@@ -342,9 +342,9 @@ TEST_F(Members, OfSupports) {
     EXPECT_EQ(support.along_y, along_y[k]) << k;
     EXPECT_EQ(support.value.constant(), values[k]) << k;
     EXPECT_EQ(support.kind, k == 1 ? Support::Kind::displacement : Support::Kind::velocity) << k;
-    EXPECT_EQ(support.course.is_constant(), k != 0) << k;
+    EXPECT_EQ(support.amplitude.is_constant(), k != 0) << k;
   }
-  EXPECT_DOUBLE_EQ(loads.supports[0].course.at(1e-6), 0.25);
+  EXPECT_DOUBLE_EQ(loads.supports[0].amplitude.at(1e-6), 0.25);
   expect_box(loads.supports[0].region, {0, 0}, {1e-3, 0.04});
   expect_box(loads.supports[1].region, {1e-3, 1e-3}, {2e-3, 3e-3});
   expect_box(loads.supports[2].region, {0.048, 0.018}, {0.052, 0.022});
@@ -360,9 +360,9 @@ TEST_F(Members, OfImpactorsDampingAndStarts) {
   const Plate& plate = plate_after(
       impactors +
       "p:damping { rate = 12345 }\n"
-      "p:start { velocity = {1, 2}, displacement = {3e-6, 4e-6}, from = {1*mm, 1*mm}, to = "
+      "p:initial { velocity = {1, 2}, displacement = {3e-6, 4e-6}, from = {1*mm, 1*mm}, to = "
       "{2*mm, 3*mm} }\n"
-      "p:start { velocity = function(x, y) return 10*x, 20*y end }");
+      "p:initial { velocity = function(x, y) return 10*x, 20*y end }");
   ASSERT_EQ(plate.loads.impactors.size(), 3U);
   const Impactor& one = plate.loads.impactors[0];
   EXPECT_NEAR((one.centre - Vec2(-6e-3, 20e-3)).norm(), 0.0, 1e-15);
@@ -372,13 +372,13 @@ TEST_F(Members, OfImpactorsDampingAndStarts) {
   EXPECT_NEAR(plate.loads.impactors[1].mass, pi * 16e-6 * 1000.0, 1e-12);
   EXPECT_NEAR(plate.loads.impactors[2].mass, pi * 4e-6 * 7850.0, 1e-12);
   EXPECT_EQ(plate.loads.damping, 12345.0);
-  ASSERT_EQ(plate.starts.size(), 2U);
-  EXPECT_EQ(plate.starts[0].velocity.constant(), Vec2(1, 2));
-  EXPECT_EQ(plate.starts[0].displacement.constant(), Vec2(3e-6, 4e-6));
-  expect_box(plate.starts[0].region, {1e-3, 1e-3}, {2e-3, 3e-3});
-  EXPECT_EQ(plate.starts[1].velocity.at({1.0, 2.0}), Vec2(10, 40));
-  EXPECT_EQ(plate.starts[1].displacement.at({1.0, 2.0}), Vec2(0, 0));
-  EXPECT_FALSE(plate.starts[1].region);
+  ASSERT_EQ(plate.initial_conditions.size(), 2U);
+  EXPECT_EQ(plate.initial_conditions[0].velocity.constant(), Vec2(1, 2));
+  EXPECT_EQ(plate.initial_conditions[0].displacement.constant(), Vec2(3e-6, 4e-6));
+  expect_box(plate.initial_conditions[0].region, {1e-3, 1e-3}, {2e-3, 3e-3});
+  EXPECT_EQ(plate.initial_conditions[1].velocity.at({1.0, 2.0}), Vec2(10, 40));
+  EXPECT_EQ(plate.initial_conditions[1].displacement.at({1.0, 2.0}), Vec2(0, 0));
+  EXPECT_FALSE(plate.initial_conditions[1].region);
 }
 
 TEST_F(Members, OfStrengthAndContact) {
@@ -539,14 +539,14 @@ TEST_F(Members, OfLoadsOfASimulation) {
   EXPECT_EQ(loads.tractions[1].edge, Edge::top);
   EXPECT_EQ(loads.tractions[1].stress.constant(), Vec2(3, 4));
   EXPECT_EQ(loads.tractions[1].depth, 5e-3);
-  EXPECT_EQ(loads.tractions[1].course.at(1e-6), 0.25);
+  EXPECT_EQ(loads.tractions[1].amplitude.at(1e-6), 0.25);
   EXPECT_EQ(loads.pressures.at(0).pressure, 6.0);
   EXPECT_EQ(loads.body_forces.at(0).force.constant(), Vec2(7, 8));
   ASSERT_EQ(loads.supports.size(), 3U);
   EXPECT_TRUE(loads.supports[0].along_x && !loads.supports[0].along_y);
   EXPECT_TRUE(!loads.supports[1].along_x && loads.supports[1].along_y);
   EXPECT_EQ(loads.supports[2].value.constant(), Vec2(9, 10));
-  EXPECT_EQ(loads.heatings.at(0).change.constant(), 11.0);
+  EXPECT_EQ(loads.thermal_loads.at(0).change.constant(), 11.0);
   EXPECT_EQ(loads.damping, 12.0);
   EXPECT_EQ(loads.impactors.at(0).mass, 13.0);
 }
@@ -586,7 +586,7 @@ TEST_F(Members, OfWhatASimulationTells) {
   EXPECT_EQ(number("s.dt"), simulation.dt());
   EXPECT_EQ(number("s.dt_limit"), simulation.lattice().step_limit);
   EXPECT_EQ(number("s.nodes"), 4000.0);
-  EXPECT_EQ(number("s.bonds"), double(simulation.lattice().bonds_born()));
+  EXPECT_EQ(number("s.bonds"), double(simulation.lattice().initial_bonds()));
   EXPECT_EQ(number("p.width"), 0.1);
   EXPECT_EQ(number("p.height"), 0.04);
   const Vec2 u = simulation.displacement(70, 35);

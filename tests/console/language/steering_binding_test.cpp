@@ -189,7 +189,7 @@ TEST(Stop, OutsideOfARunDoesNothing) {
 }
 
 // Slow loading calls them at the ends of its increments.
-const std::string slowly_led = R"(
+const std::string slowly_prescribed = R"(
 function led(shift)
   local p = plate { width = 12*mm, height = 12*mm, material = "duran50" }
   p:crack { from = {0, 6*mm}, to = {4*mm, 6*mm} }
@@ -202,7 +202,7 @@ end
 
 TEST(On, EveryIsCalledInSlowLoading) {
   EXPECT_EQ(test::message_of(
-                slowly_led +
+                slowly_prescribed +
                 "s = led(0.1*um) times = {}\n"
                 "s:on { 'every', every = 2*us, call = function(t)\n"
                 "  times[#times + 1] = t assert(t == s.time) end }\n"
@@ -214,7 +214,7 @@ TEST(On, EveryIsCalledInSlowLoading) {
 
 TEST(On, EndsSlowLoadingAndChangesItsLoads) {
   EXPECT_EQ(test::message_of(
-                slowly_led +
+                slowly_prescribed +
                 "s = led(0.1*um)\n"
                 "s:on { 'every', every = 1*us, call = function(t)\n"
                 "  if t > 2.5*us then s:stop() end end }\n"
@@ -231,12 +231,13 @@ TEST(On, EndsSlowLoadingAndChangesItsLoads) {
 }
 
 TEST(On, ABreakIsHeardInSlowLoading) {
-  EXPECT_EQ(test::message_of(slowly_led + "s = led(20*um) calls, heard = 0, false\n"
-                                          "s:on { 'break', call = function() calls = calls + 1\n"
-                                          "  assert(s.damage.broken_bonds > 0) end }\n"
-                                          "s:on { 'damage', call = function() heard = true end }\n"
-                                          "q = s:quasistatic { duration = 10*us, increments = 4 }\n"
-                                          "assert(q.broken > 0 and calls == 1 and heard)"),
+  EXPECT_EQ(test::message_of(slowly_prescribed +
+                             "s = led(20*um) calls, heard = 0, false\n"
+                             "s:on { 'break', call = function() calls = calls + 1\n"
+                             "  assert(s.damage.broken_bonds > 0) end }\n"
+                             "s:on { 'damage', call = function() heard = true end }\n"
+                             "q = s:quasistatic { duration = 10*us, increments = 4 }\n"
+                             "assert(q.broken > 0 and calls == 1 and heard)"),
             "");
 }
 

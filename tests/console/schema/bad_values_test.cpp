@@ -76,7 +76,7 @@ Values nonsense(OptionType type) {
       return {"'a'", "{}", "0/0", "1/0", "true"};
     case OptionType::function:
       return {"5", "'print'", "{}", "true"};
-    case OptionType::course:
+    case OptionType::amplitude:
       return {"5",          "'a'",        "{}",
               "{5}",        "{{0}}",      "{{0, 'a'}}",
               "{{0, 0/0}}", "{{1/0, 1}}", "{{1, 1}, {0, 0}}",
@@ -91,7 +91,7 @@ Values outside(const Option& option) {
   if (option.type != OptionType::number && option.type != OptionType::integer) return values;
   const Range& range = option.range;
   if (std::isfinite(range.least))
-    values.push_back(fmt::format("{:.17g}", range.least_is_in ? range.least - 1.0 : range.least));
+    values.push_back(fmt::format("{:.17g}", range.min_inclusive ? range.least - 1.0 : range.least));
   if (std::isfinite(range.most)) values.push_back(fmt::format("{:.17g}", 2.0 * range.most + 1.0));
   return values;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/static_solve.hpp"
+#include "solver/conjugate_gradient.hpp"
 
 #include <algorithm>
 
@@ -23,26 +23,26 @@ Stiffness inverse_of(const Stiffness& own, double mobile_x, double mobile_y) {
 
 }  // namespace
 
-StaticSolve::StaticSolve(const BondNet& net, const Pieces& pieces, const NodeVectors& mobile,
-                         CoarseSpace* coarse)
+ConjugateGradient::ConjugateGradient(const LinearisedBonds& net, const Fragments& fragments,
+                                     const NodeVectors& mobile, CoarseSpace* coarse)
     : net_(&net),
-      pieces_(&pieces),
+      fragments_(&fragments),
       mobile_(&mobile),
       coarse_(coarse),
       layout_(net.layout()),
-      has_free_pieces_(
-          std::ranges::any_of(pieces.list(), [](const Piece& p) { return !p.is_held; })),
+      has_free_fragments_(
+          std::ranges::any_of(fragments.list(), [](const Fragment& p) { return !p.is_held; })),
       inverse_(static_cast<std::size_t>(layout_.nx) * static_cast<std::size_t>(layout_.ny)),
       p_(layout_),
       q_(layout_),
       r_(layout_),
       z_(layout_),
       of_row_(static_cast<std::size_t>(layout_.ny)),
-      most_of_row_(of_row_.size()) {
+      max_of_row_(of_row_.size()) {
   invert();
 }
 
-void StaticSolve::invert() {
+void ConjugateGradient::invert() {
   for_rows(net_->threads(), layout_.ny, [&](int j) {
     for (int i = 0; i < layout_.nx; ++i) {
       const auto at = static_cast<std::size_t>(layout_.at(i, j));
@@ -53,7 +53,7 @@ void StaticSolve::invert() {
   });
 }
 
-void StaticSolve::start(const NodeVectors& force, const NodeVectors& d) {
+void ConjugateGradient::start(const NodeVectors& force, const NodeVectors& d) {
   for_rows(net_->threads(), layout_.ny, [&](int j) {
     net_->apply_row(d, r_, j);
     for (int i = 0; i < layout_.nx; ++i) {
@@ -62,10 +62,10 @@ void StaticSolve::start(const NodeVectors& force, const NodeVectors& d) {
       r_.y[at] = mobile_->y[at] * (force.y[at] + r_.y[at]);
     }
   });
-  if (has_free_pieces_) pieces_->take_out_rigid(r_);
+  if (has_free_fragments_) fragments_->take_out_rigid(r_);
 }
 
-double StaticSolve::curvature() {
+double ConjugateGradient::curvature() {
   for_rows(net_->threads(), layout_.ny, [&](int j) {
     net_->apply_row(p_, q_, j);
     for (int i = 0; i < layout_.nx; ++i) {
@@ -78,7 +78,7 @@ double StaticSolve::curvature() {
   return sum_of_rows(of_row_);
 }
 
-void StaticSolve::go(double distance, NodeVectors& d) {
+void ConjugateGradient::go(double distance, NodeVectors& d) {
   for_rows(net_->threads(), layout_.ny, [&](int j) {
     for (int i = 0; i < layout_.nx; ++i) {
       const auto at = static_cast<std::size_t>(layout_.at(i, j));
@@ -88,10 +88,10 @@ void StaticSolve::go(double distance, NodeVectors& d) {
       r_.y[at] += distance * q_.y[at];
     }
   });
-  if (has_free_pieces_) pieces_->take_out_rigid(r_);
+  if (has_free_fragments_) fragments_->take_out_rigid(r_);
 }
 
-StaticSolve::Sums StaticSolve::precondition() {
+ConjugateGradient::Sums ConjugateGradient::precondition() {
   for_rows(net_->threads(), layout_.ny, [&](int j) {
     const Stiffness* inverse =
         &inverse_[static_cast<std::size_t>(j) * static_cast<std::size_t>(layout_.nx)];
@@ -100,20 +100,20 @@ StaticSolve::Sums StaticSolve::precondition() {
       z_.x[at] = inverse[i].xx * r_.x[at] + inverse[i].xy * r_.y[at];
       z_.y[at] = inverse[i].xy * r_.x[at] + inverse[i].yy * r_.y[at];
     }
-    most_of_row_[static_cast<std::size_t>(j)] = largest_of_row(layout_, r_, j);
+    max_of_row_[static_cast<std::size_t>(j)] = largest_of_row(layout_, r_, j);
   });
   if (coarse_ != nullptr) coarse_->add_answer(r_, z_);
-  if (has_free_pieces_) pieces_->take_out_rigid(z_);
-  return {dot(r_, z_), most_of_rows(most_of_row_)};
+  if (has_free_fragments_) fragments_->take_out_rigid(z_);
+  return {dot(r_, z_), max_of_rows(max_of_row_)};
 }
 
-double StaticSolve::dot(const NodeVectors& a, const NodeVectors& b) {
+double ConjugateGradient::dot(const NodeVectors& a, const NodeVectors& b) {
   for_rows(net_->threads(), layout_.ny,
            [&](int j) { of_row_[static_cast<std::size_t>(j)] = dot_of_row(layout_, a, b, j); });
   return sum_of_rows(of_row_);
 }
 
-void StaticSolve::turn_to(double share) {
+void ConjugateGradient::turn_to(double share) {
   for_rows(net_->threads(), layout_.ny, [&](int j) {
     for (int i = 0; i < layout_.nx; ++i) {
       const auto at = static_cast<std::size_t>(layout_.at(i, j));
@@ -123,9 +123,9 @@ void StaticSolve::turn_to(double share) {
   });
 }
 
-StaticSolve::Outcome StaticSolve::solve(const NodeVectors& force, NodeVectors& d, double share,
-                                        double goal, int most,
-                                        const std::function<void(double left)>& look) {
+ConjugateGradient::Outcome ConjugateGradient::solve(const NodeVectors& force, NodeVectors& d,
+                                                    double share, double goal, int most,
+                                                    const std::function<void(double left)>& look) {
   start(force, d);
   Sums sums = precondition();
   turn_to(0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 
 #include <cmath>
 #include <limits>
@@ -9,37 +9,37 @@
 namespace hackle {
 namespace {
 
-TEST(Course, IsOneForEverUnlessToldOtherwise) {
-  EXPECT_TRUE(Course().is_constant());
-  for (const double t : {-1.0, 0.0, 1e-6, 1e9}) EXPECT_EQ(Course().at(t), 1.0);
+TEST(Amplitude, IsOneForEverUnlessToldOtherwise) {
+  EXPECT_TRUE(Amplitude().is_constant());
+  for (const double t : {-1.0, 0.0, 1e-6, 1e9}) EXPECT_EQ(Amplitude().at(t), 1.0);
 }
 
-TEST(Course, FollowsStraightLinesAndStaysAtItsEnds) {
-  const Course course({{1.0, 2.0}, {3.0, 6.0}, {4.0, -2.0}});
-  EXPECT_EQ(course.at(0.0), 2.0);
-  EXPECT_EQ(course.at(2.0), 4.0);
-  EXPECT_EQ(course.at(3.0), 6.0);
-  EXPECT_EQ(course.at(3.5), 2.0);
-  EXPECT_EQ(course.at(99.0), -2.0);
+TEST(Amplitude, FollowsStraightLinesAndStaysAtItsEnds) {
+  const Amplitude amplitude({{1.0, 2.0}, {3.0, 6.0}, {4.0, -2.0}});
+  EXPECT_EQ(amplitude.at(0.0), 2.0);
+  EXPECT_EQ(amplitude.at(2.0), 4.0);
+  EXPECT_EQ(amplitude.at(3.0), 6.0);
+  EXPECT_EQ(amplitude.at(3.5), 2.0);
+  EXPECT_EQ(amplitude.at(99.0), -2.0);
 }
 
-TEST(Course, JumpsToTheSecondValueAtTheMomentItself) {
+TEST(Amplitude, JumpsToTheSecondValueAtTheMomentItself) {
   EXPECT_EQ(step_at(2.0).at(std::nextafter(2.0, 0.0)), 0.0);
   EXPECT_EQ(step_at(2.0).at(2.0), 1.0);
-  const Course course = pulse(1.0, 2.0);
-  EXPECT_EQ(course.at(2.0), 1.0);
-  EXPECT_EQ(course.at(std::nextafter(3.0, 0.0)), 1.0);
-  EXPECT_EQ(course.at(3.0), 0.0);
+  const Amplitude amplitude = pulse(1.0, 2.0);
+  EXPECT_EQ(amplitude.at(2.0), 1.0);
+  EXPECT_EQ(amplitude.at(std::nextafter(3.0, 0.0)), 1.0);
+  EXPECT_EQ(amplitude.at(3.0), 0.0);
   EXPECT_EQ(ramp(4.0).at(1.0), 0.25);
   EXPECT_EQ(ramp(4.0).at(5.0), 1.0);
 }
 
-TEST(Course, AFunctionMustGiveFiniteNumbers) {
-  const Course course([](double t) { return 1.0 / (t - 1.0); }, "hyperbola");
-  EXPECT_EQ(course.at(2.0), 1.0);
-  EXPECT_EQ(course.describe(), "hyperbola");
+TEST(Amplitude, AFunctionMustGiveFiniteNumbers) {
+  const Amplitude amplitude([](double t) { return 1.0 / (t - 1.0); }, "hyperbola");
+  EXPECT_EQ(amplitude.at(2.0), 1.0);
+  EXPECT_EQ(amplitude.describe(), "hyperbola");
   try {
-    course.at(1.0);
+    amplitude.at(1.0);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::refused);
@@ -47,10 +47,10 @@ TEST(Course, AFunctionMustGiveFiniteNumbers) {
   }
 }
 
-TEST(Course, MomentsMustAscendAndBeFinite) {
+TEST(Amplitude, MomentsMustAscendAndBeFinite) {
   const auto problems = [](std::vector<Vec2> points) {
     Problems found;
-    check(Course(std::move(points)), "traction", found);
+    check(Amplitude(std::move(points)), "traction", found);
     return found.list().size();
   };
   EXPECT_EQ(problems({{0.0, 1.0}, {0.0, 2.0}, {1.0, 3.0}}), 0U);
@@ -60,16 +60,16 @@ TEST(Course, MomentsMustAscendAndBeFinite) {
 }
 
 // Of straight lines and jumps exact, of functions to the rule's order.
-TEST(Course, HasAMeanOverATime) {
-  EXPECT_DOUBLE_EQ(Course().mean(1.0, 3.0), 1.0);
+TEST(Amplitude, HasAMeanOverATime) {
+  EXPECT_DOUBLE_EQ(Amplitude().mean(1.0, 3.0), 1.0);
   EXPECT_DOUBLE_EQ(ramp(2.0).mean(0.0, 4.0), 0.75);
   EXPECT_DOUBLE_EQ(ramp(2.0).mean(0.5, 1.0), 0.375);
   EXPECT_DOUBLE_EQ(pulse(1.0, 2.0).mean(0.0, 4.0), 0.25);
   EXPECT_DOUBLE_EQ(pulse(1.0, 2.0).mean(2.5, 3.5), 0.5);
   EXPECT_DOUBLE_EQ(step_at(1.0).mean(1.0, 1.0), 1.0);  // no time between them
-  const Course square([](double t) { return t * t; }, "t^2");
+  const Amplitude square([](double t) { return t * t; }, "t^2");
   EXPECT_NEAR(square.mean(1.0, 4.0), 7.0, 1e-12);
-  const Course wave([](double t) { return std::sin(t); }, "sin t");
+  const Amplitude wave([](double t) { return std::sin(t); }, "sin t");
   EXPECT_NEAR(wave.mean(0.0, 3.0), (1.0 - std::cos(3.0)) / 3.0, 1e-6);
 }
 

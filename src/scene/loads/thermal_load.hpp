@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
 #include "scene/shape.hpp"
 
 namespace hackle {
 
 // A change of temperature, which stretches every free bond by alphaT times it.
-struct Heating {
+struct ThermalLoad {
   Region region;
   ScalarField change;  // K
-  Course course;
+  Amplitude amplitude;
 };
 
 template <>
-inline constexpr auto description_of<Heating> = describe_noun(
-    "temperature", "temperature change", member("region", &Heating::region, about_region),
-    member("change", &Heating::change,
+inline constexpr auto description_of<ThermalLoad> = describe_noun(
+    "temperature", "temperature change", member("region", &ThermalLoad::region, about_region),
+    member("change", &ThermalLoad::change,
            {.unit = "K",
             .required = true,
             .sentence = "From the temperature at which it is free of stress."}),
-    member("time", &Heating::course, about_course));
+    member("time", &ThermalLoad::amplitude, about_amplitude));
 
-inline bool same_place(const Heating& one, const Heating& other) {
+inline bool same_place(const ThermalLoad& one, const ThermalLoad& other) {
   return one.region == other.region;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/onlookers.hpp"
+#include "output/progress_observer.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/bond_net.hpp"
+#include "solver/linearised_bonds.hpp"
 
 #include <random>
 #include <utility>
@@ -51,12 +51,12 @@ struct Scene {
   Simulation simulation;
 };
 
-TEST(BondNet, ItsForcesAreThoseOfTheEngine) {
+TEST(LinearisedBonds, ItsForcesAreThoseOfTheEngine) {
   for (const double m : {3.0, 4.0, 5.5}) {
     const Scene scene(0.0, m);
     const Simulation& simulation = scene.simulation;
     const State& state = simulation.state();
-    const BondNet net(simulation.lattice(), state, Threads(2));
+    const LinearisedBonds net(simulation.lattice(), state, Threads(2));
     NodeVectors force(state.layout);
     net.forces(displacements(state), force);
     const std::vector<Vec2> expected = test::accelerations(simulation);
@@ -78,7 +78,7 @@ TEST_P(TangentOfBonds, IsTheDerivativeOfTheirForces) {
   const auto [growth, tangent] = GetParam();
   const Scene scene(growth);
   const State& state = scene.simulation.state();
-  BondNet net(scene.simulation.lattice(), state, Threads(2));
+  LinearisedBonds net(scene.simulation.lattice(), state, Threads(2));
   const NodeVectors u = displacements(state);
   net.linearise(u, tangent);
   NodeVectors p(state.layout), ahead = u, behind = u, up(state.layout), down(state.layout),
@@ -115,10 +115,10 @@ INSTANTIATE_TEST_SUITE_P(Bonds, TangentOfBonds,
                                          std::pair{0.2, Tangent::exact},
                                          std::pair{0.2, Tangent::positive}));
 
-TEST(BondNet, ItsOwnStiffnessIsTheForceThatAnswersOneNode) {
+TEST(LinearisedBonds, ItsOwnStiffnessIsTheForceThatAnswersOneNode) {
   const Scene scene(0.0);
   const State& state = scene.simulation.state();
-  BondNet net(scene.simulation.lattice(), state, Threads(1));
+  LinearisedBonds net(scene.simulation.lattice(), state, Threads(1));
   net.linearise(displacements(state), Tangent::exact);
   NodeVectors p(state.layout), change(state.layout);
   const auto at = static_cast<std::size_t>(state.layout.at(4, 6));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/relaxation.hpp"
+#include "solver/static_equilibrium.hpp"
 
 #include <cmath>
 #include <string>
@@ -23,7 +23,7 @@ Plate pulled(int columns, int rows, double stress = 1e6) {
   return plate;
 }
 
-Support led(Shape region, VectorField value) {
+Support prescribed(Shape region, VectorField value) {
   Support support;
   support.region = std::move(region);
   support.value = std::move(value);
@@ -31,7 +31,7 @@ Support led(Shape region, VectorField value) {
 }
 
 // Far from the left and right edges; a node nearer to top or bottom than a horizon is softer.
-TEST(Relaxation, AUniformStrainLedOnTheRimFillsThePlateWithTheModulusOfTheLattice) {
+TEST(StaticEquilibrium, AUniformStrainLedOnTheRimFillsThePlateWithTheModulusOfTheLattice) {
   constexpr double strain = 1e-7;  // forces are linear to a share of this size
   Plate plate = test::bare_plate(50, 40);
   const double nu =
@@ -39,7 +39,7 @@ TEST(Relaxation, AUniformStrainLedOnTheRimFillsThePlateWithTheModulusOfTheLattic
   const VectorField field(
       [=](const Vec2& x) { return Vec2(strain * x.x(), -nu * strain * x.y()); });
   for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top})
-    plate.loads.supports.push_back(led(strip(plate, edge, 4e-3), field));
+    plate.loads.supports.push_back(prescribed(strip(plate, edge, 4e-3), field));
   Simulation simulation(plate, test::numerics(), {1});
   simulation.relax({1e-10, {}});
 
@@ -64,7 +64,7 @@ TEST(Relaxation, AUniformStrainLedOnTheRimFillsThePlateWithTheModulusOfTheLattic
 }
 
 // What is left of the force, 1e-8 of the loads, makes waves of 1e-16 of the strain energy.
-TEST(Relaxation, TheDynamicSolverStaysThere) {
+TEST(StaticEquilibrium, TheDynamicSolverStaysThere) {
   Plate plate = pulled(60, 40);
   plate.cracks.push_back({{0.0, 0.5 * plate.height}, {0.3 * plate.width, 0.6 * plate.height}});
   for (const double first : {0.0, 2e-6}) {
@@ -91,7 +91,7 @@ TEST(Relaxation, TheDynamicSolverStaysThere) {
 
 // A step from rest is half a kick: after a whole one the plate would move at once. It is the same
 // motion whenever it begins.
-TEST(Relaxation, WhatFollowsDoesNotDependOnTheStepAtWhichItBegins) {
+TEST(StaticEquilibrium, WhatFollowsDoesNotDependOnTheStepAtWhichItBegins) {
   Plate calm = pulled(40, 20);
   Loads other = calm.loads;
   other.tractions[0].stress = {2e6, 0.0};
@@ -111,7 +111,7 @@ TEST(Relaxation, WhatFollowsDoesNotDependOnTheStepAtWhichItBegins) {
   EXPECT_LT(difference, 1e-6 * most);  // 1e-8 of the loads, times what waves make of it
 }
 
-TEST(Relaxation, AFreePlateKeepsItsPlace) {
+TEST(StaticEquilibrium, AFreePlateKeepsItsPlace) {
   Simulation simulation(pulled(40, 21), test::numerics(), {1});
   State state = simulation.state();
   for (int j = 0; j < 21; ++j)
@@ -126,7 +126,7 @@ TEST(Relaxation, AFreePlateKeepsItsPlace) {
 }
 
 // Pulled at two corners across, it turns until the forces are in line.
-TEST(Relaxation, AFreePlateTurnsUntilItsLoadsHaveNoMoment) {
+TEST(StaticEquilibrium, AFreePlateTurnsUntilItsLoadsHaveNoMoment) {
   Plate plate = test::bare_plate(40, 20);
   const double w = plate.width, h = plate.height;
   const Vec2 force(0.75 * w * 1e11, 0.5 * h * 1e11);  // N/m3, through the centres of the two areas
@@ -151,26 +151,27 @@ std::string refusal(Simulation& simulation) {
   return "";
 }
 
-TEST(Relaxation, RefusesAFreePlateThatIsPushed) {
+TEST(StaticEquilibrium, RefusesAFreePlateThatIsPushed) {
   Plate plate = pulled(40, 20);
   plate.loads.tractions.pop_back();
   Simulation simulation(plate, test::numerics(), {1});
   // 1 MPa on 10 mm.
-  EXPECT_THAT(refusal(simulation), testing::HasSubstr("the piece of 800 nodes around (10 mm, 5 mm) "
-                                                      "with (1e+04 N/m, 0 N/m)"));
+  EXPECT_THAT(refusal(simulation),
+              testing::HasSubstr("the fragment of 800 nodes around (10 mm, 5 mm) "
+                                 "with (1e+04 N/m, 0 N/m)"));
 }
 
-TEST(Relaxation, RefusesAFreePlateThatIsTurned) {
+TEST(StaticEquilibrium, RefusesAFreePlateThatIsTurned) {
   Plate plate = test::bare_plate(40, 20);
   plate.loads.tractions = {{Edge::right, {0.0, 1e6}}, {Edge::left, {0.0, -1e6}}};
   Simulation simulation(plate, test::numerics(), {1});
   EXPECT_THAT(refusal(simulation), testing::HasSubstr("nothing holds it"));
 }
 
-TEST(Relaxation, RefusesALoadToWhichTheSupportsGiveWay) {
+TEST(StaticEquilibrium, RefusesALoadToWhichTheSupportsGiveWay) {
   Plate plate = pulled(40, 20);
   plate.loads.tractions.pop_back();
-  Support support = led(strip(plate, Edge::bottom, 2e-3), Vec2(0, 0));
+  Support support = prescribed(strip(plate, Edge::bottom, 2e-3), Vec2(0, 0));
   support.along_x = false;
   plate.loads.supports.push_back(support);
   Simulation simulation(plate, test::numerics(), {1});
@@ -178,27 +179,27 @@ TEST(Relaxation, RefusesALoadToWhichTheSupportsGiveWay) {
 }
 
 // One node holds it; the loads make a couple.
-TEST(Relaxation, RefusesALoadThatTurnsAPlateOnItsHinge) {
+TEST(StaticEquilibrium, RefusesALoadThatTurnsAPlateOnItsHinge) {
   Plate plate = test::bare_plate(40, 20);
   plate.loads.tractions = {{Edge::right, {0.0, 1e6}}, {Edge::left, {0.0, -1e6}}};
-  plate.loads.supports = {led(rectangle({10e-3, 5e-3}, {10.5e-3, 5.5e-3}), Vec2(0, 0))};
+  plate.loads.supports = {prescribed(rectangle({10e-3, 5e-3}, {10.5e-3, 5.5e-3}), Vec2(0, 0))};
   Simulation simulation(plate, test::numerics(), {1});
   EXPECT_THAT(refusal(simulation), testing::HasSubstr("relax: the loads push"));
   EXPECT_THAT(refusal(simulation), testing::HasSubstr("its supports give way"));
 }
 
-TEST(Relaxation, RefusesOnlyThePieceThatIsPushed) {
+TEST(StaticEquilibrium, RefusesOnlyTheFragmentThatIsPushed) {
   Plate plate = test::bare_plate(40, 20);
   plate.cracks.push_back({{0.25 * plate.width, 0.0}, {0.25 * plate.width, plate.height}});
   plate.loads.tractions = {{Edge::right, {1e6, 0.0}}};
-  plate.loads.supports = {led(strip(plate, Edge::left, 1e-3), Vec2(0, 0))};
+  plate.loads.supports = {prescribed(strip(plate, Edge::left, 1e-3), Vec2(0, 0))};
   Simulation simulation(plate, test::numerics(), {1});
-  EXPECT_THAT(refusal(simulation), testing::HasSubstr("the piece of 600 nodes around (12.5 mm"));
+  EXPECT_THAT(refusal(simulation), testing::HasSubstr("the fragment of 600 nodes around (12.5 mm"));
 }
 
-TEST(Relaxation, ABarOnRollersContractsAcross) {
+TEST(StaticEquilibrium, ABarOnRollersContractsAcross) {
   Plate plate = test::bare_plate(60, 20);
-  Support roller = led(strip(plate, Edge::left, 0.5e-3), Vec2(0, 0));
+  Support roller = prescribed(strip(plate, Edge::left, 0.5e-3), Vec2(0, 0));
   roller.along_y = false;
   plate.loads.supports = {roller};
   plate.loads.tractions = {{Edge::right, {1e6, 0.0}}};
@@ -209,11 +210,11 @@ TEST(Relaxation, ABarOnRollersContractsAcross) {
 }
 
 // Supports are where they are to be at the time of the state.
-TEST(Relaxation, LedNodesAreWhereTheCourseHasThem) {
+TEST(StaticEquilibrium, PrescribedNodesAreWhereTheAmplitudeHasThem) {
   Plate plate = test::bare_plate(30, 20);
-  Support right = led(strip(plate, Edge::right, 1e-3), Vec2(1e-5, 0));
-  right.course = ramp(10e-6);
-  plate.loads.supports = {led(strip(plate, Edge::left, 1e-3), Vec2(0, 0)), right};
+  Support right = prescribed(strip(plate, Edge::right, 1e-3), Vec2(1e-5, 0));
+  right.amplitude = ramp(10e-6);
+  plate.loads.supports = {prescribed(strip(plate, Edge::left, 1e-3), Vec2(0, 0)), right};
   Simulation simulation(plate, test::numerics(), {1});
   simulation.run(2e-6);
   const double now = 1e-5 * simulation.time() / 10e-6;
@@ -225,7 +226,7 @@ TEST(Relaxation, LedNodesAreWhereTheCourseHasThem) {
   EXPECT_LT(std::abs(ledger.residual()), 0.01 * ledger.external);  // of the run before
 }
 
-TEST(Relaxation, StiffnessesOfTwoMaterialsAreInSeries) {
+TEST(StaticEquilibrium, StiffnessesOfTwoMaterialsAreInSeries) {
   Plate plate = pulled(80, 21);
   Material soft = plate.material;
   soft.E *= 0.25;
@@ -241,7 +242,7 @@ TEST(Relaxation, StiffnessesOfTwoMaterialsAreInSeries) {
   EXPECT_NEAR(strain(16, 24) / strain(56, 64), 4.0, 0.1);
 }
 
-TEST(Relaxation, VoidNodesAndNodesWithoutBondsStay) {
+TEST(StaticEquilibrium, VoidNodesAndNodesWithoutBondsStay) {
   Plate plate = pulled(40, 40);
   plate.cutouts.push_back({Ellipse{{0.01, 0.01}, {3e-3, 3e-3}, 0.0}, ""});
   Simulation simulation(plate, test::numerics(), {1});
@@ -255,7 +256,7 @@ TEST(Relaxation, VoidNodesAndNodesWithoutBondsStay) {
   EXPECT_GT(simulation.displacement(39, 19).x(), 0.0);
 }
 
-TEST(Relaxation, BitsDependNeitherOnThreadsNorOnTheSideOfTheMirror) {
+TEST(StaticEquilibrium, BitsDependNeitherOnThreadsNorOnTheSideOfTheMirror) {
   Plate plate = test::edge_crack(6e6);
   plate.width = 0.03;
   plate.height = 0.02;
@@ -273,7 +274,7 @@ TEST(Relaxation, BitsDependNeitherOnThreadsNorOnTheSideOfTheMirror) {
 }
 
 // Rounding u to f32 moves it by 6e-8 of itself.
-TEST(Relaxation, SinglePrecisionRestsAtTheSamePlace) {
+TEST(StaticEquilibrium, SinglePrecisionRestsAtTheSamePlace) {
   Numerics numerics = test::numerics();
   Simulation exact(pulled(60, 40), numerics, {1});
   exact.relax();
@@ -286,7 +287,7 @@ TEST(Relaxation, SinglePrecisionRestsAtTheSamePlace) {
     EXPECT_LT((exact.displacement(i, 11) - rounded.displacement(i, 11)).norm(), 1e-7 * most);
 }
 
-TEST(Relaxation, SaysWhatIsStretchedTooFarAndBreaksNothing) {
+TEST(StaticEquilibrium, SaysWhatIsStretchedTooFarAndBreaksNothing) {
   Plate plate = pulled(40, 20, 40e6);
   Simulation simulation(plate, test::numerics(), {1});
   const RelaxResult result = simulation.relax();
@@ -298,9 +299,9 @@ TEST(Relaxation, SaysWhatIsStretchedTooFarAndBreaksNothing) {
 }
 
 // Crumbs that are led move, and nothing else is there to be found.
-TEST(Relaxation, APlateWithoutABondIsLedAllTheSame) {
+TEST(StaticEquilibrium, APlateWithoutABondIsLedAllTheSame) {
   Plate plate = test::bare_plate(12, 8);
-  plate.loads.supports = {led(strip(plate, Edge::right, 1e-3), Vec2(1e-6, 0))};
+  plate.loads.supports = {prescribed(strip(plate, Edge::right, 1e-3), Vec2(1e-6, 0))};
   Simulation simulation(plate, test::numerics(), {1});
   State state = simulation.state();
   for (int j = 0; j < 8; ++j)
@@ -312,14 +313,15 @@ TEST(Relaxation, APlateWithoutABondIsLedAllTheSame) {
   EXPECT_EQ(simulation.displacement(5, 3), Vec2(0, 0));
 }
 
-TEST(Relaxation, AnUntouchedPlateTakesNoStep) {
+TEST(StaticEquilibrium, AnUntouchedPlateTakesNoStep) {
   Simulation simulation(test::bare_plate(20, 10), test::numerics(), {1});
   EXPECT_EQ(simulation.relax().iterations, 0);
 }
 
-TEST(Relaxation, WavesInAPlateWithoutLoadsComeToRest) {
+TEST(StaticEquilibrium, WavesInAPlateWithoutLoadsComeToRest) {
   Plate plate = test::bare_plate(40, 20);
-  plate.starts.push_back({rectangle({0, 0}, {0.01, 0.01}), Vec2(1e-7, 2e-7), Vec2(1.0, 0.0)});
+  plate.initial_conditions.push_back(
+      {rectangle({0, 0}, {0.01, 0.01}), Vec2(1e-7, 2e-7), Vec2(1.0, 0.0)});
   Simulation simulation(plate, test::numerics(), {1});
   const double before = energy(simulation).strain;
   simulation.relax();
@@ -327,7 +329,7 @@ TEST(Relaxation, WavesInAPlateWithoutLoadsComeToRest) {
   EXPECT_LT(energy(simulation).strain, 1e-12 * before);
 }
 
-TEST(Relaxation, AnInterruptChangesNothing) {
+TEST(StaticEquilibrium, AnInterruptChangesNothing) {
   Simulation simulation(pulled(40, 20), test::numerics(), {1});
   const std::string before = simulation.state().hash();
   request_interrupt();
@@ -342,14 +344,14 @@ TEST(Relaxation, AnInterruptChangesNothing) {
   EXPECT_GT(simulation.relax().iterations, 0);
 }
 
-TEST(Relaxation, RefusesAToleranceOutsideItsRange) {
+TEST(StaticEquilibrium, RefusesAToleranceOutsideItsRange) {
   Simulation simulation(pulled(40, 20), test::numerics(), {1});
   for (const double bad : {0.0, -1.0, 1.0, std::nan("")})
     EXPECT_THROW(simulation.relax({bad, {}}), Error) << bad;
 }
 
 // Ten times what a plate of rubber bears in compression: it would fold.
-TEST(Relaxation, EndsWithAnErrorWhereThereIsNoEquilibrium) {
+TEST(StaticEquilibrium, EndsWithAnErrorWhereThereIsNoEquilibrium) {
   Plate plate = pulled(200, 6, -1e9);
   plate.material.E = 1e9;
   Simulation simulation(plate, test::numerics(), {1});
@@ -363,7 +365,7 @@ TEST(Relaxation, EndsWithAnErrorWhereThereIsNoEquilibrium) {
   }
 }
 
-TEST(Relaxation, TellsHowFarItHasCome) {
+TEST(StaticEquilibrium, TellsHowFarItHasCome) {
   Simulation simulation(pulled(40, 20), test::numerics(), {1});
   double last = 0.0;
   int calls = 0;

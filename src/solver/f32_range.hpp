@@ -21,7 +21,7 @@ struct Spread {
 Spread spread_of(const State& state, const std::vector<std::uint8_t>& material = {});
 
 // Drift of the whole plate, in spacings, beyond which it is moved from u into the origin.
-inline constexpr double most_drift = 0.03125;
+inline constexpr double max_drift = 0.03125;
 
 // Moves the middle of a state in f32 into its origin when it has drifted. The middle of a scene
 // that is symmetric is exactly 0 across the midline, so symmetry is kept. True when u has changed.
@@ -30,9 +30,9 @@ bool take_out_drift(State& state, const std::vector<std::uint8_t>& material = {}
 // The share of the critical stretch that rounding may reach before f32 is given up: far below the
 // errors of step and spacing, yet the arms of a plate that has opened stay in f32
 // (src/solver/README.md 5.3).
-inline constexpr double most_rounding = 2e-4;
+inline constexpr double max_rounding = 2e-4;
 
-// Whether what remains rounds the stretch of bonds by more than most_rounding of s0.
+// Whether what remains rounds the stretch of bonds by more than max_rounding of s0.
 bool is_too_wide_for_f32(const State& state, double s0,
                          const std::vector<std::uint8_t>& material = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/relaxation.hpp"
+#include "solver/static_equilibrium.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +11,14 @@
 #include "base/interrupt.hpp"
 #include "base/units.hpp"
 #include "solver/coarse_space.hpp"
-#include "solver/static_solve.hpp"
+#include "solver/conjugate_gradient.hpp"
 
 namespace hackle {
 namespace {
 
-constexpr int most_newton_steps = 40;
-constexpr int most_halvings = 10;
-constexpr double most_for_old_tangent = 0.1;
+constexpr int max_newton_steps = 40;
+constexpr int max_halvings = 10;
+constexpr double max_for_old_tangent = 0.1;
 constexpr int few_iterations = 10;
 constexpr double share_of_step = 1e-4;  // of the force that a step may leave for the next
 
@@ -30,10 +30,10 @@ NodeVectors mobile_of(const NodeLayout& layout, const Loading& loading) {
       const auto at = static_cast<std::size_t>(layout.at(i, j));
       mobile.x[at] = mobile.y[at] = 1.0;
     }
-  for (const LedNode& led : loading.led()) {
-    const auto at = static_cast<std::size_t>(layout.at(led.i, led.j));
-    if (led.along_x) mobile.x[at] = 0.0;
-    if (led.along_y) mobile.y[at] = 0.0;
+  for (const PrescribedNode& prescribed : loading.prescribed()) {
+    const auto at = static_cast<std::size_t>(layout.at(prescribed.i, prescribed.j));
+    if (prescribed.along_x) mobile.x[at] = 0.0;
+    if (prescribed.along_y) mobile.y[at] = 0.0;
   }
   return mobile;
 }
@@ -48,8 +48,9 @@ NodeVectors mobile_of(const NodeLayout& layout, const Loading& loading) {
 
 }  // namespace
 
-Relaxation::Relaxation(const Lattice& lattice, const State& state, const Loading& loading,
-                       std::span<const double> heat, const Threads& threads)
+StaticEquilibrium::StaticEquilibrium(const Lattice& lattice, const State& state,
+                                     const Loading& loading, std::span<const double> heat,
+                                     const Threads& threads)
     : lattice_(&lattice),
       state_(&state),
       net_(lattice, state, threads, heat),
@@ -59,19 +60,19 @@ Relaxation::Relaxation(const Lattice& lattice, const State& state, const Loading
       move_(state.layout),
       residual_(state.layout),
       pull_(state.layout),
-      pieces_(lattice, state, mobile_, threads) {
+      fragments_(lattice, state, mobile_, threads) {
   take_loads(loading.forces(), load_);
-  take_leads(loading);
+  take_prescribed(loading);
   hold_lonely_nodes();
   for (int j = 0; j < lattice.grid.ny; ++j)
     largest_load_ = std::max(largest_load_, largest_of_row(state.layout, load_, j));
   set_out();
 }
 
-Relaxation::~Relaxation() = default;
+StaticEquilibrium::~StaticEquilibrium() = default;
 
 // Nodes without bonds.
-void Relaxation::hold_lonely_nodes() {
+void StaticEquilibrium::hold_lonely_nodes() {
   const auto degree = degrees(lattice_->grid, lattice_->family, state_->bonds);
   for (int j = 0; j < lattice_->grid.ny; ++j)
     for (int i = 0; i < lattice_->grid.nx; ++i) {
@@ -82,27 +83,28 @@ void Relaxation::hold_lonely_nodes() {
 }
 
 // The forces follow when they are known.
-void Relaxation::set_out() {
+void StaticEquilibrium::set_out() {
   before_ = {u_, {}, load_};
 }
 
-void Relaxation::lose(const std::vector<Loss>& losses) {
-  net_.forget(losses);
-  pieces_ = Pieces(*lattice_, *state_, mobile_, net_.threads());
+void StaticEquilibrium::lose(const std::vector<BrokenBond>& broken_bonds) {
+  net_.forget(broken_bonds);
+  fragments_ = Fragments(*lattice_, *state_, mobile_, net_.threads());
   hold_lonely_nodes();
-  most_left_ = 0.0;
+  max_left_ = 0.0;
   set_out();
 }
 
-void Relaxation::comes_from(const std::vector<LoadedNode>& loads, std::span<const double> heat) {
+void StaticEquilibrium::comes_from(const std::vector<LoadedNode>& loads,
+                                   std::span<const double> heat) {
   before_.load = NodeVectors(net_.layout());
   take_loads(loads, before_.load);
   if (heat.empty()) return;
   before_.pull = NodeVectors(net_.layout());
-  BondNet(*lattice_, *state_, net_.threads(), heat).forces(before_.u, before_.pull);
+  LinearisedBonds(*lattice_, *state_, net_.threads(), heat).forces(before_.u, before_.pull);
 }
 
-void Relaxation::take_loads(const std::vector<LoadedNode>& forces, NodeVectors& load) const {
+void StaticEquilibrium::take_loads(const std::vector<LoadedNode>& forces, NodeVectors& load) const {
   for (const LoadedNode& node : forces) {
     const auto at = static_cast<std::size_t>(net_.layout().at(node.i, node.j));
     const Vec2 force = (node.inertia * lattice_->rho / net_.unit_of_force()) * node.acceleration;
@@ -111,69 +113,69 @@ void Relaxation::take_loads(const std::vector<LoadedNode>& forces, NodeVectors& 
   }
 }
 
-void Relaxation::take_leads(const Loading& loading) {
-  for (const LedNode& led : loading.led()) {
-    const auto at = static_cast<std::size_t>(net_.layout().at(led.i, led.j));
-    if (led.along_x) move_.x[at] = led.move.x();
-    if (led.along_y) move_.y[at] = led.move.y();
-    is_led_ |= move_.x[at] != 0.0 || move_.y[at] != 0.0;
+void StaticEquilibrium::take_prescribed(const Loading& loading) {
+  for (const PrescribedNode& prescribed : loading.prescribed()) {
+    const auto at = static_cast<std::size_t>(net_.layout().at(prescribed.i, prescribed.j));
+    if (prescribed.along_x) move_.x[at] = prescribed.move.x();
+    if (prescribed.along_y) move_.y[at] = prescribed.move.y();
+    is_prescribed_ |= move_.x[at] != 0.0 || move_.y[at] != 0.0;
   }
 }
 
-void Relaxation::refuse(const Piece& piece, const Resultant& resultant,
-                        const std::string& who) const {
+void StaticEquilibrium::refuse(const Fragment& fragment, const Resultant& resultant,
+                               const std::string& who) const {
   const Grid& grid = lattice_->grid;
   const double unit = net_.unit_of_force() * grid.dx * grid.dx;  // N/m
-  const Vec2 force = unit * resultant.force, centre = grid.centre + grid.dx * piece.centre;
+  const Vec2 force = unit * resultant.force, centre = grid.centre + grid.dx * fragment.centre;
   throw Error(
       ErrorKind::refused,
-      fmt::format("{}: the loads push the piece of {} nodes around ({}, {}) with ({}, {}) and "
+      fmt::format("{}: the loads push the fragment of {} nodes around ({}, {}) with ({}, {}) and "
                   "turn it with {}, and {}",
-                  who, piece.nodes, quantity(centre.x(), "m"), quantity(centre.y(), "m"),
+                  who, fragment.nodes, quantity(centre.x(), "m"), quantity(centre.y(), "m"),
                   quantity(force.x(), "N/m"), quantity(force.y(), "N/m"),
                   quantity(unit * grid.dx * resultant.moment, "N"),
-                  piece.is_held ? "its supports give way" : "nothing holds it"),
+                  fragment.is_held ? "its supports give way" : "nothing holds it"),
       "balance the loads, or hold it by a support");
 }
 
 // A force that all nodes share may be within the tolerance of each: its resultant is checked.
-void Relaxation::check_held(const RelaxOptions& options) const {
-  for (std::size_t k = 0; k < pieces_.list().size(); ++k) {
-    const Piece& piece = pieces_.list()[k];
-    if (piece.motions.empty()) continue;
-    const Resultant resultant = pieces_.resultant(k, load_, u_);
-    const double most = options.tolerance * largest_load_ * piece.nodes;
-    for (const RigidMotion& motion : piece.motions) {
-      // Moments on a free piece are balanced by turning it, where that is possible.
-      const double moment = piece.is_held ? resultant.moment : 0.0;
+void StaticEquilibrium::check_held(const RelaxOptions& options) const {
+  for (std::size_t k = 0; k < fragments_.list().size(); ++k) {
+    const Fragment& fragment = fragments_.list()[k];
+    if (fragment.motions.empty()) continue;
+    const Resultant resultant = fragments_.resultant(k, load_, u_);
+    const double most = options.tolerance * largest_load_ * fragment.nodes;
+    for (const RigidMotion& motion : fragment.motions) {
+      // Moments on a free fragment are balanced by turning it, where that is possible.
+      const double moment = fragment.is_held ? resultant.moment : 0.0;
       if (std::abs(motion.shift.dot(resultant.force) + motion.turn * moment) > most)
-        refuse(piece, resultant, options.who);
+        refuse(fragment, resultant, options.who);
     }
   }
 }
 
-// Loads keep their direction: on a deformed piece they have a moment, to which it gives way until
-// there is none, tan(angle) = moment/virial.
-bool Relaxation::turn_free_pieces(const RelaxOptions& options) {
+// Loads keep their direction: on a deformed fragment they have a moment, to which it gives way
+// until there is none, tan(angle) = moment/virial.
+bool StaticEquilibrium::turn_free_fragments(const RelaxOptions& options) {
   constexpr double steepest = 0.2;
   bool turned = false;
-  for (std::size_t k = 0; k < pieces_.list().size(); ++k) {
-    const Piece& piece = pieces_.list()[k];
-    if (piece.is_held) continue;
-    const Resultant resultant = pieces_.resultant(k, load_, u_);
-    const double radius = std::sqrt(piece.inertia / piece.nodes);
+  for (std::size_t k = 0; k < fragments_.list().size(); ++k) {
+    const Fragment& fragment = fragments_.list()[k];
+    if (fragment.is_held) continue;
+    const Resultant resultant = fragments_.resultant(k, load_, u_);
+    const double radius = std::sqrt(fragment.inertia / fragment.nodes);
     if (std::abs(resultant.moment) <=
-        0.1 * options.tolerance * largest_load_ * piece.nodes * radius)
+        0.1 * options.tolerance * largest_load_ * fragment.nodes * radius)
       continue;
     if (std::abs(resultant.moment) > steepest * std::abs(resultant.virial))
-      refuse(piece, resultant, options.who);
-    pieces_.turn(k, std::atan(resultant.moment / resultant.virial), u_);
+      refuse(fragment, resultant, options.who);
+    fragments_.turn(k, std::atan(resultant.moment / resultant.virial), u_);
     turned = true;
   }
   return turned;
 }
 
-double Relaxation::stiffest() const {
+double StaticEquilibrium::stiffest() const {
   double most = 0.0;
   for (const MaterialOnLattice& entry : lattice_->materials)
     most = std::max(most, entry.calibration.c / lattice_->calibration.c);
@@ -183,7 +185,7 @@ double Relaxation::stiffest() const {
   return most * sum;
 }
 
-Relaxation::Balance Relaxation::find_left() {
+StaticEquilibrium::Balance StaticEquilibrium::find_left() {
   const NodeLayout& layout = net_.layout();
   net_.forces(u_, pull_);
   Balance balance{0.0, 0.0, largest_load_, 0.0};
@@ -200,13 +202,13 @@ Relaxation::Balance Relaxation::find_left() {
     }
     farthest = std::max(farthest, largest_of_row(layout, u_, j));
   }
-  if (pieces_.list().size() > 0) pieces_.take_out_rigid(residual_);
+  if (fragments_.list().size() > 0) fragments_.take_out_rigid(residual_);
   std::vector<double> most(squares.size());
   for (int j = 0; j < layout.ny; ++j) {
     squares[static_cast<std::size_t>(j)] = dot_of_row(layout, residual_, residual_, j);
     most[static_cast<std::size_t>(j)] = largest_of_row(layout, residual_, j);
   }
-  balance.largest = most_of_rows(most);
+  balance.largest = max_of_rows(most);
   balance.total = std::sqrt(sum_of_rows(squares));
   // Rounding error of displacement differences, summed over a node's bonds.
   balance.rounding = 8.0 * std::numeric_limits<double>::epsilon() * stiffest() * farthest;
@@ -215,19 +217,19 @@ Relaxation::Balance Relaxation::find_left() {
 
 // Takes a Newton step, halved while it leaves more force than there was. False when no part of it
 // helps.
-bool Relaxation::improve(const NodeVectors& step, Balance& balance) {
+bool StaticEquilibrium::improve(const NodeVectors& step, Balance& balance) {
   const NodeVectors from = u_;
   const double before = balance.total;
   double share = 1.0;
-  for (int halving = 0; halving <= most_halvings; ++halving, share *= 0.5) {
+  for (int halving = 0; halving <= max_halvings; ++halving, share *= 0.5) {
     for (std::size_t at = 0; at < u_.x.size(); ++at) {
       u_.x[at] = from.x[at] + share * step.x[at];
       u_.y[at] = from.y[at] + share * step.y[at];
     }
     balance = find_left();
     // Prescribed displacements must be reached in this step; later steps repair what it leaves.
-    if (balance.total < before || (is_led_ && std::isfinite(balance.total))) return true;
-    if (is_led_) return false;
+    if (balance.total < before || (is_prescribed_ && std::isfinite(balance.total))) return true;
+    if (is_prescribed_) return false;
   }
   u_ = from;
   balance = find_left();
@@ -236,7 +238,7 @@ bool Relaxation::improve(const NodeVectors& step, Balance& balance) {
 
 // Compression can make the exact tangent lose its sign, on the way to an equilibrium or in it. From
 // then on the positive tangent is used, which converges more slowly.
-bool Relaxation::take_tangent() {
+bool StaticEquilibrium::take_tangent() {
   if (stale_) net_.linearise(u_, tangent_);
   stale_ = false;
   if (!coarse_) {
@@ -246,16 +248,17 @@ bool Relaxation::take_tangent() {
   return coarse_->is_positive() || tangent_ == Tangent::positive;
 }
 
-NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, RelaxResult& result) {
+NodeVectors StaticEquilibrium::newton_step(double goal, const RelaxOptions& options,
+                                           RelaxResult& result) {
   int iterations = result.iterations;
   const auto look = [&](double left) {
     ++iterations;
     if (interrupted())
       throw Error(ErrorKind::interrupted,
                   fmt::format("{}: interrupted, the plate is {}", options.who, options.left));
-    most_left_ = std::max(most_left_, left);
+    max_left_ = std::max(max_left_, left);
     if (!options.progress || !(goal > 0.0)) return;
-    const double way = std::log(most_left_ / goal);
+    const double way = std::log(max_left_ / goal);
     const double rest = std::log(std::max(left / goal, 1.0));
     options.progress(way > 0.0 ? 1.0 - rest / way : 1.0, iterations);
   };
@@ -263,10 +266,10 @@ NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, Re
   ++result.newton_steps;
   for (;; tangent_ = Tangent::positive, stale_ = true, coarse_.reset()) {
     if (!take_tangent()) continue;
-    StaticSolve conjugate_gradients(net_, pieces_, mobile_,
-                                    coarse_->is_positive() ? coarse_.get() : nullptr);
+    ConjugateGradient conjugate_gradients(net_, fragments_, mobile_,
+                                          coarse_->is_positive() ? coarse_.get() : nullptr);
     NodeVectors step = move_;
-    const StaticSolve::Outcome outcome =
+    const ConjugateGradient::Outcome outcome =
         conjugate_gradients.solve(residual_, step, share_of_step, 0.3 * goal, most, look);
     result.iterations += outcome.iterations;
     if (!outcome.is_positive && tangent_ == Tangent::exact) continue;
@@ -276,34 +279,34 @@ NodeVectors Relaxation::newton_step(double goal, const RelaxOptions& options, Re
   }
 }
 
-StaticWork Relaxation::work_done() const {
+StaticWork StaticEquilibrium::work_done() const {
   return work_between(net_.layout(), before_, {u_, pull_, load_}, mobile_);
 }
 
-Equilibrium Relaxation::solve(const RelaxOptions& options) {
+Equilibrium StaticEquilibrium::solve(const RelaxOptions& options) {
   check_held(options);
   Balance balance = find_left();
   if (before_.pull.x.empty()) before_.pull = pull_;
-  if (turn_free_pieces(options)) balance = find_left();
-  const double first = largest_load_ > 0.0 || is_led_ ? 0.0 : balance.largest;
+  if (turn_free_fragments(options)) balance = find_left();
+  const double first = largest_load_ > 0.0 || is_prescribed_ ? 0.0 : balance.largest;
   Equilibrium rest;
   for (;;) {
     const double reference = std::max(balance.reference, first);
     const double goal = std::max(options.tolerance * reference, balance.rounding);
     rest.result.residual = reference > 0.0 ? balance.largest / reference : 0.0;
-    if (balance.largest <= goal && !is_led_) break;
-    if (rest.result.newton_steps == most_newton_steps || !std::isfinite(balance.largest))
+    if (balance.largest <= goal && !is_prescribed_) break;
+    if (rest.result.newton_steps == max_newton_steps || !std::isfinite(balance.largest))
       fail(rest.result, options.who);
     const bool fresh = stale_;
     const double before = balance.largest;
     if (!improve(newton_step(goal, options, rest.result), balance)) {
       if (balance.largest <= 100.0 * balance.rounding) break;
-      if (fresh || is_led_) fail(rest.result, options.who);
+      if (fresh || is_prescribed_) fail(rest.result, options.who);
     }
-    stale_ = is_led_ || balance.largest > most_for_old_tangent * before;
-    is_led_ = false;
+    stale_ = is_prescribed_ || balance.largest > max_for_old_tangent * before;
+    is_prescribed_ = false;
     move_ = NodeVectors(net_.layout());
-    if (turn_free_pieces(options)) balance = find_left();
+    if (turn_free_fragments(options)) balance = find_left();
   }
   Stretches stretches = net_.stretches(u_);
   rest.result.most = stretches.most;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/course.hpp"
+#include "scene/amplitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,19 +27,19 @@ double gauss_mean(const Function& function, double from, double to) {
 
 }  // namespace
 
-Course::Course(std::vector<Vec2> points) : points_(std::move(points)) {
+Amplitude::Amplitude(std::vector<Vec2> points) : points_(std::move(points)) {
 }
 
-Course::Course(std::function<double(double)> function, std::string text)
+Amplitude::Amplitude(std::function<double(double)> function, std::string text)
     : function_(std::move(function)), text_(std::move(text)) {
 }
 
-double Course::at(double t) const {
+double Amplitude::at(double t) const {
   if (function_) {
     const double factor = function_(t);
     if (std::isfinite(factor)) return factor;
     throw Error(ErrorKind::refused,
-                fmt::format("the course in time gives {} at t = {}", factor, quantity(t, "s")),
+                fmt::format("the amplitude in time gives {} at t = {}", factor, quantity(t, "s")),
                 "it must give a finite number at every time");
   }
   if (points_.empty()) return 1.0;
@@ -52,7 +52,7 @@ double Course::at(double t) const {
   return before.y() + share * (next->y() - before.y());
 }
 
-double Course::mean(double from, double to) const {
+double Amplitude::mean(double from, double to) const {
   if (!(to > from)) return at(from);
   if (is_function()) return gauss_mean([this](double t) { return at(t); }, from, to);
   // Between two moments in a row it is straight, seen from their middle: jumps are at the moments.
@@ -66,7 +66,7 @@ double Course::mean(double from, double to) const {
   return sum / (to - from);
 }
 
-std::string Course::describe() const {
+std::string Amplitude::describe() const {
   if (is_constant()) return "constant";
   if (function_) return text_;
   std::string text;
@@ -76,26 +76,26 @@ std::string Course::describe() const {
   return text;
 }
 
-Course ramp(double duration) {
-  return Course({{0.0, 0.0}, {duration, 1.0}});
+Amplitude ramp(double duration) {
+  return Amplitude({{0.0, 0.0}, {duration, 1.0}});
 }
 
-Course step_at(double start) {
-  return Course({{start, 0.0}, {start, 1.0}});
+Amplitude step_at(double start) {
+  return Amplitude({{start, 0.0}, {start, 1.0}});
 }
 
-Course pulse(double duration, double start) {
+Amplitude pulse(double duration, double start) {
   const double end = start + duration;
-  return Course({{start, 0.0}, {start, 1.0}, {end, 1.0}, {end, 0.0}});
+  return Amplitude({{start, 0.0}, {start, 1.0}, {end, 1.0}, {end, 0.0}});
 }
 
-void check(const Course& course, const std::string& who, Problems& problems) {
+void check(const Amplitude& amplitude, const std::string& who, Problems& problems) {
   double last = -std::numeric_limits<double>::infinity();
-  for (const Vec2& point : course.points()) {
+  for (const Vec2& point : amplitude.points()) {
     if (!point.allFinite())
-      problems.add(fmt::format("{}: the course in time holds a number that is not finite", who));
+      problems.add(fmt::format("{}: the amplitude in time holds a number that is not finite", who));
     else if (point.x() < last)
-      problems.add(fmt::format("{}: the course in time goes back from {} to {}", who,
+      problems.add(fmt::format("{}: the amplitude in time goes back from {} to {}", who,
                                quantity(last, "s"), quantity(point.x(), "s")),
                    "give its moments in order");
     last = point.x();

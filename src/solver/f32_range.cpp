@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/rigid_motion.hpp"
+#include "solver/f32_range.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -38,7 +38,7 @@ Spread spread_of(const State& state, const std::vector<std::uint8_t>& material) 
 bool take_out_drift(State& state, const std::vector<std::uint8_t>& material) {
   // Rounded to f32, so that the origin is what is really subtracted.
   const Vec2 middle = spread_of(state, material).middle.cast<float>().cast<double>();
-  if (!(middle.cwiseAbs().maxCoeff() > most_drift)) return false;
+  if (!(middle.cwiseAbs().maxCoeff() > max_drift)) return false;
   for_solid(state, material, [&](int i, int j) { state.set_u(i, j, state.u(i, j) - middle); });
   state.origin += middle;
   return true;
@@ -46,7 +46,7 @@ bool take_out_drift(State& state, const std::vector<std::uint8_t>& material) {
 
 bool is_too_wide_for_f32(const State& state, double s0, const std::vector<std::uint8_t>& material) {
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
-  return spread_of(state, material).half.maxCoeff() * rounding > most_rounding * s0;
+  return spread_of(state, material).half.maxCoeff() * rounding > max_rounding * s0;
 }
 
 State in_f64(const State& state) {

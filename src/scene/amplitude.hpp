@@ -13,14 +13,14 @@
 namespace hackle {
 
 // A factor of time: 1 for ever, straight lines between given moments, or any function.
-class Course {
+class Amplitude {
  public:
-  Course() = default;
+  Amplitude() = default;
   // (t in s, factor), t ascending; two of the same t are a jump, to the second at t itself. Before
   // the first and after the last the factor stays.
-  explicit Course(std::vector<Vec2> points);
+  explicit Amplitude(std::vector<Vec2> points);
   // Called with t in s. It may throw Error; `text` says what it is.
-  Course(std::function<double(double)> function, std::string text);
+  Amplitude(std::function<double(double)> function, std::string text);
 
   bool is_constant() const { return points_.empty() && !function_; }
   bool is_function() const { return static_cast<bool>(function_); }
@@ -42,17 +42,17 @@ class Course {
 };
 
 // 0 at t = 0, 1 from `duration` (s) on.
-Course ramp(double duration);
+Amplitude ramp(double duration);
 // 0 before `start` (s), 1 from it on.
-Course step_at(double start);
+Amplitude step_at(double start);
 // 1 from `start` for `duration` (s), 0 else.
-Course pulse(double duration, double start);
+Amplitude pulse(double duration, double start);
 
 // Adds a problem when the moments do not ascend or anything is not finite.
-void check(const Course& course, const std::string& who, Problems& problems);
+void check(const Amplitude& amplitude, const std::string& who, Problems& problems);
 
-// The course of any load, as its noun describes it.
-inline constexpr About about_course{
+// The amplitude of any load, as its noun describes it.
+inline constexpr About about_amplitude{
     .fallback = "1 for ever",
     .sentence = "Factor over time: ramp(2*us), pulse(1*us), {{t, factor}, ...} or function(t)."};
 

@@ -5,13 +5,13 @@
 #include <functional>
 #include <vector>
 
-#include "solver/bond_net.hpp"
 #include "solver/coarse_space.hpp"
-#include "solver/pieces.hpp"
+#include "solver/fragments.hpp"
+#include "solver/linearised_bonds.hpp"
 
 namespace hackle {
 
-class StaticSolve {
+class ConjugateGradient {
  public:
   struct Outcome {
     int iterations = 0;
@@ -20,14 +20,14 @@ class StaticSolve {
 
   // `mobile` is 1 for components that are sought and 0 for given ones. `coarse` is a coarse space
   // or nullptr. All must outlive it.
-  StaticSolve(const BondNet& net, const Pieces& pieces, const NodeVectors& mobile,
-              CoarseSpace* coarse = nullptr);
+  ConjugateGradient(const LinearisedBonds& net, const Fragments& fragments,
+                    const NodeVectors& mobile, CoarseSpace* coarse = nullptr);
 
   // Changes the mobile components of d until the tangent of the net, applied to all of d, balances
   // `force` at every node: to within `share` of the initial residual, or `goal` in the units of the
-  // net; stops after `most` iterations. Pieces that nothing holds neither move nor turn as a whole.
-  // `look` is called after every iteration with what is left. Returns the number of iterations.
-  // Throws what `look` throws.
+  // net; stops after `most` iterations. Fragments that nothing holds neither move nor turn as a
+  // whole. `look` is called after every iteration with what is left. Returns the number of
+  // iterations. Throws what `look` throws.
   //
   // Preconditioned by the 2 x 2 stiffness of each node against its neighbours, and by the coarse
   // space. The bits are the same for any number of threads; forces that are their own mirror image
@@ -48,15 +48,15 @@ class StaticSolve {
   double dot(const NodeVectors& a, const NodeVectors& b);
   void turn_to(double share);  // p = z + share p
 
-  const BondNet* net_;
-  const Pieces* pieces_;
+  const LinearisedBonds* net_;
+  const Fragments* fragments_;
   const NodeVectors* mobile_;
   CoarseSpace* coarse_;
   NodeLayout layout_;
-  bool has_free_pieces_;
+  bool has_free_fragments_;
   std::vector<Stiffness> inverse_;  // per node
   NodeVectors p_, q_, r_, z_;
-  std::vector<double> of_row_, most_of_row_;
+  std::vector<double> of_row_, max_of_row_;
 };
 
 }  // namespace hackle

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/bond_net.hpp"
+#include "solver/fragments.hpp"
+#include "solver/linearised_bonds.hpp"
 #include "solver/loading.hpp"
-#include "solver/pieces.hpp"
 #include "solver/static_work.hpp"
 
 namespace hackle {
@@ -44,33 +44,33 @@ struct Equilibrium {
   RelaxResult result;
 };
 
-// Newton's method on the exact forces of the bonds (BondNet), which pull however far they are
-// stretched; each step solved by conjugate gradients (StaticSolve), and halved while it would
-// leave more force than there was. The tangent is taken anew when a step has left more than a tenth
-// of the force, the coarse space when the iterations have doubled. Prescribed displacements enter
-// with the first step. Nodes without bonds stay. Pieces that nothing holds keep their place, and
-// turn only as far as the loads on the deformed piece demand. Neither damping nor contact nor
-// impactors take part.
-class Relaxation {
+// Newton's method on the exact forces of the bonds (LinearisedBonds), which pull however far they
+// are stretched; each step solved by conjugate gradients (ConjugateGradient), and halved while it
+// would leave more force than there was. The tangent is taken anew when a step has left more than a
+// tenth of the force, the coarse space when the iterations have doubled. Prescribed displacements
+// enter with the first step. Nodes without bonds stay. Fragments that nothing holds keep their
+// place, and turn only as far as the loads on the deformed fragment demand. Neither damping nor
+// contact nor impactors take part.
+class StaticEquilibrium {
  public:
-  // `loading` says what acts at rest (Loading::halt), `heat` how nodes are strained (BondNet). All
-  // must outlive it.
-  Relaxation(const Lattice& lattice, const State& state, const Loading& loading,
-             std::span<const double> heat, const Threads& threads);
+  // `loading` says what acts at rest (Loading::halt), `heat` how nodes are strained
+  // (LinearisedBonds). All must outlive it.
+  StaticEquilibrium(const Lattice& lattice, const State& state, const Loading& loading,
+                    std::span<const double> heat, const Threads& threads);
 
-  ~Relaxation();
+  ~StaticEquilibrium();
 
   // Says under which loads and heat the plate stood before, if others than act now.
   void comes_from(const std::vector<LoadedNode>& loads, std::span<const double> heat);
 
-  // Throws Error (refused) when loads push or turn a piece that nothing holds, Error (run_failed)
-  // when there is no equilibrium to be found, and Error (interrupted).
+  // Throws Error (refused) when loads push or turn a fragment that nothing holds, Error
+  // (run_failed) when there is no equilibrium to be found, and Error (interrupted).
   Equilibrium solve(const RelaxOptions& options);
 
   // Takes note that these bonds of the state have broken since solve(), which must then be called
   // again: it goes on from where the plate came to rest, under the same loads, with nothing
   // prescribed. What is known of the tangent is kept.
-  void lose(const std::vector<Loss>& losses);
+  void lose(const std::vector<BrokenBond>& broken_bonds);
 
  private:
   // What is left of the forces on mobile nodes, and what to compare it with.
@@ -82,10 +82,10 @@ class Relaxation {
   };
 
   void take_loads(const std::vector<LoadedNode>& forces, NodeVectors& load) const;
-  void take_leads(const Loading& loading);
+  void take_prescribed(const Loading& loading);
   void check_held(const RelaxOptions& options) const;
-  void refuse(const Piece& piece, const Resultant& resultant, const std::string& who) const;
-  bool turn_free_pieces(const RelaxOptions& options);  // true when one has turned
+  void refuse(const Fragment& fragment, const Resultant& resultant, const std::string& who) const;
+  bool turn_free_fragments(const RelaxOptions& options);  // true when one has turned
   void hold_lonely_nodes();
   void set_out();
   Balance find_left();  // residual_
@@ -97,15 +97,15 @@ class Relaxation {
 
   const Lattice* lattice_;
   const State* state_;
-  BondNet net_;
+  LinearisedBonds net_;
   NodeVectors u_, load_, mobile_, move_, residual_, pull_;
   Posture before_;
-  Pieces pieces_;
+  Fragments fragments_;
   Tangent tangent_ = Tangent::exact;
-  bool is_led_ = false;  // move_ is not 0
+  bool is_prescribed_ = false;  // move_ is not 0
   double largest_load_ = 0.0;
-  double most_left_ = 0.0;  // that conjugate gradients have seen
-  bool stale_ = true;       // the tangent is to be taken anew
+  double max_left_ = 0.0;  // that conjugate gradients have seen
+  bool stale_ = true;      // the tangent is to be taken anew
   std::unique_ptr<CoarseSpace> coarse_;
   int iterations_then_ = 0;  // of the first step with this coarse space; 0 before it
 };

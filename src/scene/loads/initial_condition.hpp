@@ -7,18 +7,18 @@
 namespace hackle {
 
 // Displacement and velocity at t = 0, added where areas overlap.
-struct Start {
+struct InitialCondition {
   Region region;
   VectorField displacement;  // m
   VectorField velocity;      // m/s
 };
 
 template <>
-inline constexpr auto description_of<Start> = describe_noun(
-    "start", "initial motion", member("region", &Start::region, about_region),
-    member("displacement", &Start::displacement,
+inline constexpr auto description_of<InitialCondition> = describe_noun(
+    "initial", "initial condition", member("region", &InitialCondition::region, about_region),
+    member("displacement", &InitialCondition::displacement,
            {.unit = "m", .alternative = true, .sentence = "Displacement at time zero."}),
-    member("velocity", &Start::velocity,
+    member("velocity", &InitialCondition::velocity,
            {.unit = "m/s", .alternative = true, .sentence = "Velocity at time zero."}));
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/bond_net.hpp"
+#include "solver/linearised_bonds.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -45,8 +45,8 @@ NodeVectors displacements_of(const State& state) {
   return u;
 }
 
-BondNet::BondNet(const Lattice& lattice, const State& state, Threads threads,
-                 std::span<const double> heat)
+LinearisedBonds::LinearisedBonds(const Lattice& lattice, const State& state, Threads threads,
+                                 std::span<const double> heat)
     : lattice_(&lattice),
       state_(&state),
       threads_(std::move(threads)),
@@ -58,30 +58,30 @@ BondNet::BondNet(const Lattice& lattice, const State& state, Threads threads,
   });
 }
 
-bool BondNet::holds(int i, int j, const Kept& bond) const {
+bool LinearisedBonds::holds(int i, int j, const Kept& bond) const {
   return state_->bonds.holds(layout().at(i, j), bond.bit);
 }
 
-bool BondNet::has_bonds(int i, int j) const {
+bool LinearisedBonds::has_bonds(int i, int j) const {
   bool any = false;
   for_each_neighbour(i, j, [&](int, int) { any = true; });
   return any;
 }
 
-double BondNet::strength_of(int i, int j, const Kept& bond) const {
+double LinearisedBonds::strength_of(int i, int j, const Kept& bond) const {
   if (lattice_->material.empty()) return bond.weight;
   const double sum = lattice_->material_at(i, j).calibration.c +
                      lattice_->material_at(i + bond.a, j + bond.b).calibration.c;
   return bond.weight * (0.5 * sum / lattice_->calibration.c);
 }
 
-double BondNet::heat_of(int i, int j, const Kept& bond) const {
+double LinearisedBonds::heat_of(int i, int j, const Kept& bond) const {
   if (heat_.empty()) return 0.0;
   const Grid& grid = lattice_->grid;
   return heat_[grid.index(i, j)] + heat_[grid.index(i + bond.a, j + bond.b)];
 }
 
-double BondNet::stretch_of(const NodeVectors& u, int i, int j, const Kept& bond) const {
+double LinearisedBonds::stretch_of(const NodeVectors& u, int i, int j, const Kept& bond) const {
   const auto from = static_cast<std::size_t>(layout().at(i, j));
   const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
   return Deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]},
@@ -89,8 +89,8 @@ double BondNet::stretch_of(const NodeVectors& u, int i, int j, const Kept& bond)
       .stretch();
 }
 
-Stiffness BondNet::stiffness_of(const NodeVectors& u, int i, int j, const Kept& bond,
-                                Tangent tangent) const {
+Stiffness LinearisedBonds::stiffness_of(const NodeVectors& u, int i, int j, const Kept& bond,
+                                        Tangent tangent) const {
   const auto from = static_cast<std::size_t>(layout().at(i, j));
   const auto to = static_cast<std::size_t>(layout().at(i + bond.a, j + bond.b));
   const Deformed deformed(bond.xi, bond.inverse_length, {u.x[to] - u.x[from], u.y[to] - u.y[from]},
@@ -107,8 +107,8 @@ Stiffness BondNet::stiffness_of(const NodeVectors& u, int i, int j, const Kept& 
 
 // The force on each node of row j by the bonds of one image: those that the row keeps, or those
 // that other rows keep to it.
-void BondNet::pull_row(const NodeVectors& u, int j, const Kept& bond, bool keeps, double* x,
-                       double* y) const {
+void LinearisedBonds::pull_row(const NodeVectors& u, int j, const Kept& bond, bool keeps, double* x,
+                               double* y) const {
   const Grid& grid = lattice_->grid;
   std::fill_n(x, grid.nx, 0.0);
   std::fill_n(y, grid.nx, 0.0);
@@ -135,7 +135,7 @@ void BondNet::pull_row(const NodeVectors& u, int j, const Kept& bond, bool keeps
 
 // Images of an offset are summed in the order of the engine: the forces of a scene that is its own
 // mirror image are so, too, to the last bit.
-void BondNet::forces(const NodeVectors& u, NodeVectors& force) const {
+void LinearisedBonds::forces(const NodeVectors& u, NodeVectors& force) const {
   const auto nx = static_cast<std::size_t>(lattice_->grid.nx);
   for_rows(threads_, lattice_->grid.ny, [&](int j) {
     const auto first = static_cast<std::size_t>(layout().at(0, j));
@@ -168,18 +168,18 @@ void BondNet::forces(const NodeVectors& u, NodeVectors& force) const {
   });
 }
 
-float* BondNet::slice(int j, std::size_t bond, int component) {
+float* LinearisedBonds::slice(int j, std::size_t bond, int component) {
   return const_cast<float*>(std::as_const(*this).slice(j, bond, component));
 }
 
-const float* BondNet::slice(int j, std::size_t bond, int component) const {
+const float* LinearisedBonds::slice(int j, std::size_t bond, int component) const {
   if (j < 0) return zeros_.data();
   const auto row = static_cast<std::size_t>(j) * kept_.size();
   return tangent_.data() + (3 * (row + bond) + static_cast<std::size_t>(component)) *
                                static_cast<std::size_t>(layout().stride());
 }
 
-void BondNet::linearise(const NodeVectors& u, Tangent tangent) {
+void LinearisedBonds::linearise(const NodeVectors& u, Tangent tangent) {
   const auto stride = static_cast<std::size_t>(layout().stride());
   const Grid& grid = lattice_->grid;
   zeros_.assign(stride + NodeLayout::group, 0.0F);
@@ -190,13 +190,13 @@ void BondNet::linearise(const NodeVectors& u, Tangent tangent) {
   for_rows(threads_, grid.ny, [&](int j) { sum_own_row(j); });
 }
 
-void BondNet::forget(const std::vector<Loss>& losses) {
+void LinearisedBonds::forget(const std::vector<BrokenBond>& broken_bonds) {
   if (tangent_.empty()) return;
   std::vector<char> touched(static_cast<std::size_t>(lattice_->grid.ny));
-  for (const Loss& loss : losses) {
-    const int bit = 32 * loss.word + std::countr_zero(loss.bit);
-    const auto j = static_cast<int>(loss.at / layout().stride());
-    const std::ptrdiff_t column = loss.at - j * layout().stride();
+  for (const BrokenBond& broken : broken_bonds) {
+    const int bit = 32 * broken.word + std::countr_zero(broken.bit);
+    const auto j = static_cast<int>(broken.at / layout().stride());
+    const std::ptrdiff_t column = broken.at - j * layout().stride();
     for (std::size_t k = 0; k < kept_.size(); ++k) {
       if (kept_[k].bit != bit) continue;
       for (int component = 0; component < 3; ++component) slice(j, k, component)[column] = 0.0F;
@@ -208,7 +208,7 @@ void BondNet::forget(const std::vector<Loss>& losses) {
   });
 }
 
-void BondNet::linearise_row(const NodeVectors& u, Tangent tangent, int j) {
+void LinearisedBonds::linearise_row(const NodeVectors& u, Tangent tangent, int j) {
   for (std::size_t k = 0; k < kept_.size(); ++k) {
     float *xx = slice(j, k, 0), *xy = slice(j, k, 1), *yy = slice(j, k, 2);
     for (int i = 0; i < lattice_->grid.nx; ++i) {
@@ -222,7 +222,7 @@ void BondNet::linearise_row(const NodeVectors& u, Tangent tangent, int j) {
   }
 }
 
-void BondNet::sum_own_row(int j) {
+void LinearisedBonds::sum_own_row(int j) {
   const auto at = [&](std::size_t k, int i, bool keeps) -> Stiffness {
     const Kept& bond = kept_[k];
     const int row = keeps ? j : j - bond.b;
@@ -244,7 +244,7 @@ void BondNet::sum_own_row(int j) {
   }
 }
 
-Stiffness BondNet::own_stiffness(int i, int j) const {
+Stiffness LinearisedBonds::own_stiffness(int i, int j) const {
   return own_[lattice_->grid.index(i, j)];
 }
 
@@ -266,7 +266,7 @@ Vec2 pull(const Arm& arm, std::ptrdiff_t i, double x, double y) {
 
 // A deliberately plain loop over columns, without branches: ghosts and broken bonds have stiffness
 // 0. Rows beyond the plate are replaced by the row itself, with a stiffness of 0.
-void BondNet::apply_row(const NodeVectors& p, NodeVectors& result, int j) const {
+void LinearisedBonds::apply_row(const NodeVectors& p, NodeVectors& result, int j) const {
   const std::ptrdiff_t first = layout().at(0, j), column = layout().at(0, 0);
   const int nx = lattice_->grid.nx, ny = lattice_->grid.ny;
   double *out_x = &result.x[static_cast<std::size_t>(first)],
@@ -308,7 +308,7 @@ void BondNet::apply_row(const NodeVectors& p, NodeVectors& result, int j) const 
 }
 
 // The rule of the kernels for the next step. A node without bonds has no history.
-double BondNet::critical_stretch(const NodeVectors& u, int i, int j) const {
+double LinearisedBonds::critical_stretch(const NodeVectors& u, int i, int j) const {
   const double own = lattice_->critical_stretch_at(i, j);
   if (lattice_->is_void(i, j)) return own;
   const double alpha = lattice_->material_at(i, j).material.alpha;
@@ -323,7 +323,7 @@ double BondNet::critical_stretch(const NodeVectors& u, int i, int j) const {
   return std::isfinite(least) ? std::max(own - alpha * least, -1.0) : own;
 }
 
-std::vector<double> BondNet::critical_stretches(const NodeVectors& u) const {
+std::vector<double> LinearisedBonds::critical_stretches(const NodeVectors& u) const {
   const Grid& grid = lattice_->grid;
   std::vector<double> critical(grid.nodes());
   for_rows(threads_, grid.ny, [&](int j) {
@@ -333,9 +333,10 @@ std::vector<double> BondNet::critical_stretches(const NodeVectors& u) const {
 }
 
 // A history may lower the critical stretch to 0 and below: the ratio must stay a number.
-void BondNet::add_stretches_of_row(const NodeVectors& u, const std::vector<double>& critical, int j,
-                                   Stretches& sum) const {
-  constexpr double least_share = 1e-6;
+void LinearisedBonds::add_stretches_of_row(const NodeVectors& u,
+                                           const std::vector<double>& critical, int j,
+                                           Stretches& sum) const {
+  constexpr double min_share = 1e-6;
   const Grid& grid = lattice_->grid;
   for (int i = 0; i < grid.nx; ++i)
     for (const Kept& bond : kept_) {
@@ -346,7 +347,7 @@ void BondNet::add_stretches_of_row(const NodeVectors& u, const std::vector<doubl
                                  lattice_->critical_stretch_at(i + bond.a, j + bond.b));
       const double moved =
           std::min(critical[grid.index(i, j)], critical[grid.index(i + bond.a, j + bond.b)]);
-      const double s = stretch_of(u, i, j, bond), ratio = s / std::max(moved, least_share * s0);
+      const double s = stretch_of(u, i, j, bond), ratio = s / std::max(moved, min_share * s0);
       sum.most = std::max(sum.most, ratio);
       if (ratio > 1.0)
         sum.beyond.push_back(
@@ -355,7 +356,7 @@ void BondNet::add_stretches_of_row(const NodeVectors& u, const std::vector<doubl
     }
 }
 
-Stretches BondNet::stretches(const NodeVectors& u) const {
+Stretches LinearisedBonds::stretches(const NodeVectors& u) const {
   const std::vector<double> critical = critical_stretches(u);
   std::vector<Stretches> of_row(static_cast<std::size_t>(lattice_->grid.ny));
   for_rows(threads_, lattice_->grid.ny, [&](int j) {

@@ -43,12 +43,12 @@ struct Stretches {
   std::vector<Overstretched> beyond;  // ordered by place and bit
 };
 
-class BondNet {
+class LinearisedBonds {
  public:
   // The bonds that hold in `state`, with the thermal strain `heat` (by Grid::index; empty means 0).
   // All must outlive it.
-  BondNet(const Lattice& lattice, const State& state, Threads threads,
-          std::span<const double> heat = {});
+  LinearisedBonds(const Lattice& lattice, const State& state, Threads threads,
+                  std::span<const double> heat = {});
 
   const NodeLayout& layout() const { return state_->layout; }
   const Lattice& lattice() const { return *lattice_; }
@@ -72,7 +72,7 @@ class BondNet {
   // Held in single precision.
   void linearise(const NodeVectors& u, Tangent tangent);
   // Takes bonds that have broken since then out of the tangent.
-  void forget(const std::vector<Loss>& losses);
+  void forget(const std::vector<BrokenBond>& broken_bonds);
   // The change of the forces when u changes by p, to first order. linearise() was called.
   void apply_row(const NodeVectors& p, NodeVectors& result, int j) const;
   // Calls work(one, other, stiffness) for every bond that holds; ends by Grid::index.

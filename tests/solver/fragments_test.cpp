@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/pieces.hpp"
+#include "solver/fragments.hpp"
 
 #include <cmath>
 
@@ -17,34 +17,34 @@ struct Plates {
     for (double& value : mobile.y) value = 1.0;
   }
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(state.layout.at(i, j)); }
-  Pieces pieces() const { return Pieces(lattice, state, mobile, Threads(2)); }
+  Fragments fragments() const { return Fragments(lattice, state, mobile, Threads(2)); }
 
   Lattice lattice;
   State state;
   NodeVectors mobile;
 };
 
-TEST(Pieces, APlateIsOneAndACutMakesTwo) {
+TEST(Fragments, APlateIsOneAndACutMakesTwo) {
   Plate plate = test::bare_plate(30, 20);
-  EXPECT_EQ(Plates(plate).pieces().list().size(), 1U);
+  EXPECT_EQ(Plates(plate).fragments().list().size(), 1U);
   plate.cracks.push_back({{5e-3, 0.0}, {5e-3, plate.height}});
-  const Pieces two = Plates(plate).pieces();
+  const Fragments two = Plates(plate).fragments();
   ASSERT_EQ(two.list().size(), 2U);
   EXPECT_EQ(two.list()[0].nodes, 10 * 20);
   EXPECT_EQ(two.list()[1].nodes, 20 * 20);
   EXPECT_EQ(two.list()[0].centre, Vec2(-10.0, 0.0));
 }
 
-TEST(Pieces, ANodeWithoutBondsBelongsToNone) {
+TEST(Fragments, ANodeWithoutBondsBelongsToNone) {
   Plates scene(test::bare_plate(30, 20));
   isolate(scene.lattice.grid, scene.lattice.family, 7, 7, scene.state.bonds);
-  ASSERT_EQ(scene.pieces().list().size(), 1U);
-  EXPECT_EQ(scene.pieces().list()[0].nodes, 599);
+  ASSERT_EQ(scene.fragments().list().size(), 1U);
+  EXPECT_EQ(scene.fragments().list()[0].nodes, 599);
 }
 
-TEST(Pieces, SupportsTakeAwayMotions) {
+TEST(Fragments, SupportsTakeAwayMotions) {
   Plates scene(test::bare_plate(30, 20));
-  const auto motions = [&] { return scene.pieces().list()[0].motions.size(); };
+  const auto motions = [&] { return scene.fragments().list()[0].motions.size(); };
   EXPECT_EQ(motions(), 3U);
   scene.mobile.x[scene.at(3, 4)] = 0.0;
   EXPECT_EQ(motions(), 2U);
@@ -56,9 +56,9 @@ TEST(Pieces, SupportsTakeAwayMotions) {
   EXPECT_EQ(motions(), 0U);
 }
 
-TEST(Pieces, WhatIsRigidIsTakenOutAndNothingElse) {
+TEST(Fragments, WhatIsRigidIsTakenOutAndNothingElse) {
   const Plates scene(test::bare_plate(31, 20));
-  const Pieces pieces = scene.pieces();
+  const Fragments fragments = scene.fragments();
   NodeVectors vector(scene.state.layout);
   for (int j = 0; j < 20; ++j)
     for (int i = 0; i < 31; ++i) {
@@ -66,7 +66,7 @@ TEST(Pieces, WhatIsRigidIsTakenOutAndNothingElse) {
       vector.x[scene.at(i, j)] = 3.0 - 0.5 * x.y() + 0.25 * x.x();
       vector.y[scene.at(i, j)] = 2.0 + 0.5 * x.x();
     }
-  pieces.take_out_rigid(vector);
+  fragments.take_out_rigid(vector);
   for (int j = 0; j < 20; ++j)
     for (int i = 0; i < 31; ++i) {
       ASSERT_NEAR(vector.x[scene.at(i, j)], 0.25 * scene.lattice.grid.from_centre(i, j).x(), 1e-12);
@@ -74,12 +74,12 @@ TEST(Pieces, WhatIsRigidIsTakenOutAndNothingElse) {
     }
 }
 
-TEST(Pieces, TurningKeepsDistancesAndTheMeanPlace) {
+TEST(Fragments, TurningKeepsDistancesAndTheMeanPlace) {
   const Plates scene(test::bare_plate(31, 20));
   NodeVectors u(scene.state.layout);
   for (int j = 0; j < 20; ++j)
     for (int i = 0; i < 31; ++i) u.x[scene.at(i, j)] = 0.5;
-  scene.pieces().turn(0, 1.25, u);
+  scene.fragments().turn(0, 1.25, u);
   const Vec2 corner = scene.lattice.grid.from_centre(30, 0);
   const std::size_t at = scene.at(30, 0);
   const Vec2 moved = corner + Vec2(u.x[at] - 0.5, u.y[at]);
