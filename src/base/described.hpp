@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Nouns that a user fills, described once: every member with its name in a script, unit, range,
-// default and a sentence. Reading from Lua, help, completion, the reference, JSON out and in, and
-// the check of ranges all go through the description that stands beside the struct.
+// Nouns that a user fills, described once: the script name, unit, range, default and sentence of
+// every member. Reading from Lua, help, completion, the reference, JSON out and in, and the range
+// check all use the description beside the struct.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace hackle {
 
-// A range of numbers, each end included or not.
+// A range of numbers; each end is included or excluded.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
@@ -49,27 +49,29 @@ constexpr Range strictly_between(double least, double most) {
   return {.least = least, .most = most, .min_inclusive = false, .max_inclusive = false};
 }
 
-// "between 320 and 7680 px", "above 0 m", "at least 0 and below 1", or "" for any number.
+// Returns "between 320 and 7680 px", "above 0 m", "at least 0 and below 1", or "" for an unlimited
+// range.
 std::string range_text(const Range& range, std::string_view unit);
 
-// Why a number cannot be what a noun called `who` has under this name: "crack: radius is -1 m, it
-// must be above 0 m". Nothing when it can.
+// Returns why `value` is not allowed as member `name` of the noun `who`: "crack: radius is -1 m, it
+// must be above 0 m". Returns nothing if it is allowed.
 std::optional<std::string> objection(std::string_view who, std::string_view name, double value,
                                      std::string_view unit, const Range& range);
 
-// What a member is, for those who read and those who explain it.
+// The facts about one member that readers, checks and help need.
 struct About {
   std::string_view unit{};  // "Pa"; "" for none
-  Range range{};            // of a list: of its length
+  Range range{};            // of a list: range of its length
   bool required = false;
-  bool alternative = false;           // one of several ways to say something
-  std::string_view fallback{};        // what holds when it is left out, for a reader
-  std::string_view nothing = "none";  // what stands in a file for an optional that holds nothing
+  bool alternative = false;           // the user gives one of several alternatives
+  std::string_view fallback{};        // default as told to the user
+  std::string_view nothing = "none";  // text in files for an empty optional
   std::string_view sentence{};
-  std::string_view remedy{};  // with a value out of range
+  std::string_view remedy{};  // added to the error for a value out of range
 };
 
-// A member under its name. Without a name, the members of the member stand among those of the noun.
+// A named member. A nameless member stands for a nested noun, whose members are listed among those
+// of the outer noun.
 template <class Noun, class T>
 struct Member {
   std::string_view name;
@@ -84,8 +86,8 @@ constexpr Member<Noun, T> member(std::string_view name, T Noun::*pointer, About 
   return {name, pointer, about};
 }
 
-// A member whose name, unit and range depend on its kind, which is another member: an entry for
-// each enumerator, in their order.
+// A member whose name, unit and range depend on another member, its kind: one entry per enumerator,
+// in order.
 template <class Noun, class Kind, class T, std::size_t n>
 struct KindMember {
   Kind Noun::*kind;
@@ -103,8 +105,8 @@ constexpr KindMember<Noun, Kind, T, n> kind_member(Kind Noun::*kind, T Noun::*po
   return {kind, pointer, names, abouts};
 }
 
-// Of a whole noun. `noun` is what messages and scripts call it, `counted` what a count of them
-// does: "2 body forces".
+// The description of a whole noun. `noun` is its name in messages and scripts, `counted` its name
+// after a number: "2 body forces".
 template <class... Members>
 struct Description {
   std::string_view noun;
@@ -118,7 +120,7 @@ constexpr Description<Members...> describe_noun(std::string_view noun, std::stri
   return {noun, counted, std::tuple(members...)};
 }
 
-// To be specialised beside the noun.
+// Each noun specialises this beside its struct.
 template <class Noun>
 inline constexpr int description_of = 0;
 
@@ -133,8 +135,8 @@ constexpr void for_each_member(const Visit& visit) {
   std::apply([&](const auto&... members) { (visit(members), ...); }, description_of<Noun>.members);
 }
 
-// The names of an enumeration's values in scripts and files, in their order. To be specialised
-// beside it.
+// The names of an enumeration's values in scripts and files, in order. Each enumeration specialises
+// this beside its definition.
 template <class Enum>
 inline constexpr std::array<std::string_view, 0> enum_names{};
 
@@ -143,7 +145,7 @@ constexpr std::string_view name_of(Enum value) {
   return enum_names<Enum>[static_cast<std::size_t>(value)];
 }
 
-// Nothing when no value bears the name.
+// Returns nothing if no value has this name.
 template <class Enum>
 constexpr std::optional<Enum> value_named(std::string_view name) {
   const auto& names = enum_names<Enum>;

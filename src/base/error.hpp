@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one error type of Hackle: what is wrong, where, and what to do about it.
+// The only error type of Hackle: it says what is wrong, where, and what to do about it.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace hackle {
 
-// The kind decides the exit code of the program; the numbers are those codes.
+// The kind of an error. Its number is the exit code of the program.
 enum class ErrorKind {
   run_failed = 1,     // the computation went wrong (divergence, out of memory, encoder failure)
   usage = 2,          // the command line
@@ -18,13 +18,13 @@ enum class ErrorKind {
   interrupted = 130,  // Ctrl-C
 };
 
-// One thing that is wrong. `remedy` says what to do; it may be empty.
+// One thing that is wrong. `remedy` tells the user what to do; it may be empty.
 struct Problem {
   std::string what;
   std::string remedy;
 };
 
-// Carries at least one problem. what() holds one line a problem: "what (remedy)".
+// Carries at least one problem. what() has one line per problem: "what (remedy)".
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, std::string what, std::string remedy = {});
@@ -38,13 +38,13 @@ class Error : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-// Collects every problem of one check, so that a user hears of all of them at once.
+// Collects all problems of one check, so that the user sees all of them at once.
 class Problems {
  public:
   void add(std::string what, std::string remedy = {});
   bool empty() const { return list_.empty(); }
   const std::vector<Problem>& list() const { return list_; }
-  // Throws Error of this kind unless nothing was added.
+  // Throws Error of this kind if a problem was added.
   void throw_if_any(ErrorKind kind = ErrorKind::refused) const;
 
  private:

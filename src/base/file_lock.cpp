@@ -21,7 +21,7 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
-// " (process 1234)", which has a lock on the file, or "" where that cannot be known.
+// Returns " (process 1234)" for the process that holds a lock on the file, or "" if it is unknown.
 std::string holder_of(const fs::path& file) {
   struct stat there {};
   if (::stat(file.c_str(), &there) != 0) return "";
@@ -31,7 +31,7 @@ std::string holder_of(const fs::path& file) {
   std::ifstream locks("/proc/locks");
   std::string number, kind, advisory, access, process, place, rest;
   while (locks >> number >> kind) {
-    if (kind == "->") continue;  // one that waits
+    if (kind == "->") continue;  // a process that waits for a lock
     locks >> advisory >> access >> process >> place;
     std::getline(locks, rest);
     if (place == wanted.data()) return " (process " + process + ")";
@@ -42,7 +42,7 @@ std::string holder_of(const fs::path& file) {
 }  // namespace
 
 FileLock::FileLock(const fs::path& file, bool create) {
-  // One that is created may have been removed by its former holder before the lock was free.
+  // A created file may have been removed by its former holder before the lock was free.
   do open(file, create);
   while (create && is_open() && !is_foreign_ && !is_at(file));
 }
@@ -53,7 +53,8 @@ FileLock::~FileLock() {
 
 void FileLock::open(const fs::path& file, bool create) {
   close();
-  // Read and written, because some file systems lock only so; never a pipe, which would wait.
+  // Opened for reading and writing, because some file systems lock only such files; non-blocking,
+  // because opening a pipe would wait.
   const int mode = O_RDWR | O_CLOEXEC | O_NONBLOCK | (create ? O_CREAT : 0);
   file_ = ::open(file.c_str(), mode, 0666);
   is_foreign_ = is_open() && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;

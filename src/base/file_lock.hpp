@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Locks on files, which tell other programs, and this one, that somebody writes there.
+// File locks, which tell this and other programs that somebody is writing a file.
 #pragma once
 
 #include <filesystem>
 
 namespace hackle {
 
-// Keeps a lock on a file, so that others know that a living program writes it. The system takes the
-// lock off when that ends in whatever way.
+// Holds a lock on a file, so that others know that a running program writes it. The system releases
+// the lock however the program ends.
 class FileLock {
  public:
   // Locks a file; with `create`, creates it if it does not exist. A file that cannot be opened, or
-  // lies where nothing can be locked, is not locked: whoever opens it will say why.
+  // lies on a file system without locks, is not locked: whoever opens it will report the reason.
   FileLock(const std::filesystem::path& file, bool create);
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  bool is_foreign() const { return is_foreign_; }  // somebody else has it
+  bool is_foreign() const { return is_foreign_; }  // another holder has it
   bool is_open() const { return file_ >= 0; }
-  // Whether the file still bears this name; another may by now.
+  // Returns whether the file still has this name; another file may have taken it.
   bool is_at(const std::filesystem::path& file) const;
 
  private:
@@ -30,11 +30,12 @@ class FileLock {
   bool is_foreign_ = false;
 };
 
-// A file that is ours alone while this lives, and gone afterwards unless it was renamed.
+// A file that belongs to this object alone while it lives, and is removed afterwards unless it was
+// renamed.
 class HeldFile {
  public:
-  // Creates and locks `file`. Throws Error (files) when somebody else holds it, saying that
-  // `written` is what is written there.
+  // Creates and locks `file`. Throws Error (files) if it is locked by somebody else; the message
+  // names `written` as the file being written.
   HeldFile(std::filesystem::path file, const std::filesystem::path& written);
   ~HeldFile();
 
@@ -43,10 +44,11 @@ class HeldFile {
   FileLock lock_;
 };
 
-// Whether somebody, this program included, writes the file. Who reads it may share a lock on it.
+// Returns whether anybody, this program included, is writing the file. Readers may hold a shared
+// lock on it.
 bool is_locked(const std::filesystem::path& file);
 
-// Throws Error (files): `written` cannot be, because of the lock on `locked`.
+// Throws Error (files): `written` cannot be written because `locked` is locked.
 [[noreturn]] void refuse_locked(const std::filesystem::path& written,
                                 const std::filesystem::path& locked);
 

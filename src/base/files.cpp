@@ -18,7 +18,8 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t max_text = std::size_t{1} << 26U;  // bytes; a device may never end
+// bytes: a limit, because a device may never end
+constexpr std::size_t max_text = std::size_t{1} << 26U;
 
 std::vector<fs::path> data_folders() {
   std::vector<fs::path> folders;
@@ -96,7 +97,7 @@ void publish(const fs::path& path) {
 }
 
 fs::path real_path(const fs::path& path) {
-  constexpr int max_links = 40;  // as the kernel has it
+  constexpr int max_links = 40;  // as in the kernel
   const fs::path start = fs::current_path() / path;
   std::deque<fs::path> to_go(start.begin(), start.end());
   fs::path done = "/";
@@ -112,7 +113,7 @@ fs::path real_path(const fs::path& path) {
     else if (!no_link)
       to_go.insert(to_go.begin(), target.begin(), target.end());
     else if (!part.empty() && part != ".")
-      done /= part;  // "/" begins anew
+      done /= part;  // "/" starts again from the root
   }
   return done;
 }

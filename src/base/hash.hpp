@@ -10,7 +10,7 @@ struct XXH3_state_s;
 
 namespace hackle {
 
-// XXH3, 64 bits. The same on every little-endian machine.
+// XXH3 with 64 bits. The hash is the same on every little-endian machine.
 class Hash {
  public:
   Hash();
@@ -21,7 +21,7 @@ class Hash {
   void add(std::span<const T> values) {
     add_bytes(std::as_bytes(values));
   }
-  // Sixteen hexadecimal digits.
+  // Returns sixteen hexadecimal digits.
   std::string hex() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture in memory, as painter, overlay, PNG writer and encoder share it.
+// A picture in memory, shared by painter, overlay, PNG writer and encoder.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace hackle {
 
-// Rows from the top, four bytes a pixel in the order blue, green, red, alpha (what OSMesa, Cairo
-// and FFmpeg all read without a copy). Alpha is premultiplied.
+// Rows from the top, four bytes per pixel in the order blue, green, red, alpha (which OSMesa, Cairo
+// and FFmpeg read without a copy). Alpha is premultiplied.
 struct Image {
   int width = 0;   // px
   int height = 0;  // px
@@ -21,7 +21,7 @@ struct Image {
         height(h),
         pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4) {}
 
-  int stride() const { return width * 4; }  // bytes a row
+  int stride() const { return width * 4; }  // bytes per row
 };
 
 }  // namespace hackle

@@ -12,15 +12,15 @@
 namespace hackle {
 namespace {
 
-// A signal handler can reach nothing but a lock-free global.
+// A signal handler may only use lock-free globals.
 std::atomic<bool> flag{false}, leaving{false};
 std::atomic<void (*)()> alarm_of_signal{nullptr};
 std::atomic<pthread_t> hearing_thread{};
 static_assert(std::atomic<bool>::is_always_lock_free &&
               std::atomic<pthread_t>::is_always_lock_free);
 
-// A terminal that is closed may say so twice. Whatever thread the kernel chose, the one that waits
-// for the user hears it.
+// A closed terminal may send its signal twice. The kernel chooses any thread; the handler passes
+// the signal to the thread that waits for the user.
 void on_signal(int number) {
   if (!pthread_equal(pthread_self(), hearing_thread.load())) {
     pthread_kill(hearing_thread.load(), number);

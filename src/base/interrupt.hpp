@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C as one atomic flag that every long loop reads between two steps.
+// Ctrl-C as one atomic flag, which every long loop reads between two steps.
 #pragma once
 
 #include <array>
@@ -7,25 +7,26 @@
 
 namespace hackle {
 
-// True once SIGINT, SIGTERM or SIGHUP arrived, or request_interrupt() was called, until
+// Returns true after SIGINT, SIGTERM or SIGHUP, or after request_interrupt(), until
 // clear_interrupt().
 bool interrupted() noexcept;
 void request_interrupt() noexcept;
 void clear_interrupt() noexcept;
 
-// Throws Error (interrupted) if so: for loops that have nothing to complete.
+// Throws Error (interrupted) if interrupted(): for loops that have nothing to complete.
 void throw_if_interrupted();
 
-// What else a signal that asks to stop is to do, in its handler: must be async-signal-safe. It is
-// called in the thread that made the InterruptHandler. Null: nothing.
+// Sets a function that the handler of these signals also calls; it must be async-signal-safe. It
+// runs in the thread that made the InterruptHandler. Null removes it.
 void set_interrupt_alarm(void (*alarm)()) noexcept;
 
-// True for ever once SIGTERM or SIGHUP arrived: the program is to end, not what it does just now.
+// Returns true once SIGTERM or SIGHUP has arrived, and stays true: the whole program is to end, not
+// only the work in progress.
 bool asked_to_leave() noexcept;
 
-// While an object of this class lives, SIGINT, SIGTERM and SIGHUP set the flag and say so on
-// stderr; a second SIGINT or SIGTERM ends the process at once. A SIGHUP that was ignored stays so
-// (nohup). The former handlers come back afterwards.
+// While an object of this class lives, SIGINT, SIGTERM and SIGHUP set the flag and report it on
+// stderr; a second SIGINT or SIGTERM ends the process at once. A SIGHUP that was ignored stays
+// ignored (nohup). The destructor restores the former handlers.
 class InterruptHandler {
  public:
   enum class Keyboard { heard, left_alone };  // SIGINT

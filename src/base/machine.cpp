@@ -15,7 +15,7 @@
 namespace hackle {
 namespace {
 
-// A line "key   123 kB" of /proc/meminfo, in bytes.
+// Returns the value of a line "key   123 kB" of /proc/meminfo, in bytes.
 std::uint64_t meminfo(std::string_view key) {
   std::ifstream file("/proc/meminfo");
   for (std::string line; std::getline(file, line);)
@@ -57,7 +57,7 @@ bool stdout_is_terminal() {
 }
 
 void keep_freed_memory() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that glibc takes
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest value that glibc accepts
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
 }
 

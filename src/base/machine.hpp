@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the machine can give: memory, cores, the end of a pipe.
+// Resources of the machine: memory, cores, terminals.
 #pragma once
 
 #include <cstdint>
@@ -7,27 +7,27 @@
 
 namespace hackle {
 
-// Bytes that can be allocated without swapping: the smaller of what the kernel calls available and
-// what the control group of the process leaves.
+// Returns the bytes that can be allocated without swapping: the smaller of what the kernel reports
+// as available and what the control group of the process leaves.
 std::uint64_t available_memory();
 
-// The largest resident size of this process so far, in bytes.
+// Returns the largest resident size of this process so far, in bytes.
 std::uint64_t peak_resident_memory();
 
-// Processors this process may run on, at least 1.
+// Returns the number of processors this process may run on, at least 1.
 int available_cores();
 
-// From now on large blocks that are freed stay with the process, up to 256 MB: pictures come and go
-// by megabytes, and fetching their pages anew takes a sixth of the time of a movie.
+// Makes the process keep freed large blocks, up to 256 MB: pictures come and go by megabytes, and
+// fetching their pages anew takes a sixth of the time of a movie.
 void keep_freed_memory();
 
-// Whether stderr is a terminal that can redraw a line.
+// Returns whether stderr is a terminal that can redraw a line.
 bool stderr_is_terminal();
 
-// Whether what is written to stdout ends in front of a person.
+// Returns whether a person sees what is written to stdout.
 bool stdout_is_terminal();
 
-// The processor as it names itself.
+// Returns the processor's own name.
 std::string processor_name();
 
 }  // namespace hackle

@@ -4,7 +4,7 @@
 namespace hackle {
 namespace {
 
-// Each character of `special` gets `before` in front.
+// Puts `before` in front of each character of `special`.
 std::string escaped(std::string_view text, std::string_view special, std::string_view before) {
   std::string out;
   for (const char c : text) {
@@ -14,7 +14,7 @@ std::string escaped(std::string_view text, std::string_view special, std::string
   return out;
 }
 
-// A line that begins with one of these would be a command.
+// A line that begins with one of these characters would be a roff command.
 std::string guarded(const std::string& line) {
   const bool command = line.starts_with('.') || line.starts_with('\'');
   return command ? "\\&" + line : line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plain text as it must be written in Markdown and in roff, the language of man pages.
+// Escapes plain text for Markdown and for roff, the language of man pages.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace hackle {
 
-// In prose and in cells of tables: nothing of it is taken for markup.
+// For prose and table cells: no character is taken for markup.
 std::string markdown(std::string_view text);
-// `text`, or "" for nothing.
+// Returns `text` in backquotes, or "" for an empty text.
 std::string markdown_code(std::string_view text);
 
-// In prose.
+// For prose.
 std::string roff(std::string_view text);
-// What is typed: its hyphens stay hyphens. In bold.
+// For text that is typed: in bold, and hyphens stay hyphens.
 std::string roff_code(std::string_view text);
-// Lines as they are, indented.
+// For whole lines: unchanged, indented.
 std::string roff_example(std::string_view lines);
 
 }  // namespace hackle

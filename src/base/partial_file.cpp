@@ -12,8 +12,8 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
-// Whether a recording writes files of such a name: itself or its sidecar. A picture beside it that
-// has the same stem is none of its business.
+// Returns whether a recording writes this file, as the run file or its sidecar. It does not write a
+// picture with the same stem.
 bool is_recorded(const fs::path& path) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });

@@ -7,11 +7,12 @@
 namespace hackle::portable {
 namespace {
 
-// ln 2 in two parts, of which multiples of the first by any exponent are exact.
+// ln 2 in two parts; the product of the first part with any exponent is exact.
 constexpr double ln2_high = 0x1.62e42fefa3800p-1;
 constexpr double ln2_low = 0x1.ef35793c76730p-45;
 
-// 2 artanh(s), |s| < 0.18: the next term of the series is below 1e-19 of the first.
+// Computes 2 artanh(s) for |s| < 0.18: the first omitted term of the series is below 1e-19 of the
+// first.
 double twice_artanh(double s) {
   const double s2 = s * s;
   double sum = 0.0;
@@ -44,7 +45,7 @@ double exp(double x) {
   return std::ldexp(sum, static_cast<int>(power));
 }
 
-// Stirling's series, 15 places further on.
+// Uses Stirling's series, shifted by 15.
 double gamma(double x) {
   double product = 1.0;
   for (int n = 0; n < 15; ++n) product *= x + n;
@@ -55,8 +56,8 @@ double gamma(double x) {
   return exp((z - 0.5) * log(z) - z + half_log_2pi + series) / product;
 }
 
-// By the series of erf with terms of one sign near 0, by the continued fraction of erfc further
-// out.
+// Uses a series of erf whose terms all have one sign near 0, and the continued fraction of erfc
+// elsewhere.
 double normal_below(double x) {
   const double z = std::abs(x) / std::numbers::sqrt2;
   const double bell = exp(-std::fmin(z * z, 690.0)) * std::numbers::inv_sqrtpi;

@@ -15,7 +15,7 @@ namespace {
 constexpr double first_shown_after = 0.5;     // seconds; shorter work needs no bar
 constexpr double redraw_every = 0.1;          // seconds, on a terminal
 constexpr double plain_line_after = 1.0;      // seconds before the first plain line
-constexpr double plain_line_at_least = 30.0;  // seconds between two plain lines at the most
+constexpr double plain_line_at_least = 30.0;  // largest interval between plain lines, s
 constexpr int bar_width = 24;
 
 std::string remaining_text(double seconds) {

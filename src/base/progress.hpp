@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The progress of long work on stderr: a bar on a terminal, a plain line now and then elsewhere.
+// Shows the progress of long work on stderr: a bar on a terminal, occasional plain lines elsewhere.
 #pragma once
 
 #include <chrono>
@@ -7,21 +7,21 @@
 
 namespace hackle {
 
-// How much a program says on stderr while it works.
+// How much a program reports on stderr while it works.
 enum class Talk { quiet, plain, animated };
 
 class Progress {
  public:
   explicit Progress(Talk talk);
-  // Clears an animated bar that was not finished.
+  // Clears an unfinished animated bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Cheap enough to be called at every step: reads the clock and mostly returns.
-  // `fraction` lies in 0..1. True when the text would be shown now; then call show().
+  // Cheap enough to call at every step: usually it reads the clock and returns. `fraction` lies in
+  // 0..1. Returns true if the text is to be shown; then call show().
   bool due(double fraction);
-  // Shows the bar at `fraction`, `detail` and the remaining time.
+  // Shows the bar at `fraction`, with `detail` and the remaining time.
   void show(double fraction, const std::string& detail);
 
  private:

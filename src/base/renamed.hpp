@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names that earlier versions used in scripts: an error for one of them tells the new name.
+// Script names of earlier versions: an error for an old name tells the new one.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace hackle {
 
-// The present name of what `owner`, a type such as "plate" or "field" of a picture, once called
-// `name`; nothing when it never did.
+// Returns the new name of what `owner`, a type such as "plate" or "field" of a picture, once called
+// `name`; nothing if it never had that name.
 std::optional<std::string_view> renamed(std::string_view owner, std::string_view name);
 
 }  // namespace hackle

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Wall time of a stage.
+// Measures the wall time of a stage.
 #pragma once
 
 #include <chrono>
 
 namespace hackle {
 
-// Adds the seconds of its own life to `total`.
+// Adds the seconds of its lifetime to `total`.
 class Stopwatch {
  public:
   explicit Stopwatch(double& total) : total_(total), start_(Clock::now()) {}
@@ -14,7 +14,7 @@ class Stopwatch {
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 
-  // Seconds since construction.
+  // Returns the seconds since construction.
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
  private:

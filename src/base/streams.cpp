@@ -23,10 +23,11 @@ void on_broken_pipe(int) {
   errno = before;
 }
 
-// For reading, whichever it is: what is written fails and is known to be lost.
+// Opens the descriptor for reading in every case: writing to it then fails, and the loss is
+// reported.
 void open_where_closed(int descriptor) {
   if (fcntl(descriptor, F_GETFD) >= 0) return;
-  const int opened = open("/dev/null", O_RDONLY);  // the lowest that is free
+  const int opened = open("/dev/null", O_RDONLY);  // the lowest free descriptor
   if (opened < 0 || opened == descriptor) return;
   dup2(opened, descriptor);
   close(opened);
@@ -43,11 +44,11 @@ void hold_standard_streams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     open_where_closed(descriptor);
   struct sigaction action {};
-  action.sa_handler = on_broken_pipe;  // programs that a script starts have the default again
+  action.sa_handler = on_broken_pipe;  // programs that a script starts get the default action again
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGPIPE, &action, nullptr);
-  action.sa_handler = [](int) {};  // a file that has reached its limit is an error of writing it
+  action.sa_handler = [](int) {};  // a file at its size limit becomes a write error
   sigaction(SIGXFSZ, &action, nullptr);
 }
 

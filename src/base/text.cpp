@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t shortest_beginning = 4;
 
-// Optimal string alignment distance, three rows of the usual table.
+// Computes the optimal string alignment distance with three rows of the usual table.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> older(b.size() + 1), old(b.size() + 1), now(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) old[j] = j;

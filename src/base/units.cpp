@@ -41,7 +41,7 @@ constexpr std::array prefixes{Prefix{1e12, "T"}, Prefix{1e9, "G"},  Prefix{1e6, 
                               Prefix{1e3, "k"},  Prefix{1.0, ""},   Prefix{1e-3, "m"},
                               Prefix{1e-6, "u"}, Prefix{1e-9, "n"}, Prefix{1e-12, "p"}};
 
-// The largest and smallest prefix that people use with a unit.
+// The largest and smallest prefix in customary use with a unit.
 struct Habit {
   std::string_view unit;
   double most;
@@ -58,8 +58,8 @@ const Habit* habit_of(std::string_view unit) {
   return nullptr;
 }
 
-// The smallest number that is written with this prefix before the next smaller one is taken.
-// Engineers write 0.5 mm, not 500 um.
+// Returns the smallest number that is written with this prefix; below it the next smaller prefix is
+// used. Engineers write 0.5 mm, not 500 um.
 double min_number(std::string_view unit, const Prefix& prefix) {
   return unit == "m" && prefix.text == "m" ? 0.01 : 1.0;
 }
@@ -69,7 +69,7 @@ const Prefix& prefix_for(double size, const Habit& habit) {
   for (const Prefix& prefix : prefixes) {
     if (prefix.factor > habit.most * 1.5 || prefix.factor < habit.least / 1.5) continue;
     chosen = &prefix;
-    // The rounding of four digits must not turn 999.99 ns into 1000 ns.
+    // Rounding to four digits must not turn 999.99 ns into 1000 ns.
     if (size >= min_number(habit.unit, prefix) * prefix.factor * 0.99995) break;
   }
   return *chosen;

@@ -9,7 +9,7 @@
 namespace hackle {
 
 bool is_utf8(std::string_view text) {
-  // Of each length: the least code point, which none shorter can say.
+  // The smallest code point per length; a shorter sequence cannot encode it.
   constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
   for (std::size_t at = 0; at < text.size();) {
     const auto first = static_cast<unsigned char>(text[at]);

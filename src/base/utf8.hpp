@@ -5,7 +5,7 @@
 
 namespace hackle {
 
-// Whether it is well-formed UTF-8: no stray or overlong bytes, no surrogates.
+// Returns whether the text is well-formed UTF-8: no stray or overlong bytes, no surrogates.
 bool is_utf8(std::string_view text);
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which Hackle this is.
+// The version and build of this program.
 #pragma once
 
 #include <string_view>

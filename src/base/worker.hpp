@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thread behind a bounded queue: how pictures and movies are made beside the solver.
+// A thread with a bounded queue: pictures and movies are made on it, beside the solver.
 #pragma once
 
 #include <condition_variable>
@@ -12,8 +12,8 @@
 
 namespace hackle {
 
-// Runs `work` on each pushed job, in order, on a thread of its own. When `work` throws, the jobs
-// that wait are dropped and the exception comes out of the next push() or of finish().
+// Runs `work` on each pushed job, in order, on its own thread. If `work` throws, the waiting jobs
+// are dropped and the next push() or finish() rethrows the exception.
 template <class Job>
 class Worker {
  public:
@@ -23,7 +23,7 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  // Ends after the queued jobs; an exception not yet collected by finish() is lost here.
+  // Completes the queued jobs. An exception that finish() has not collected is lost.
   ~Worker() { close(); }
 
   // Waits while the queue is full.
@@ -86,7 +86,7 @@ class Worker {
   std::deque<Job> jobs_;
   std::exception_ptr failure_;
   bool closed_ = false;
-  std::thread thread_;  // last: it uses all of the above
+  std::thread thread_;  // declared last: it uses all of the above
 };
 
 }  // namespace hackle

@@ -17,7 +17,7 @@ namespace {
 template <class Function>
 double gauss_mean(const Function& function, double from, double to) {
   constexpr int pieces = 16;
-  const double aside = 0.5 / std::numbers::sqrt3;  // of the middle of a piece
+  const double aside = 0.5 / std::numbers::sqrt3;  // from the midpoint of a subinterval
   double sum = 0.0;
   for (int k = 0; k < pieces; ++k)
     for (const double place : {k + 0.5 - aside, k + 0.5 + aside})
@@ -55,7 +55,8 @@ double Amplitude::at(double t) const {
 double Amplitude::mean(double from, double to) const {
   if (!(to > from)) return at(from);
   if (is_function()) return gauss_mean([this](double t) { return at(t); }, from, to);
-  // Between two moments in a row it is straight, seen from their middle: jumps are at the moments.
+  // The midpoint value is exact between consecutive times: the factor is linear there, and jumps
+  // lie at the times.
   std::vector<double> moments{from};
   for (const Vec2& point : points_)
     if (point.x() > from && point.x() < to) moments.push_back(point.x());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a load changes in time.
+// The amplitude of a load: its factor as a function of time.
 #pragma once
 
 #include <functional>
@@ -12,27 +12,28 @@
 
 namespace hackle {
 
-// A factor of time: 1 for ever, straight lines between given moments, or any function.
+// A factor as a function of time: constant 1, piecewise linear, or any function.
 class Amplitude {
  public:
   Amplitude() = default;
-  // (t in s, factor), t ascending; two of the same t are a jump, to the second at t itself. Before
-  // the first and after the last the factor stays.
+  // Takes points (t in s, factor), t ascending; two points with the same t are a jump, and at(t) is
+  // the second. The factor is constant before the first and after the last point.
   explicit Amplitude(std::vector<Vec2> points);
-  // Called with t in s. It may throw Error; `text` says what it is.
+  // Calls `function` with t in s; it may throw Error. `text` describes it.
   Amplitude(std::function<double(double)> function, std::string text);
 
   bool is_constant() const { return points_.empty() && !function_; }
   bool is_function() const { return static_cast<bool>(function_); }
   const std::vector<Vec2>& points() const { return points_; }
 
-  // Throws Error (refused), which names t, when a function gives no finite number.
+  // Returns the factor at t. Throws Error (refused), which names t, if a function gives no finite
+  // number.
   double at(double t) const;
-  // The mean from one moment to a later one: exact where there are points, of a function by Gauss's
-  // rule of two points on sixteen pieces. at(from) when there is no time between them.
+  // Returns the mean over an interval: exact for points; for a function by two-point Gauss
+  // quadrature on sixteen subintervals. Returns at(from) if the interval is empty.
   double mean(double from, double to) const;
 
-  // "constant", "0 at 0 s, 1 at 2 us", or the text of a function.
+  // Returns "constant", "0 at 0 s, 1 at 2 us", or the text of a function.
   std::string describe() const;
 
  private:
@@ -41,17 +42,17 @@ class Amplitude {
   std::string text_;
 };
 
-// 0 at t = 0, 1 from `duration` (s) on.
+// Rises linearly from 0 at t = 0 to 1 at `duration` (s), then stays 1.
 Amplitude ramp(double duration);
-// 0 before `start` (s), 1 from it on.
+// Is 0 before `start` (s) and 1 from then on.
 Amplitude step_at(double start);
-// 1 from `start` for `duration` (s), 0 else.
+// Is 1 for `duration` (s) from `start`, and 0 elsewhere.
 Amplitude pulse(double duration, double start);
 
-// Adds a problem when the moments do not ascend or anything is not finite.
+// Adds a problem if the times do not ascend or a value is not finite.
 void check(const Amplitude& amplitude, const std::string& who, Problems& problems);
 
-// The amplitude of any load, as its noun describes it.
+// The member that every load has for its amplitude.
 inline constexpr About about_amplitude{
     .fallback = "1 for ever",
     .sentence = "Factor over time: ramp(2*us), pulse(1*us), {{t, factor}, ...} or function(t)."};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The check of ranges, for every noun that is described.
+// Checks the ranges of any described noun.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace hackle {
 
-// Adds a problem for a number that is not finite or out of its range; for a vector that is not
-// finite; for an amplitude or a region that makes no sense. Functions are not asked.
+// Adds a problem for a number that is not finite or out of range, a vector that is not finite, or
+// an invalid amplitude or region. Functions are not evaluated.
 void check_value(double value, std::string_view who, std::string_view name, const About& about,
                  Problems& problems);
 void check_value(const Vec2& value, std::string_view who, std::string_view name, const About& about,
@@ -41,15 +41,15 @@ inline void check_value(const Region& value, std::string_view who, std::string_v
   if (value) check(*value, std::string(who), problems);
 }
 
-// Whether a number is what it is when it is left out.
+// Returns whether an optional member has its default.
 template <class T>
 bool is_left_out(const T& value, const T& usual, const About& about) {
   if constexpr (std::is_same_v<T, double>) return !about.required && value == usual;
   return false;
 }
 
-// Checks every member that has a check_value(). A number that may be left out, and has been, is not
-// held to its range.
+// Checks every member that has a check_value(). An optional number that was left out is not held to
+// its range.
 template <Described Noun>
 void check_members(const Noun& noun, std::string_view who, Problems& problems) {
   const Noun usual;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A quantity over the plate as the user gives it: the same everywhere, or a function of place.
+// A quantity over the plate as the user gives it: constant, or a function of place.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ class FieldOfPlace {
   FieldOfPlace() = default;
   FieldOfPlace(T constant) : constant_(std::move(constant)) {}
   FieldOfPlace(double x, double y) requires std::is_same_v<T, Vec2> : constant_(x, y) {}
-  // Called with a point of the plate, m. It may throw Error.
+  // Calls `function` with a point of the plate, in m. It may throw Error.
   explicit FieldOfPlace(std::function<T(const Vec2&)> function) : function_(std::move(function)) {}
 
   bool is_constant() const { return !function_; }
@@ -28,7 +28,7 @@ class FieldOfPlace {
     if constexpr (std::is_arithmetic_v<T>)
       return T(0);
     else
-      return T::Zero();  // Eigen leaves T{} as it finds it
+      return T::Zero();  // T{} of an Eigen type is uninitialised
   }
 
   T constant_ = zero();

@@ -22,7 +22,7 @@ double size_of(const Vec2& value) {
   return value.norm();
 }
 
-// Asks quantities for the most that they are.
+// Samples quantities for their largest magnitude.
 struct Sampler {
   const Plate& plate;
   double begin, end;
@@ -52,7 +52,7 @@ struct Sampler {
   }
 };
 
-// What a motion of the rim does: at once, as a wave of sigma = rho c v, and in time, as a strain.
+// Stress caused by moving the rim: at once by the wave, sigma = rho c v; later by the strain.
 struct Stiffness {
   explicit Stiffness(const Plate& plate)
       : E(plate.material.E),
@@ -64,7 +64,8 @@ struct Stiffness {
   double E, impedance, span;
 };
 
-// Waves of a velocity go out from where it acts; led so slowly that there are none, it strains.
+// A prescribed velocity sends out waves where it acts; if slow, without waves, it only strains the
+// plate.
 double stress_of(const Support& support, const Episode& episode, Sampler& sampler) {
   const Stiffness stiffness(sampler.plate);
   const double value = sampler.largest(support.value) * sampler.largest(support.amplitude);
@@ -73,7 +74,7 @@ double stress_of(const Support& support, const Episode& episode, Sampler& sample
   return episode.slow ? led : std::max(stiffness.of_velocity(value), led);
 }
 
-// Of what expands most, were it held.
+// Returns the stress of the material that would expand most, if it were held.
 double stress_of_heat(const Plate& plate, double change) {
   double most = plate.material.E * plate.material.alphaT;
   for (const Inclusion& inclusion : plate.inclusions)
@@ -128,7 +129,7 @@ double largest_flaw(const Plate& plate) {
   return most;
 }
 
-// From G0, or from s0 as the energy that stretches a horizon so far.
+// Follows from G0, or from s0 as the energy that stretches one horizon to s0.
 double toughness_of(const Material& material, double min_flaw) {
   return material.s0 > 0.0 ? material.E * material.s0 * material.s0 * min_flaw : material.G0;
 }

@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-// Two segments on one line: do their ranges along it overlap?
+// For two segments on one line: returns whether their ranges along it overlap.
 bool overlap_on_line(const Segment& one, const Segment& other, double tie) {
   const Vec2 along = (one.to - one.from).normalized();
   const auto at = [&](const Vec2& point) { return along.dot(point - one.from); };
@@ -16,8 +16,8 @@ bool overlap_on_line(const Segment& one, const Segment& other, double tie) {
   return most > tie && least < at(one.to) - tie;
 }
 
-// Where an end lies within rounding of the other segment it is left to the distances of the ends:
-// two pieces of one line, which have a gap between them, must not seem to cross.
+// If an end lies within rounding of the other segment, the distances of the ends decide instead:
+// two collinear segments with a gap between them must not seem to cross.
 bool cross_properly(const Segment& one, const Segment& other) {
   const double size = std::max({one.from.cwiseAbs().maxCoeff(), one.to.cwiseAbs().maxCoeff(),
                                 other.from.cwiseAbs().maxCoeff(), other.to.cwiseAbs().maxCoeff()});
@@ -38,7 +38,7 @@ double cross(const Vec2& a, const Vec2& b) {
 
 int side(const Segment& segment, const Vec2& point, double tie) {
   const Vec2 along = segment.to - segment.from;
-  // Measured from the middle, so that exchanging the ends flips the sign exactly.
+  // Measured from the midpoint, so that exchanging the ends flips the sign exactly.
   const double distance = cross(along, point - 0.5 * (segment.from + segment.to)) / along.norm();
   return std::abs(distance) <= tie ? 0 : (distance > 0.0 ? 1 : -1);
 }
@@ -64,7 +64,7 @@ bool crosses(const Segment& one, const Segment& other, double tie) {
 }
 
 std::vector<Vec2> arc(const Vec2& centre, double radius, double from, double to) {
-  constexpr double widest = 2.8e-3;  // rad of a chord: 1 - cos(widest / 2) < 1e-6
+  constexpr double widest = 2.8e-3;  // largest angle of a chord, rad: 1 - cos(widest / 2) < 1e-6
   const double turn = to - from;
   const auto pieces = static_cast<int>(std::max(2.0, std::ceil(std::abs(turn) / widest)));
   std::vector<Vec2> points;

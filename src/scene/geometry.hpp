@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plane geometry that shapes and cracks share. All of it treats mirror images alike, to the bit.
+// Plane geometry for shapes and cracks. Mirror images give the same results, to the bit.
 #pragma once
 
 #include <vector>
@@ -10,21 +10,21 @@ namespace hackle {
 
 double cross(const Vec2& a, const Vec2& b);
 
-// On which side of the line through `segment`, which has a length, a point lies: -1, 0 (closer
-// than `tie`) or 1.
+// Returns on which side of the line through `segment` a point lies: -1, 0 (closer than `tie`) or 1.
+// The segment must have a length.
 int side(const Segment& segment, const Vec2& point, double tie);
 
 double distance(const Segment& segment, const Vec2& point);
-// Of the nearest points of two segments; 0 when they cross.
+// Returns the smallest distance between two segments; 0 if they cross.
 double distance(const Segment& one, const Segment& other);
 
-// Whether two segments have a point in common that is no end of `one`. On one line: whether more
-// than an end of `one` lies on the other.
+// Returns whether two segments share a point that is not an end of `one`. For segments on one line:
+// whether more than an end of `one` lies on `other`.
 bool crosses(const Segment& one, const Segment& other, double tie);
 
-// Points along an arc, its two ends included, whose chords lie within a millionth of the radius of
-// it. Angles in rad from x, anticlockwise when `to` is above `from`. A whole turn ends in the very
-// point where it began.
+// Returns points along an arc, both ends included, so close that chords deviate from it by less
+// than a millionth of the radius. Angles in rad from x, anticlockwise if `to` is above `from`. A
+// full turn ends exactly at its first point.
 std::vector<Vec2> arc(const Vec2& centre, double radius, double from, double to);
 
 }  // namespace hackle

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What acts on a plate. A load is a quantity in space times a factor of time; all may be exchanged
-// while a plate is being solved. Each kind has a header of its own in loads/ with its description.
+// The loads on a plate. A load is a quantity in space times an amplitude in time; loads may be
+// exchanged while a plate is being solved. Each kind has a header with its description in loads/.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ struct Loads {
   std::vector<Support> supports;
   std::vector<ThermalLoad> thermal_loads;
   std::vector<Impactor> impactors;
-  double damping = 0.0;  // 1/s: every velocity dies away as exp(-damping t)
+  double damping = 0.0;  // 1/s: every velocity decays as exp(-damping t)
 };
 
 template <>
@@ -37,7 +37,7 @@ inline constexpr auto description_of<Loads> = describe_noun(
             .fallback = "0",
             .sentence = "Velocities die away as exp(-rate t); stable for any rate."}));
 
-// All loads of one kind.
+// Returns all loads of one kind.
 template <class Load>
 std::vector<Load>& all_of(Loads& loads) {
   std::vector<Load>* found = nullptr;
@@ -48,7 +48,7 @@ std::vector<Load>& all_of(Loads& loads) {
   return *found;
 }
 
-// Visits the list of every kind of load.
+// Visits the list of loads of every kind.
 template <class Visit>
 void for_each_list(const Loads& loads, const Visit& visit) {
   for_each_member<Loads>([&](const auto& list) {
@@ -56,11 +56,11 @@ void for_each_list(const Loads& loads, const Visit& visit) {
   });
 }
 
-// Adds a problem for every value out of its range. Whether a rim or a region exists is checked with
-// the plate.
+// Adds a problem for every value out of its range. check(Plate) checks whether rims and regions
+// exist.
 void check(const Loads& loads, Problems& problems);
 
-// ", 2 tractions, 1 support", or "".
+// Returns ", 2 tractions, 1 support", or "".
 std::string describe(const Loads& loads);
 
 }  // namespace hackle

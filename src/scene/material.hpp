@@ -10,20 +10,20 @@
 namespace hackle {
 
 struct Material {
-  std::string name;  // as the user calls it
+  std::string name;  // the user's name for it
   double E = 0.0;    // Young's modulus, Pa
   double rho = 0.0;  // density, kg/m3
-  double nu = 0.0;   // Poisson's ratio of the real material; bond-based theory imposes its own (1/3
-                     // in plane stress), this one is for comparison only
+  double nu = 0.0;   // Poisson's ratio of the real material, for comparison only: bond-based theory
+                     // imposes its own (1/3 in plane stress)
   double G0 = 0.0;   // fracture energy, J/m2; 0 when s0 is given
-  // How far compression toughens it: a bond breaks at s0 - alpha s_min, where s_min is the least
+  // Toughening by compression: a bond breaks at s0 - alpha s_min, where s_min is the smallest
   // stretch around its ends (paper Eq. 11).
   double alpha = 0.0;
   double alphaT = 0.0;  // thermal expansion, 1/K
-  // Stress-optic fringe value, N/m for each fringe: wavelength over stress-optic coefficient; 0
-  // where it is not known.
+  // Stress-optic fringe value, N/m per fringe: wavelength over stress-optic coefficient; 0 if
+  // unknown.
   double fringe = 0.0;
-  double s0 = 0.0;  // critical stretch, given instead of G0; 0: it follows from G0
+  double s0 = 0.0;  // critical stretch, given instead of G0; 0: follows from G0
 
   friend bool operator==(const Material&, const Material&) = default;
 };
@@ -73,8 +73,8 @@ inline constexpr auto description_of<Material> = describe_noun(
 // Adds a problem for every value outside its range.
 void check(const Material& material, Problems& problems);
 
-// "Duran 50 (E 65 GPa, rho 2235 kg/m3, G0 204 J/m2)"; alpha and alphaT above 0 are said
-// too, and s0 instead of G0 where it is given.
+// Returns "Duran 50 (E 65 GPa, rho 2235 kg/m3, G0 204 J/m2)"; includes alpha and alphaT if above 0,
+// and s0 instead of G0 if it is given.
 std::string describe(const Material& material);
 
 }  // namespace hackle

@@ -12,9 +12,9 @@
 namespace hackle {
 namespace {
 
-constexpr double steepest = 1.5;  // rad, of a side from the perpendicular
+constexpr double steepest = 1.5;  // rad, largest angle of a side from the perpendicular
 
-// From the left, right, lower and upper edge.
+// Distances from the left, right, lower and upper edge.
 std::array<double, 4> distances(const Plate& plate, const Vec2& at) {
   return {std::abs(at.x()), std::abs(at.x() - plate.width), std::abs(at.y()),
           std::abs(at.y() - plate.height)};
@@ -24,7 +24,7 @@ double slack(const Plate& plate) {
   return 1e-9 * (plate.width + plate.height);
 }
 
-// Into the plate, from the edges on which the point lies.
+// Returns the direction into the plate from the edge (or the two edges) nearest to the point.
 Vec2 inwards(const Plate& plate, const Vec2& at) {
   const std::array<Vec2, 4> normals{Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)};
   const std::array<double, 4> away = distances(plate, at);
@@ -40,12 +40,12 @@ Vec2 turned(const Vec2& vector, double angle) {
   return {c * vector.x() - s * vector.y(), s * vector.x() + c * vector.y()};
 }
 
-// Half the angle between the two sides.
+// Returns half the angle between the two sides.
 double half_opening(const Notch& notch) {
   return notch.kind == Notch::Kind::v ? std::atan(0.5 * notch.width / notch.depth) : 0.0;
 }
 
-// How far back along itself a side must go on to be well outside of the edge.
+// Extends a side beyond its mouth to `margin` outside the edge.
 Vec2 continued(const Vec2& from, const Vec2& towards, const Vec2& at, const Vec2& inward,
                double margin) {
   const Vec2 along = (towards - from).normalized();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Material removed from the edge of a plate inwards.
+// Notches: material removed from the edge of a plate inwards.
 #pragma once
 
 #include <array>
@@ -10,21 +10,22 @@
 namespace hackle {
 
 struct Notch {
-  // Two straight sides and a flat end, a sharp tip, or two straight sides and a round end.
+  // Two straight sides with a flat end, a sharp tip, or a round end.
   enum class Kind { slot, v, u };
   Vec2 at{0, 0};       // m, on an edge of the plate
-  double depth = 0.0;  // m, > 0, from there to the tip
-  double width = 0.0;  // m, > 0, across its direction; of a V where it leaves `at`
+  double depth = 0.0;  // m, > 0, from `at` to the tip
+  double width = 0.0;  // m, > 0, across the notch; of a V at its mouth
   Kind kind = Kind::slot;
-  double angle = 0.0;  // rad, anticlockwise from the perpendicular of the edge; from a corner it
-                       // goes along the diagonal of the two edges
+  double angle = 0.0;  // rad, anticlockwise from the inward normal of the edge; in a corner from
+                       // the diagonal between the two edges
 };
 inline constexpr std::array<std::string_view, 3> notch_names{"slot", "v", "u"};
 
-// Its area; it begins outside of the plate, so that nothing stays between it and the edge.
+// Returns the removed area; it begins outside the plate, so that no sliver remains at the edge.
 Shape shape_of(const Notch& notch, const Plate& plate);
 
-// Adds a problem when it does not begin on an edge, or a side of it would not come out there.
+// Adds a problem if the notch does not begin on an edge, or one of its sides would not reach that
+// edge.
 void check(const Plate& plate, const Notch& notch, Problems& problems);
 
 }  // namespace hackle

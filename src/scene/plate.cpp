@@ -23,7 +23,7 @@ std::string extent_text(const Plate& plate) {
 }
 
 bool on_plate(const Plate& plate, const Vec2& point) {
-  // A rounding error of arithmetic such as 100*mm - 0.1 must not put a point off the plate.
+  // Rounding errors of expressions such as 100*mm - 0.1 must not put a point off the plate.
   const double slack = 1e-9 * (plate.width + plate.height);
   return point.x() >= -slack && point.x() <= plate.width + slack && point.y() >= -slack &&
          point.y() <= plate.height + slack;
@@ -57,7 +57,8 @@ bool is_apart(const Plate& plate, const Shape& shape) {
          box.least.y() > plate.height;
 }
 
-// Of shapes without dents and holes, which the corners decide; others are left to the lattice.
+// Decides for convex shapes without holes, by the corners of the plate; the lattice finds the
+// others.
 bool swallows(const Plate& plate, const Shape& shape) {
   const bool plain =
       std::holds_alternative<Ellipse>(shape) || std::holds_alternative<Capsule>(shape);
@@ -68,7 +69,7 @@ bool swallows(const Plate& plate, const Shape& shape) {
   return true;
 }
 
-// Nodes name theirs by a byte, and one value means that there is none.
+// A node stores its material as a byte, and one value means "none".
 void check_materials(const Plate& plate, Problems& problems) {
   constexpr std::size_t most = 254;
   std::vector<const Material*> distinct;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the user describes: a plate and all that is on it. Exact geometry in SI units, free of any
-// mesh. Origin at the lower left corner, x right, y up. Everything is per metre of thickness.
+// The user's description of a plate and everything on it. Exact geometry in SI units, without any
+// mesh. Origin at the lower left corner, x right, y up. Quantities are per metre of thickness.
 #pragma once
 
 #include <array>
@@ -20,15 +20,14 @@
 
 namespace hackle {
 
-// Whether the bonds that a crack cuts count as damage, or were never there.
+// Whether the bonds that a crack cuts count as damage, or never existed.
 enum class Born { broken, absent };
 
 template <>
 inline constexpr auto enum_names<Born> = std::to_array<std::string_view>({"broken", "absent"});
 
-// A crack of zero width along straight pieces. It cuts every bond that has a point in common with
-// it; its two ends do not belong to it, unless they are the same point. No mirror changes that
-// rule.
+// A crack of zero width along straight segments. It cuts every bond that shares a point with it;
+// its two ends do not belong to it, unless they coincide. The rule holds under every mirror.
 struct Crack {
   Crack() = default;
   Crack(const Vec2& from, const Vec2& to, Born how = Born::broken) : points{from, to}, born(how) {}
@@ -51,11 +50,11 @@ inline constexpr auto description_of<Crack> = describe_noun(
            {.fallback = "broken",
             .sentence = "Whether the bonds it cuts count as damage or were never there."}));
 
-// Material taken away: a hole or a notch. Nodes inside are void, bonds that pass through are
+// Removed material: a hole or a notch. Nodes inside are void; bonds that pass through it are
 // absent.
 struct Cutout {
   Shape shape;
-  std::string name;  // by which a pressure finds its rim; "" for none
+  std::string name;  // used by pressures to find this rim; "" for none
 };
 
 template <>
@@ -65,7 +64,7 @@ inline constexpr auto description_of<Cutout> = describe_noun(
            {.alternative = true,
             .sentence = "By which p:pressure finds its rim; several may share one."}));
 
-// Another material. A node inside is of it, by the last inclusion that covers the node.
+// A region of another material. A node takes the material of the last inclusion that covers it.
 struct Inclusion {
   Shape shape;
   Material material;
@@ -77,13 +76,13 @@ inline constexpr auto description_of<Inclusion> =
                   member("material", &Inclusion::material,
                          {.required = true, .sentence = "What it is made of."}));
 
-// How strength differs from place to place: the critical stretch of a node is s0 times a factor of
-// mean 1 drawn from a distribution. The same flaws for every spacing once they are correlated.
+// The scatter of strength over the plate: the critical stretch of a node is s0 times a factor of
+// mean 1 drawn from a distribution. Correlated flaws are the same for every spacing.
 struct Scatter {
   enum class Kind { weibull, normal };
   Kind kind = Kind::weibull;
   double spread = 0.0;       // Weibull modulus, or standard deviation of a normal distribution
-  double correlation = 0.0;  // m; 0: each node for itself
+  double correlation = 0.0;  // m; 0: nodes are independent
   std::int64_t seed = 1;
 };
 
@@ -118,10 +117,10 @@ inline constexpr auto description_of<Scatter> = describe_noun(
     member("seed", &Scatter::seed,
            {.fallback = "1", .sentence = "Another whole number gives other flaws."}));
 
-// Faces of cracks and fragments that push each other away. Those of a closed crack bear pressure as
-// the plate does, and slide freely (see crack_faces.hpp). Nodes that lack bonds and come too near,
-// below `reach` times their distance at rest, push each other with `stiffness` times the
-// micromodulus (see contact_forces.hpp), by default as in LAMMPS.
+// Repulsion between faces of cracks and fragments. Faces of a closed crack bear pressure like the
+// uncracked plate, and slide freely (see crack_faces.hpp). Nodes that lack bonds and come closer
+// than `reach` times their initial distance repel each other with `stiffness` times the
+// micromodulus (see contact_forces.hpp); the defaults are those of LAMMPS.
 struct Contact {
   double stiffness = 15.0;
   double reach = 0.9;
@@ -142,8 +141,8 @@ inline constexpr auto description_of<Contact> = describe_noun(
             .sentence = "Nodes come too near below so much of their distance at rest, or of 1.5 "
                         "spacings if that is less."}));
 
-// Thin, free of stress across its thickness, or thick, held from straining across it. Bond-based
-// theory makes Poisson's ratio 1/3 in plane stress and 1/4 in plane strain
+// Plane stress: thin, without stress across the thickness. Plane strain: thick, without strain
+// across it. Bond-based theory makes Poisson's ratio 1/3 in plane stress and 1/4 in plane strain
 // (src/lattice/README.md 3.2).
 enum class Plane { stress, strain };
 template <>
@@ -155,9 +154,9 @@ struct Plate {
   Material material;
   Plane plane = Plane::stress;
   std::vector<Cutout> cutouts;
-  std::vector<Inclusion> inclusions;  // 254 at most
+  std::vector<Inclusion> inclusions;  // at most 254
   std::vector<Crack> cracks;
-  // Areas, rims included, in which bonds never break; a bond with one end in one is safe too.
+  // Regions, rims included, in which bonds never break; one end inside is enough.
   std::vector<Shape> no_fail;
   std::vector<InitialCondition> initial_conditions;
   std::optional<Scatter> scatter;
@@ -181,28 +180,29 @@ inline constexpr auto description_of<Plate> = describe_noun(
     member("starts", &Plate::initial_conditions), member("strength", &Plate::scatter),
     member("contact", &Plate::contact), member("", &Plate::loads));
 
-// 0 without contact.
+// Returns 0 without contact.
 double contact_stiffness(const Plate& plate);
 
-// The strip of width `depth` along an edge.
+// Returns the strip of width `depth` along an edge.
 Shape strip(const Plate& plate, Edge edge, double depth);
 
-// Adds a problem for everything in the plate (or in one thing that is to go on it) that makes no
-// sense: sizes, materials, cracks of no length or off the plate, zones off the plate, stresses that
-// are no numbers.
+// Adds a problem for everything invalid in the plate (or in one noun that is to be added to it):
+// sizes, materials, cracks without length or off the plate, zones off the plate, stresses that are
+// not finite.
 void check(const Plate& plate, Problems& problems);
 void check(const Plate& plate, const Crack& crack, Problems& problems);
-// `who` names the call: "hole".
+// `who` names the calling function in messages: "hole".
 void check(const Plate& plate, const Shape& shape, const std::string& who, Problems& problems);
-// Also that it leaves something of the plate.
+// Also checks that the cut-out leaves a part of the plate.
 void check_cutout(const Plate& plate, const Shape& shape, const std::string& who,
                   Problems& problems);
 void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems);
 
-// "strength scattered (Weibull modulus 10, correlated over 2 mm, seed 1)"
+// Returns "strength scattered (Weibull modulus 10, correlated over 2 mm, seed 1)".
 std::string describe(const Scatter& scatter);
 
-// "plate 100 x 40 mm, Duran 50 (E 65 GPa, ...), 1 crack, 2 tractions"; plane strain is said too.
+// Returns "plate 100 x 40 mm, Duran 50 (E 65 GPa, ...), 1 crack, 2 tractions"; mentions plane
+// strain.
 std::string describe(const Plate& plate);
 
 }  // namespace hackle

@@ -12,15 +12,15 @@
 namespace hackle {
 namespace {
 
-constexpr int max_tries = 10000;  // for one crack
+constexpr int max_tries = 10000;  // per crack
 
-// The distributions of the standard library differ between libraries.
+// Draws uniformly: the distributions of the standard library differ between libraries.
 double between(const Vec2& range, std::mt19937_64& random) {
   const double share = static_cast<double>(random() >> 11) * 0x1p-53;
   return range.x() + share * (range.y() - range.x());
 }
 
-// (cos, sin). Those of the C library differ in their last bits between machines.
+// Returns (cos, sin); those of the C library differ in their last bits between machines.
 Vec2 direction(double angle) {
   constexpr double quarter = 0.5 * std::numbers::pi;
   const double turns = std::floor(angle / quarter + 0.5), x = angle - turns * quarter;

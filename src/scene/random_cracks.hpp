@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cracks at random places: flaws as a glass surface has them.
+// Cracks at random places, like the flaws of a glass surface.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@
 namespace hackle {
 
 // Straight cracks that lie wholly in a rectangle. Length, direction and place are uniform in their
-// ranges; those that stick out are drawn again.
+// ranges; cracks that stick out are drawn again.
 struct RandomCracks {
-  Vec2 length{0, 0};                // m, least and most
-  Vec2 angle{0, std::numbers::pi};  // rad from x anticlockwise, least and most
+  Vec2 length{0, 0};                // m, minimum and maximum
+  Vec2 angle{0, std::numbers::pi};  // rad from x anticlockwise, minimum and maximum
   Box area;                         // m
   std::int64_t seed = 1;
   int count = 0;
   Born born = Born::broken;
 };
 
-// The same bits on every machine. Throws Error (refused) when they do not fit into the area.
+// Draws the cracks, with the same bits on every machine. Throws Error (refused) if they do not fit
+// into the area.
 std::vector<Crack> make(const RandomCracks& cracks);
 
 void check(const Plate& plate, const RandomCracks& cracks, Problems& problems);

@@ -14,13 +14,14 @@
 namespace hackle {
 namespace {
 
-// Where a point lies when the ellipse is made the unit circle.
+// Maps a point by the map that makes the ellipse the unit circle.
 Vec2 on_circle(const Ellipse& ellipse, const Vec2& point) {
   const Vec2 axis(std::cos(ellipse.angle), std::sin(ellipse.angle)), r = point - ellipse.centre;
   return Vec2(axis.dot(r), cross(axis, r)).cwiseQuotient(ellipse.radii);
 }
 
-// How deep a point lies inside; negative outside. Exact in sign, and in size near the rim.
+// Returns the depth of a point inside, negative outside. Its sign is exact, its size only near the
+// rim.
 double depth(const Ellipse& ellipse, const Vec2& point) {
   return (1.0 - on_circle(ellipse, point).norm()) * ellipse.radii.minCoeff();
 }
@@ -31,7 +32,7 @@ void for_sides(const Polygon& polygon, const Work& work) {
   for (std::size_t k = 0; k < n; ++k) work({polygon.points[k], polygon.points[(k + 1) % n]});
 }
 
-// Whether the box of a segment, made `margin` larger, has a point in common with another box.
+// Returns whether the bounding box of a segment, enlarged by `margin`, meets another box.
 bool is_near(const Segment& segment, const Vec2& least, const Vec2& most, double margin) {
   return std::min(segment.from.x(), segment.to.x()) <= most.x() + margin &&
          std::max(segment.from.x(), segment.to.x()) >= least.x() - margin &&
@@ -39,7 +40,7 @@ bool is_near(const Segment& segment, const Vec2& least, const Vec2& most, double
          std::max(segment.from.y(), segment.to.y()) >= least.y() - margin;
 }
 
-// By the even-odd rule; says nothing about points on the rim.
+// Applies the even-odd rule; undefined for points on the rim.
 bool is_within(const Polygon& polygon, const Vec2& point) {
   bool within = false;
   for_sides(polygon, [&](const Segment& side) {
@@ -63,14 +64,14 @@ double depth(const Capsule& capsule, const Vec2& point) {
   return capsule.radius - distance(capsule.axis, point);
 }
 
-// The cells of a picture along one axis that a place touches, in units of cells.
+// The cells of a picture along one axis that a coordinate touches, in units of cells.
 struct Cells {
   std::int64_t first, last;
 };
 
 Cells cells_at(double place, double tie) {
   const double slack = std::min(tie, 0.25);
-  // No picture has as many cells: what lies beyond is off it anyway.
+  // No picture has that many cells: coordinates beyond are off it in any case.
   const double held = std::clamp(place, -1e9, 1e9);
   return {static_cast<std::int64_t>(std::floor(held - slack)),
           static_cast<std::int64_t>(std::floor(held + slack))};
@@ -85,7 +86,7 @@ Vec2 cell_of(const Bitmap& bitmap) {
   return (bitmap.most - bitmap.least).cwiseQuotient(Vec2(bitmap.columns, bitmap.rows));
 }
 
-// Of the cells that a point touches: how many there are, and how many of them are marked.
+// Returns the number of cells that a point touches, and how many of them are marked.
 std::pair<int, int> touched(const Bitmap& bitmap, const Vec2& point, double tie) {
   const Vec2 cell = cell_of(bitmap), at = (point - bitmap.least).cwiseQuotient(cell);
   const Cells x = cells_at(at.x(), tie / cell.x()), y = cells_at(at.y(), tie / cell.y());
@@ -134,7 +135,8 @@ bool cuts_shape(const Capsule& capsule, const Segment& segment, double tie) {
   return capsule.radius - distance(capsule.axis, segment) > tie;
 }
 
-// Whether the middle of any piece between these places along the segment (0 to 1) is inside.
+// Returns whether the midpoint of any part between these places along the segment (0 to 1) is
+// inside.
 template <class Area>
 bool has_fragment_inside(const Area& area, const Segment& segment, std::vector<double>& meets,
                          double tie) {
@@ -145,7 +147,7 @@ bool has_fragment_inside(const Area& area, const Segment& segment, std::vector<d
   return false;
 }
 
-// Cuts the segment where it meets a side and looks at the middle of every piece.
+// Cuts the segment at every side it meets and tests the midpoint of every part.
 bool cuts_shape(const Polygon& polygon, const Segment& segment, double tie) {
   const Vec2 along = segment.to - segment.from;
   const Vec2 least = segment.from.cwiseMin(segment.to), most = segment.from.cwiseMax(segment.to);
@@ -161,7 +163,7 @@ bool cuts_shape(const Polygon& polygon, const Segment& segment, double tie) {
   return has_fragment_inside(polygon, segment, meets, tie);
 }
 
-// Cuts it at every line between cells.
+// Cuts the segment at every line between cells.
 bool cuts_shape(const Bitmap& bitmap, const Segment& segment, double tie) {
   const Vec2 cell = cell_of(bitmap), along = segment.to - segment.from;
   std::vector<double> meets{0.0, 1.0};
@@ -178,7 +180,7 @@ bool cuts_shape(const Bitmap& bitmap, const Segment& segment, double tie) {
   return has_fragment_inside(bitmap, segment, meets, tie);
 }
 
-// Whether a cell is marked that has a point in common with the box.
+// Returns whether the box shares a point with a marked cell.
 bool has_marked(const Bitmap& bitmap, const Box& box) {
   const Vec2 cell = cell_of(bitmap);
   const Vec2 last_cell(bitmap.columns - 1, bitmap.rows - 1);
@@ -209,7 +211,7 @@ Box bounds_of(const Polygon& polygon) {
   return box;
 }
 
-// Whether all points lie on one line, but for rounding.
+// Returns whether all points lie on one line, up to rounding.
 bool is_flat(const Polygon& polygon) {
   const Vec2& first = polygon.points.front();
   const auto away = [&](const Vec2& p) { return (p - first).squaredNorm(); };

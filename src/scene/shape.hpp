@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Areas of the plane, exact and free of any mesh: what is cut out of a plate, what is of another
-// material, where a load acts.
+// Areas of the plane, exact and without any mesh: cut-outs, inclusions, and the regions of loads.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +17,27 @@ namespace hackle {
 struct Ellipse {
   Vec2 centre{0, 0};
   Vec2 radii{0, 0};    // half axes, > 0
-  double angle = 0.0;  // rad, of the first half axis from x, anticlockwise
+  double angle = 0.0;  // rad, first half axis from x, anticlockwise
   friend bool operator==(const Ellipse&, const Ellipse&) = default;
 };
 
-inline constexpr double max_points = 10000;  // of a polygon or a crack
+inline constexpr double max_points = 10000;  // per polygon or crack
 
-// Any closed chain of straight sides, also one that is not convex; by the even-odd rule.
+// Any closed chain of straight sides, convex or not; the even-odd rule decides what is inside.
 struct Polygon {
   std::vector<Vec2> points;  // at least three
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
-// All that is within `radius` of a segment: a slot with round ends.
+// All points within `radius` of a segment: a slot with round ends.
 struct Capsule {
   Segment axis;
   double radius = 0.0;  // > 0
   friend bool operator==(const Capsule&, const Capsule&) = default;
 };
 
-// The dark or the light cells of a picture laid over a rectangle. Its rim lies between cells that
-// are inside and others.
+// The dark or the light cells of a picture laid over a rectangle. The rim runs between cells that
+// are inside and cells that are not.
 struct Bitmap {
   Vec2 least{0, 0};  // lower left corner
   Vec2 most{0, 0};   // upper right corner
@@ -50,7 +49,7 @@ struct Bitmap {
 
 using Shape = std::variant<Ellipse, Polygon, Capsule, Bitmap>;
 
-// Where something acts; nothing is the whole plate.
+// The region in which something acts; nothing means the whole plate.
 using Region = std::optional<Shape>;
 
 inline constexpr About about_region{.nothing = "plate"};
@@ -91,27 +90,28 @@ struct Box {
 };
 Box bounds(const Shape& shape);
 
-// The shape moved so that `origin` becomes the origin, then made `factor` times as large.
+// Returns the shape moved so that `origin` becomes the origin, then scaled by `factor`.
 Shape transformed(const Shape& shape, const Vec2& origin, double factor);
 
-// Points closer than `tie` to the rim lie on it. Mirror images come to the same answers.
-// Whether a point is inside, and not on the rim.
+// Returns whether a point is inside and not on the rim. Points closer than `tie` to the rim lie on
+// it. Mirror images give the same answers.
 bool is_inside(const Shape& shape, const Vec2& point, double tie);
-// Whether a point is inside or on the rim.
+// Returns whether a point is inside or on the rim.
 bool covers(const Shape& shape, const Vec2& point, double tie);
-// Whether any point of a segment is inside.
+// Returns whether any point of a segment is inside.
 bool cuts(const Shape& shape, const Segment& segment, double tie);
 
-// False only when no segment in the box has a point inside. For shapes of many parts: what is far
-// from all of them need not be looked at any closer.
+// Returns false only if no segment in the box has a point inside. For shapes of many parts: a box
+// far from all of them needs no closer look.
 bool may_cut(const Shape& shape, const Box& box, double tie);
 
 Shape rectangle(const Vec2& least, const Vec2& most);
 
-// "ellipse", "polygon", "slot", "picture"
+// Returns "ellipse", "polygon", "slot" or "picture".
 std::string kind_of(const Shape& shape);
 
-// Adds a problem for every value that makes no area. `who` names the call: "hole".
+// Adds a problem for every value that makes no valid area. `who` names the calling function:
+// "hole".
 void check(const Shape& shape, const std::string& who, Problems& problems);
 
 }  // namespace hackle

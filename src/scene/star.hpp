@@ -13,10 +13,10 @@ namespace hackle {
 
 inline constexpr double max_corners = 1000;
 
-// `corners` corners (at least 3) at `radius` from the centre, the first at `angle` (rad) from x,
-// the others anticlockwise. With `inner` there is a corner at that radius halfway between each two.
-// Exactly its own mirror image about the line through the centre and the first corner when that is
-// along x.
+// Makes a polygon with `corners` corners (at least 3) at `radius` from the centre, the first at
+// `angle` (rad) from x, the others anticlockwise. With `inner` there is another corner at that
+// radius halfway between neighbours. If the line through the centre and the first corner runs along
+// x, the polygon is exactly symmetric about it.
 inline Polygon star(const Vec2& centre, double radius, int corners, double angle = 0.0,
                     std::optional<double> inner = std::nullopt) {
   const int count = inner ? 2 * corners : corners;

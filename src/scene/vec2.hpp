@@ -5,10 +5,10 @@
 
 namespace hackle {
 
-// A point or vector of the plane; the unit is said where it is used.
+// A point or vector of the plane; its unit is stated where it is used.
 using Vec2 = Eigen::Vector2d;
 
-// A straight piece between two points; both may be the same.
+// A straight segment between two points, which may coincide.
 struct Segment {
   Vec2 from{0, 0};
   Vec2 to{0, 0};

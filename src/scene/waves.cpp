@@ -13,7 +13,7 @@ double rayleigh_function(double x, double q) {
 }
 
 double rayleigh_ratio(double q) {
-  double low = 1e-6, high = 1.0;  // negative at 0+, equal to 1 at x = 1: one root between
+  double low = 1e-6, high = 1.0;  // negative at 0+, 1 at x = 1: exactly one root between
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     (rayleigh_function(middle, q) < 0.0 ? low : high) = middle;

@@ -6,12 +6,12 @@
 
 namespace hackle {
 
-// All in m/s.
+// All speeds in m/s.
 struct WaveSpeeds {
   double longitudinal = 0.0;  // c_L = sqrt(E / (rho (1 - nu^2))) in plane stress,
                               // sqrt(E (1 - nu) / (rho (1 + nu) (1 - 2 nu))) in plane strain
   double shear = 0.0;         // c_S = sqrt(E / (2 rho (1 + nu)))
-  double rayleigh = 0.0;      // c_R, least root of (2 - v^2/c_S^2)^2 =
+  double rayleigh = 0.0;      // c_R, smallest root of (2 - v^2/c_S^2)^2 =
                               // 4 sqrt(1 - v^2/c_S^2) sqrt(1 - v^2/c_L^2)
                               // (src/lattice/README.md 4.6)
 };

@@ -7,7 +7,7 @@
 
 namespace hackle {
 
-// A force on all the material of a region.
+// A force per volume on the material of a region.
 struct BodyForce {
   Region region;
   VectorField force;  // N/m3

@@ -5,7 +5,7 @@
 
 namespace hackle {
 
-// Of a rectangular plate.
+// An edge of a rectangular plate.
 enum class Edge { left, right, bottom, top };
 
 template <>

@@ -6,12 +6,12 @@
 
 namespace hackle {
 
-// A rigid disc in the plane of the plate that flies freely and pushes what it meets.
+// A rigid disc in the plane of the plate, which flies freely and pushes the nodes it meets.
 struct Impactor {
-  Vec2 centre{0, 0};    // m, at the start
+  Vec2 centre{0, 0};    // m, at t = 0
   double radius = 0.0;  // m
-  Vec2 velocity{0, 0};  // m/s, at the start
-  double mass = 0.0;    // kg/m of thickness
+  Vec2 velocity{0, 0};  // m/s, at t = 0
+  double mass = 0.0;    // kg per m of thickness
 };
 
 template <>
@@ -33,7 +33,7 @@ inline constexpr auto description_of<Impactor> = describe_noun(
             .alternative = true,
             .sentence = "Per metre of thickness, instead of a density."}));
 
-// It is on its way: no other disc takes its place.
+// Never: a disc moves, so a new one does not replace it.
 inline bool same_place(const Impactor&, const Impactor&) {
   return false;
 }

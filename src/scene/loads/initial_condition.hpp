@@ -6,7 +6,7 @@
 
 namespace hackle {
 
-// Displacement and velocity at t = 0, added where areas overlap.
+// Displacement and velocity at t = 0. Conditions add up where their regions overlap.
 struct InitialCondition {
   Region region;
   VectorField displacement;  // m

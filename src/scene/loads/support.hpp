@@ -7,12 +7,12 @@
 
 namespace hackle {
 
-// Nodes whose motion is prescribed along x, y or both: a clamp when it is 0.
+// Prescribes the motion of nodes along x, y or both; value 0 clamps them.
 struct Support {
   enum class Kind { displacement, velocity };
   Region region;
   Kind kind = Kind::displacement;
-  VectorField value;  // m or m/s, of the moment when the factor is 1
+  VectorField value;  // m or m/s, at amplitude 1
   bool along_x = true;
   bool along_y = true;
   Amplitude amplitude;

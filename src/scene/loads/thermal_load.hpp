@@ -7,7 +7,7 @@
 
 namespace hackle {
 
-// A change of temperature, which stretches every free bond by alphaT times it.
+// A change of temperature, which stretches every free bond by alphaT times the change.
 struct ThermalLoad {
   Region region;
   ScalarField change;  // K

@@ -12,7 +12,7 @@ namespace hackle {
 struct Traction {
   Edge edge = Edge::top;
   VectorField stress;  // Pa
-  double depth = 0.0;  // m; 0: one spacing
+  double depth = 0.0;  // m; 0 means one spacing
   Amplitude amplitude;
 };
 
@@ -32,7 +32,7 @@ inline constexpr auto description_of<Traction> = describe_noun(
             .sentence = "Depth of the layer that the force is spread over; its sum is the same."}),
     member("time", &Traction::amplitude, about_amplitude));
 
-// A new load at the same place replaces the old one, here as in the other headers of this folder.
+// Returns whether a new load replaces the old one; likewise in the other headers of this folder.
 inline bool same_place(const Traction& one, const Traction& other) {
   return one.edge == other.edge;
 }
