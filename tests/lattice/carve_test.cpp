@@ -138,6 +138,10 @@ TEST(Carve, InclusionsOfOneMaterialShareAnIndex) {
   check(plate, problems);
   EXPECT_TRUE(problems.empty());
   EXPECT_EQ(distinct_materials(plate).size(), 2U);
+  plate.inclusions.push_back({Ellipse{{1e-3, 2e-3}, {1e-3, 1e-3}, 0}, plate.material});
+  plate.inclusions.push_back({Ellipse{{1e-3, 2e-3}, {1e-3, 1e-3}, 0}, other});
+  EXPECT_EQ(distinct_materials(plate).size(), 2U);  // one after the other, too
+  plate.inclusions.resize(300);
   for (std::size_t k = 0; k < 300; ++k) plate.inclusions[k].material.rho += static_cast<double>(k);
   check(plate, problems);
   EXPECT_EQ(problems.list().size(), 1U);

@@ -258,7 +258,12 @@ TEST(Tractions, ActAtTheEdgeOfTheirName) {
     Plate plate = test::bare_plate(30, 20);
     plate.loads.tractions.push_back({edge, {5e6, 2e6}, depth, {}});
     const Lattice lattice(plate, test::numerics());
-    for (const LoadedNode& node : forces_of(plate, lattice)) {
+    const std::vector<LoadedNode> forces = forces_of(plate, lattice);
+    const int length = edge == Edge::left || edge == Edge::right ? 20 : 30;
+    ASSERT_EQ(forces.size(), 3U * length) << name_of(edge);  // three lines of nodes of 0.5 mm
+    for (const LoadedNode& node : forces) {
+      EXPECT_NEAR((node.acceleration - forces.front().acceleration).norm(), 0.0,
+                  1e-12 * forces.front().acceleration.norm());
       const Vec2 at = lattice.grid.position(node.i, node.j);
       const double away = edge == Edge::left     ? at.x()
                           : edge == Edge::right  ? plate.width - at.x()

@@ -63,6 +63,20 @@ TEST(Shape, ASegmentThatOnlyTouchesTheRimDoesNotCut) {
   EXPECT_TRUE(cuts(picture, {{0, 0}, {2, 2}}, tie));
 }
 
+// Row by row from below, whatever the shape of the bitmap.
+TEST(Shape, ABitmapIsInsideWhereItIsMarked) {
+  for (const auto& [columns, rows] : {std::pair(3, 2), std::pair(2, 3), std::pair(1, 6)})
+    for (int marked = 0; marked < 6; ++marked) {
+      std::vector<std::uint8_t> inside(6, 0);
+      inside[static_cast<std::size_t>(marked)] = 1;
+      const Shape picture = Bitmap{{1, 2}, {1.0 + columns, 2.0 + rows}, columns, rows, inside};
+      for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+          EXPECT_EQ(is_inside(picture, {1.5 + i, 2.5 + j}, tie), j * columns + i == marked)
+              << columns << " x " << rows << ": " << i << ", " << j;
+    }
+}
+
 TEST(Shape, ASegmentCutsWhenAnyOfItsPointsIsInside) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-3.0, 3.0);

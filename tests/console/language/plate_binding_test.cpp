@@ -40,6 +40,14 @@ TEST(PlateBinding, AnUnknownNameGetsTheNearest) {
               HasSubstr("plate has no 'zzzzz' (help 'plate' tells"));
 }
 
+TEST(PlateBinding, AFormerNameGetsThePresentOne) {
+  EXPECT_EQ(test::message_of(test::plate_p + "p:start { velocity = {1, 0} }"),
+            "test.lua:2: plate has no 'start' (it is called 'initial' now)");
+  EXPECT_THAT(test::message_of(test::plate_p + "simulate(p, { spacing = 1*mm }):frame { 'a.png', "
+                                               "field = 'pieces' }"),
+              HasSubstr("there is no field 'pieces' (it is called 'fragments' now)"));
+}
+
 TEST(PlateBinding, CannotBeWrittenToNorTakenApart) {
   EXPECT_THAT(test::message_of(test::plate_p + "p.width = 2"), HasSubstr("cannot be changed"));
   EXPECT_EQ(test::message_of(test::plate_p + "assert(getmetatable(p) == 'plate')"), "");

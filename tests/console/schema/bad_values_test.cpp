@@ -214,7 +214,7 @@ TEST(BadFunctions, OfPlaceAreRefusedWhereTheyFail) {
     expect_refusal("p:" + call + " simulate(p, { spacing = 1*mm })", "mm, ");
     expect_refusal("s:" + call, "mm, ");
   }
-  for (const std::string call : {"start { velocity = % }", "start { displacement = % }"})
+  for (const std::string call : {"initial { velocity = % }", "initial { displacement = % }"})
     expect_refusal("p:" + call + " simulate(p, { spacing = 1*mm })", "mm, ");
 }
 
