@@ -71,7 +71,7 @@ std::string check_setting(const std::string& setting) {
 
 // How a plate is solved, without a bit of difference in the result.
 void describe_execution(CLI::App& command, Execution& execution) {
-  command.add_option("-j,--threads", execution.threads, "Threads (one for each core)")
+  command.add_option("-j,--threads", execution.threads, "Number of threads (one per core)")
       ->type_name("N")
       ->check(CLI::Range(1, max_threads));
   std::vector<std::string> names;
@@ -82,7 +82,9 @@ void describe_execution(CLI::App& command, Execution& execution) {
     const auto set = std::ranges::find(instruction_set_names, name);
     execution.instruction_set = static_cast<InstructionSet>(set - instruction_set_names.begin());
   };
-  command.add_option_function<std::string>("--instructions", choose, "Instruction set (the best)")
+  command
+      .add_option_function<std::string>("--instructions", choose,
+                                        "Instruction set (the best available)")
       ->type_name("NAME")
       ->check(CLI::IsMember(names));
 }
@@ -90,13 +92,14 @@ void describe_execution(CLI::App& command, Execution& execution) {
 // What a script may do to this machine.
 void describe_limits(CLI::App& command, Limits& limits) {
   command.add_flag("--trust", limits.trust,
-                   "Give the script all of Lua's library and files everywhere: other programs too");
-  command.add_option("--lua-memory", limits.lua_memory, "MB that its Lua values may take (1024)")
+                   "Allow the script all of Lua's library, any file, and other programs");
+  command
+      .add_option("--lua-memory", limits.lua_memory, "Memory limit of its Lua values in MB (1024)")
       ->type_name("MB")
       ->check(CLI::Range(1, 1 << 20));
   command
       .add_option("--output-limit", limits.output,
-                  "GB that movies and records of a simulation may take, as estimated (20)")
+                  "Limit on the estimated size of a simulation's movies and records in GB (20)")
       ->type_name("GB")
       ->check(CLI::Range(0.001, 1e6));
 }
@@ -105,7 +108,7 @@ void describe_script(CLI::App& command, Request& request) {
   command.add_option("FILE", request.run.script, "The script")->required();
   command
       .add_option("-o,--output", request.run.output_folder,
-                  "Folder for the files it writes (out/<name of the script>)")
+                  "Folder for output files (out/<name of the script>)")
       ->type_name("DIR");
   command.add_option("--set", request.settings, "Override an option of the script; repeatable")
       ->type_name("key=value")
@@ -117,22 +120,22 @@ void describe_script(CLI::App& command, Request& request) {
 }
 
 void describe_check(CLI::App& app, Request& request) {
-  CLI::App* check =
-      app.add_subcommand("check", "Tell what a script would take, and whether anything can break");
+  CLI::App* check = app.add_subcommand(
+      "check", "Estimate the time and memory of a script, and whether anything can break");
   describe_script(*check, request);
 }
 
 void describe_new(CLI::App& app, Request& request) {
-  CLI::App* command = app.add_subcommand("new", "Write a script to begin with");
-  command->add_option("NAME", request.new_name, "Of the script")->required();
+  CLI::App* command = app.add_subcommand("new", "Write a script to start from");
+  command->add_option("NAME", request.new_name, "Name of the script")->required();
 }
 
 void describe_run(CLI::App& app, Request& request) {
   CLI::App* run = app.add_subcommand("run", "Run a script");
   describe_script(*run, request);
   run->add_flag("--json", request.run.json, "Print one JSON object with the results on stdout");
-  run->add_flag("-q,--quiet", request.run.quiet, "Say nothing but errors");
-  run->footer("What follows -- is given to the script, in `arg` and `...`.");
+  run->add_flag("-q,--quiet", request.run.quiet, "Print only errors");
+  run->footer("Arguments after -- are passed to the script, in `arg` and `...`.");
 }
 
 void describe_render(CLI::App& app, Request& request) {
@@ -140,13 +143,14 @@ void describe_render(CLI::App& app, Request& request) {
       app.add_subcommand("render", "Make pictures and movies of recorded runs, without computing");
   render
       ->add_option("FILES", request.render.words,
-                   "Run files; then what to write, .png or a movie; then options, key=value")
+                   "Run files, then the output (.png or a movie), then options key=value")
       ->required();
   render
-      ->add_option("-j,--threads", request.render.execution.threads, "Threads (one for each core)")
+      ->add_option("-j,--threads", request.render.execution.threads,
+                   "Number of threads (one per core)")
       ->type_name("N")
       ->check(CLI::Range(1, max_threads));
-  render->add_flag("-q,--quiet", request.render.quiet, "Say nothing but errors");
+  render->add_flag("-q,--quiet", request.render.quiet, "Print only errors");
   render->footer(
       "RUN.h5 alone tells what is recorded. Options are those of r:frame and r:movie for one run,\n"
       "of contact_sheet and side_by_side for several or for times={...}:\n"
@@ -155,28 +159,32 @@ void describe_render(CLI::App& app, Request& request) {
 
 void describe_bench(CLI::App& app, Request& request) {
   CLI::App* bench = app.add_subcommand("bench", "Measure how fast this machine solves a plate");
-  bench->add_option("--peer", request.bench.peer, "Compare with it: lammps or none")
+  bench->add_option("--peer", request.bench.peer, "Peer to compare with: lammps or none")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "lammps", "none"}));
-  bench->add_option("--rounds", request.bench.rounds, "Times that everything is measured (5)")
+  bench
+      ->add_option("--rounds", request.bench.rounds,
+                   "Number of repetitions of each measurement (5)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  bench->add_option("--nodes", request.bench.nodes, "Size of the plate (64000)")
+  bench->add_option("--nodes", request.bench.nodes, "Number of nodes of the plate (64000)")
       ->type_name("N")
       ->check(CLI::Range(1000, 100000000));
   describe_execution(*bench, request.bench.execution);
   bench->add_flag("--accuracy", request.bench.accuracy,
-                  "Measure what speed costs in accuracy instead");
+                  "Measure the loss of accuracy by the fast options instead");
   bench->add_flag("--json", request.bench.json, "Print one JSON object on stdout");
-  bench->add_flag("-q,--quiet", request.bench.quiet, "Say nothing but errors");
+  bench->add_flag("-q,--quiet", request.bench.quiet, "Print only errors");
 }
 
 void describe_docs(CLI::App& app, Request& request) {
   CLI::App* docs = app.add_subcommand("docs", "Write the reference to stdout");
   docs->require_option(0, 1);
-  docs->add_flag("--markdown", request.docs.markdown, "All of it, in Markdown; so it is by itself");
+  docs->add_flag("--markdown", request.docs.markdown,
+                 "The whole reference in Markdown (the default)");
   docs->add_flag("--man", request.docs.man, "The manual page");
-  docs->add_option("--completion", request.docs.completion, "For a shell: bash, zsh or fish")
+  docs->add_option("--completion", request.docs.completion,
+                   "Completions for a shell: bash, zsh or fish")
       ->type_name("SHELL")
       ->check(CLI::IsMember(std::vector<std::string>(shell_names.begin(), shell_names.end())));
 }
@@ -192,7 +200,7 @@ void describe(CLI::App& app, Request& request) {
   describe_new(app, request);
   describe_bench(app, request);
   CLI::App* info = app.add_subcommand("info", "Show version, libraries and machine");
-  info->add_flag("--json", request.info_as_json, "As one JSON object");
+  info->add_flag("--json", request.info_as_json, "Print one JSON object");
   describe_docs(app, request);
   app.footer("hackle FILE.lua is short for hackle run FILE.lua; hackle alone opens the prompt.");
 }

@@ -53,8 +53,9 @@ Amplitude pulse(double duration, double start);
 void check(const Amplitude& amplitude, const std::string& who, Problems& problems);
 
 // The member that every load has for its amplitude.
-inline constexpr About about_amplitude{
-    .fallback = "1 for ever",
-    .sentence = "Factor over time: ramp(2*us), pulse(1*us), {{t, factor}, ...} or function(t)."};
+inline constexpr About about_amplitude{.fallback = "1 for ever",
+                                       .sentence =
+                                           "Amplitude, a factor over time: ramp(2*us), "
+                                           "pulse(1*us), {{t, factor}, ...} or function(t)."};
 
 }  // namespace hackle

@@ -35,7 +35,7 @@ inline constexpr auto description_of<Loads> = describe_noun(
            {.unit = "1/s",
             .range = at_least(0.0),
             .fallback = "0",
-            .sentence = "Velocities die away as exp(-rate t); stable for any rate."}));
+            .sentence = "Velocities decay as exp(-rate t); stable for any rate."}));
 
 // Returns all loads of one kind.
 template <class Load>

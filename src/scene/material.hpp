@@ -31,8 +31,7 @@ struct Material {
 template <>
 inline constexpr auto description_of<Material> = describe_noun(
     "material", "material",
-    member("name", &Material::name,
-           {.fallback = "own material", .sentence = "What reports call it."}),
+    member("name", &Material::name, {.fallback = "own material", .sentence = "Name in reports."}),
     member("E", &Material::E,
            {.unit = "Pa", .range = above(0.0), .required = true, .sentence = "Young's modulus."}),
     member("rho", &Material::rho,
@@ -63,12 +62,11 @@ inline constexpr auto description_of<Material> = describe_noun(
             .fallback = "0, not known",
             .sentence = "Stress-optic fringe value, for pictures of fringes.",
             .remedy = "glass has 140e3 to 210e3, Homalite-100 22e3"}),
-    member(
-        "alpha", &Material::alpha,
-        {.range = from_to_below(0.0, 1.0),
-         .fallback = "0",
-         .sentence = "How far compression toughens it. The paper names two: 0.25, which it calls "
-                     "typical, and 0.02, with which it computes; both after Silling & Askari."}));
+    member("alpha", &Material::alpha,
+           {.range = from_to_below(0.0, 1.0),
+            .fallback = "0",
+            .sentence = "Toughening by compression. The paper names two values: 0.25, which it "
+                        "calls typical, and 0.02, which it uses; both after Silling & Askari."}));
 
 // Adds a problem for every value outside its range.
 void check(const Material& material, Problems& problems);

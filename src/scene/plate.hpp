@@ -44,11 +44,11 @@ inline constexpr auto description_of<Crack> = describe_noun(
            {.unit = "m",
             .range = between(2, max_points),
             .alternative = true,
-            .sentence = "Along a crack of straight pieces; it is closed when first and last are "
-                        "the same."}),
+            .sentence = "Points of a crack made of straight segments; it is closed if first and "
+                        "last coincide."}),
     member("born", &Crack::born,
            {.fallback = "broken",
-            .sentence = "Whether the bonds it cuts count as damage or were never there."}));
+            .sentence = "Whether the bonds it cuts count as damage or never existed."}));
 
 // Removed material: a hole or a notch. Nodes inside are void; bonds that pass through it are
 // absent.
@@ -62,7 +62,7 @@ inline constexpr auto description_of<Cutout> = describe_noun(
     "cut-out", "cut-out", member("shape", &Cutout::shape, {.required = true}),
     member("name", &Cutout::name,
            {.alternative = true,
-            .sentence = "By which p:pressure finds its rim; several may share one."}));
+            .sentence = "Name for p:pressure to find the rim; several rims may share one."}));
 
 // A region of another material. A node takes the material of the last inclusion that covers it.
 struct Inclusion {
@@ -71,10 +71,9 @@ struct Inclusion {
 };
 
 template <>
-inline constexpr auto description_of<Inclusion> =
-    describe_noun("inclusion", "inclusion", member("shape", &Inclusion::shape, {.required = true}),
-                  member("material", &Inclusion::material,
-                         {.required = true, .sentence = "What it is made of."}));
+inline constexpr auto description_of<Inclusion> = describe_noun(
+    "inclusion", "inclusion", member("shape", &Inclusion::shape, {.required = true}),
+    member("material", &Inclusion::material, {.required = true, .sentence = "Its material."}));
 
 // The scatter of strength over the plate: the critical stretch of a node is s0 times a factor of
 // mean 1 drawn from a distribution. Correlated flaws are the same for every spacing.
@@ -95,27 +94,29 @@ inline constexpr auto description_of<Scatter> = describe_noun(
     "strength", "scatter",
     member("distribution", &Scatter::kind,
            {.fallback = "weibull",
-            .sentence = "Of the critical stretch over that of the material; its mean is 1."}),
+            .sentence =
+                "Distribution of the critical stretch relative to the material's; its mean is 1."}),
     kind_member(
         &Scatter::kind, &Scatter::spread, std::to_array<std::string_view>({"modulus", "deviation"}),
         std::to_array<About>(
             {{.range = between(1.0, 1000.0),
               .required = true,
               .alternative = true,
-              .sentence = "Weibull modulus; 5 to 15 is usual for glass, more scatters less."},
+              .sentence =
+                  "Weibull modulus; 5 to 15 is usual for glass, a larger one scatters less."},
              {.range = above_up_to(0.0, 0.3),
               .required = true,
               .alternative = true,
-              .sentence = "Standard deviation of a normal distribution; it is cut off at three.",
-              .remedy = "what scatters more follows a Weibull distribution"}})),
+              .sentence = "Standard deviation of a normal distribution, which is cut off at three.",
+              .remedy = "use a Weibull distribution for larger scatter"}})),
     member("correlation", &Scatter::correlation,
            {.unit = "m",
             .range = at_least(0.0),
             .fallback = "0",
-            .sentence = "Distance over which strength changes; 0: every node for itself, and then "
-                        "the flaws depend on the spacing."}),
+            .sentence = "Correlation length of strength; 0: nodes are independent, and the flaws "
+                        "depend on the spacing."}),
     member("seed", &Scatter::seed,
-           {.fallback = "1", .sentence = "Another whole number gives other flaws."}));
+           {.fallback = "1", .sentence = "Whole number; another one gives other flaws."}));
 
 // Repulsion between faces of cracks and fragments. Faces of a closed crack bear pressure like the
 // uncracked plate, and slide freely (see crack_faces.hpp). Nodes that lack bonds and come closer
@@ -132,13 +133,12 @@ inline constexpr auto description_of<Contact> = describe_noun(
     member("stiffness", &Contact::stiffness,
            {.range = above_up_to(0.0, 100.0),
             .fallback = "15",
-            .sentence =
-                "Of the repulsion of nodes that come too near, over that of a bond; the default "
-                "is LAMMPS's."}),
+            .sentence = "Stiffness of the repulsion between nodes too near each other, relative to "
+                        "a bond's; the default is that of LAMMPS."}),
     member("reach", &Contact::reach,
            {.range = above_up_to(0.0, 1.0),
             .fallback = "0.9",
-            .sentence = "Nodes come too near below so much of their distance at rest, or of 1.5 "
+            .sentence = "Nodes are too near below this share of their initial distance, or of 1.5 "
                         "spacings if that is less."}));
 
 // Plane stress: thin, without stress across the thickness. Plane strain: thick, without strain
@@ -171,7 +171,7 @@ inline constexpr auto description_of<Plate> = describe_noun(
            {.unit = "m", .range = above(0.0), .required = true, .sentence = "Size along x."}),
     member("height", &Plate::height,
            {.unit = "m", .range = above(0.0), .required = true, .sentence = "Size along y."}),
-    member("material", &Plate::material, {.required = true, .sentence = "What it is made of."}),
+    member("material", &Plate::material, {.required = true, .sentence = "Its material."}),
     member("plane", &Plate::plane,
            {.fallback = "stress",
             .sentence = "Plane stress for a thin plate, plane strain for a thick one."}),

@@ -23,46 +23,47 @@ constexpr std::array background_options{
            .unit = "s",
            .range = at_least(0.0),
            .required = true,
-           .sentence = "Simulated time from now, or from where the run that is under way ends."},
+           .sentence = "Simulated time from now, or from the end of the current run."},
 };
-constexpr FunctionDoc start_doc{
-    .name = "start",
-    .owner = "s",
-    .call = Call::values,
-    .sentence =
-        "As run, but it goes on while the prompt waits for the next line; a script that "
-        "ends waits for it.",
-    .options = background_options,
-    .example = "s:start(2*us) s:wait()"};
+constexpr FunctionDoc start_doc{.name = "start",
+                                .owner = "s",
+                                .call = Call::values,
+                                .sentence =
+                                    "Runs like run, but in the background, while the prompt waits "
+                                    "for the next line; a script waits for it at its end.",
+                                .options = background_options,
+                                .example = "s:start(2*us) s:wait()"};
 
 constexpr FunctionDoc status_doc{
     .name = "status",
     .owner = "s",
     .call = Call::values,
-    .sentence = "A table: state (idle, running, paused), time and until (s), steps, broken_bonds.",
+    .sentence =
+        "Returns a table: state (idle, running, paused), time and until (s), steps, broken_bonds.",
     .example = "print(s:status().state)"};
 
 constexpr FunctionDoc pause_doc{.name = "pause",
                                 .owner = "s",
                                 .call = Call::values,
-                                .sentence = "What was started stands still until resume.",
+                                .sentence = "Pauses a started run until resume.",
                                 .example = "s:start(2*us) s:pause() s:resume()"};
 
-constexpr FunctionDoc resume_doc{.name = "resume",
-                                 .owner = "s",
-                                 .call = Call::values,
-                                 .sentence = "What was paused, or interrupted in wait, goes on.",
-                                 .example = "s:start(2*us) s:pause() s:resume()"};
+constexpr FunctionDoc resume_doc{
+    .name = "resume",
+    .owner = "s",
+    .call = Call::values,
+    .sentence = "Continues a run that was paused, or interrupted in wait.",
+    .example = "s:start(2*us) s:pause() s:resume()"};
 
 constexpr Option steps_option{.name = "steps",
                               .type = OptionType::integer,
                               .range = at_least(0.0),
                               .alternative = true,
-                              .sentence = "Only until it has taken so many in all."};
+                              .sentence = "Waits only until it has taken this many steps in all."};
 constexpr std::array wait_options{steps_option};
 constexpr FunctionDoc wait_doc{.name = "wait",
                                .owner = "s",
-                               .sentence = "Lets what was started arrive; Ctrl-C pauses it.",
+                               .sentence = "Waits for a started run to finish; Ctrl-C pauses it.",
                                .options = wait_options,
                                .example = "s:start(2*us) s:wait()"};
 
@@ -71,12 +72,13 @@ constexpr std::array interrupt_options{
            .type = OptionType::integer,
            .range = at_least(0.0),
            .required = true,
-           .sentence = "After so many steps in all."},
+           .sentence = "Number of steps in all after which it interrupts."},
 };
 constexpr FunctionDoc interrupt_doc{
     .name = "interrupt",
     .owner = "s",
-    .sentence = "Interrupts the next run as Ctrl-C would, once; what s:script writes needs it.",
+    .sentence =
+        "Interrupts the next run once, as Ctrl-C would; scripts written by s:script need it.",
     .options = interrupt_options,
     .example = "s:interrupt { steps = 3 } pcall(s.run, s, 2*us)"};
 
@@ -85,19 +87,20 @@ constexpr std::array script_options{
            .type = OptionType::text,
            .required = true,
            .positional = true,
-           .sentence = "Ends in .lua."},
+           .sentence = "File name, ending in .lua."},
 };
 constexpr FunctionDoc script_doc{
     .name = "script",
     .owner = "s",
-    .sentence = "Writes a script that does once more all that was typed, to the bit.",
+    .sentence = "Writes a script that repeats everything typed so far, to the bit.",
     .options = script_options,
     .example = "s:script { \"typed.lua\" }"};
 
 constexpr FunctionDoc simulations_doc{
     .name = "simulations",
     .call = Call::values,
-    .sentence = "All that are still held by something, by their number in the order of making.",
+    .sentence =
+        "Returns all simulations still in use, indexed by the order in which they were made.",
     .example = "print(simulations()[1])"};
 
 template <const FunctionDoc& doc>

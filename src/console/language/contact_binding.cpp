@@ -14,8 +14,8 @@ constexpr FunctionDoc contact_doc{
     .name = "contact",
     .owner = "p",
     .sentence =
-        "Lets the faces of cracks and fragments push each other away, in runs: a closed crack "
-        "bears pressure as the plate does and slides freely; slow loading takes no notice.",
+        "Makes the faces of cracks and fragments repel each other in runs: a closed crack bears "
+        "pressure like the plate and slides freely; quasi-static loading ignores it.",
     .options = options_of<Contact>,
     .example = "p:contact {}"};
 

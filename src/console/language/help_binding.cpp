@@ -14,7 +14,7 @@ constexpr FunctionDoc help_doc{
     .name = "help",
     .leading = "what",
     .call = Call::free,
-    .sentence = "Tells about a function, an option, an object or a word; alone it is a tour.",
+    .sentence = "Explains a function, an option, an object or a word; without one it gives a tour.",
     .example = "help \"crack\""};
 
 int help(lua_State* L) {

@@ -16,7 +16,7 @@ inline constexpr Option axis_option{.name = "axis",
                                     .type = OptionType::choice,
                                     .fallback = "both",
                                     .choices = axis_names,
-                                    .sentence = "Along which axis; the other stays free."};
+                                    .sentence = "Axis along which it acts; the other stays free."};
 
 inline constexpr auto body_force_options = joined(options_of<BodyForce>, region_options);
 
@@ -34,7 +34,7 @@ inline constexpr auto impactor_options = joined(
                       .unit = "kg/m3",
                       .range = above(0.0),
                       .fallback = "7850",
-                      .sentence = "Of the disc, instead of a mass; 7850 is that of steel."}});
+                      .sentence = "Density of the disc, instead of a mass; 7850 is steel."}});
 
 // The one number of the loads that is not a list; p:damping calls it a rate.
 inline constexpr auto damping_options = [] {
@@ -57,7 +57,7 @@ inline constexpr FunctionDoc plate_traction_doc{
 inline constexpr FunctionDoc plate_pressure_doc{
     .name = "pressure",
     .owner = "p",
-    .sentence = "Pushes at the rim of a hole or a notch.",
+    .sentence = "Applies a pressure to the rim of a hole or notch.",
     .options = options_of<Pressure>,
     .example =
         "p:hole { centre = {70*mm, 20*mm}, radius = 4*mm, name = \"bore\" }\n"
@@ -65,25 +65,25 @@ inline constexpr FunctionDoc plate_pressure_doc{
 inline constexpr FunctionDoc plate_body_force_doc{
     .name = "body_force",
     .owner = "p",
-    .sentence = "A force on all the material of an area, or of the plate.",
+    .sentence = "Applies a force per volume to an area, or to the whole plate.",
     .options = body_force_options,
     .example = "p:body_force { force = {0, -2235*9.81} }"};
 inline constexpr FunctionDoc plate_clamp_doc{
     .name = "clamp",
     .owner = "p",
-    .sentence = "Holds an area where it is.",
+    .sentence = "Holds the nodes of an area in place.",
     .options = clamp_options,
     .example = "p:clamp { edge = \"left\", depth = 2*mm }"};
 inline constexpr FunctionDoc plate_move_doc{
     .name = "move",
     .owner = "p",
-    .sentence = "Moves an area as told, whatever pulls at it.",
+    .sentence = "Prescribes the motion of the nodes of an area.",
     .options = move_options,
     .example = "p:move { edge = \"top\", depth = 2*mm, velocity = {0, 5}, axis = \"y\" }"};
 inline constexpr FunctionDoc plate_temperature_doc{
     .name = "temperature",
     .owner = "p",
-    .sentence = "Warms or cools an area, or the plate; its bonds want to be longer or shorter.",
+    .sentence = "Heats or cools an area, or the whole plate; its bonds expand or shrink.",
     .options = temperature_options,
     .example =
         "p = plate { width = 10*mm, height = 4*mm, material = material { like = \"duran50\", "
@@ -97,13 +97,13 @@ inline constexpr FunctionDoc plate_impactor_doc{
     .example = "p:impactor { centre = {-6*mm, 20*mm}, radius = 5*mm, velocity = {50, 0} }"};
 inline constexpr FunctionDoc plate_damping_doc{.name = "damping",
                                                .owner = "p",
-                                               .sentence = "Lets all motion die away.",
+                                               .sentence = "Damps all motion.",
                                                .options = damping_options,
                                                .example = "p:damping { rate = 1e5 }"};
 inline constexpr FunctionDoc plate_start_doc{
     .name = "initial",
     .owner = "p",
-    .sentence = "Sets the initial condition of an area, or of the plate; several add up.",
+    .sentence = "Sets the initial condition of an area, or of the whole plate; several add up.",
     .options = start_options,
     .example = "p:initial { velocity = function(x, y) return 0, 3*(y - 20*mm)/(20*mm) end }"};
 
@@ -141,7 +141,7 @@ inline constexpr FunctionDoc run_damping_doc =
 inline constexpr FunctionDoc release_doc{
     .name = "release",
     .owner = "s",
-    .sentence = "Lets go of what is clamped or moved there, or anywhere.",
+    .sentence = "Releases clamped or moved nodes in an area, or all of them.",
     .options = region_options,
     .example =
         "s:clamp { edge = \"left\", depth = 2*mm }\n"
@@ -151,38 +151,40 @@ inline constexpr std::array duration_option{Option{.name = "duration",
                                                    .unit = "s",
                                                    .range = above(0.0),
                                                    .required = true,
-                                                   .sentence = "How long it takes."}};
+                                                   .sentence = "Time from 0 to 1."}};
 inline constexpr std::array pulse_options{
     Option{.name = "duration",
            .unit = "s",
            .range = above(0.0),
            .required = true,
-           .sentence = "How long it lasts."},
+           .sentence = "Length of the pulse."},
     Option{.name = "start",
            .unit = "s",
            .range = at_least(0.0),
            .fallback = "0",
-           .sentence = "When it begins."},
+           .sentence = "Time at which it begins."},
 };
 inline constexpr std::array step_at_options{Option{.name = "start",
                                                    .unit = "s",
                                                    .range = at_least(0.0),
                                                    .required = true,
-                                                   .sentence = "When it begins."}};
+                                                   .sentence = "Time at which it begins."}};
 
-inline constexpr FunctionDoc ramp_doc{.name = "ramp",
-                                      .call = Call::values,
-                                      .sentence = "An amplitude in time: from 0 to 1, then 1.",
-                                      .options = duration_option,
-                                      .example = "ramp(2*us)"};
-inline constexpr FunctionDoc pulse_doc{.name = "pulse",
-                                       .call = Call::values,
-                                       .sentence = "An amplitude that is 1 for a while.",
-                                       .options = pulse_options,
-                                       .example = "pulse(1*us, 3*us)"};
+inline constexpr FunctionDoc ramp_doc{
+    .name = "ramp",
+    .call = Call::values,
+    .sentence = "An amplitude that rises linearly from 0 to 1 and stays there.",
+    .options = duration_option,
+    .example = "ramp(2*us)"};
+inline constexpr FunctionDoc pulse_doc{
+    .name = "pulse",
+    .call = Call::values,
+    .sentence = "An amplitude that is 1 during a pulse and 0 otherwise.",
+    .options = pulse_options,
+    .example = "pulse(1*us, 3*us)"};
 inline constexpr FunctionDoc step_at_doc{.name = "step_at",
                                          .call = Call::values,
-                                         .sentence = "An amplitude that is 0 before, 1 after.",
+                                         .sentence = "An amplitude that steps from 0 to 1.",
                                          .options = step_at_options,
                                          .example = "step_at(5*us)"};
 

@@ -20,18 +20,17 @@ constexpr auto material_options = [] {
     option.alternative = option.alternative || option.required;
     option.required = false;
   }
-  return joined(
-      own, std::array{Option{.name = "like",
-                             .type = OptionType::material,
-                             .read = read_material,
-                             .alternative = true,
-                             .sentence = "Another material, of which it has all that is not given "
-                                         "here."}});
+  return joined(own, std::array{Option{
+                         .name = "like",
+                         .type = OptionType::material,
+                         .read = read_material,
+                         .alternative = true,
+                         .sentence = "Another material; supplies every value that is not given."}});
 }();
 
 constexpr FunctionDoc material_doc{
     .name = "material",
-    .sentence = "A brittle material: one of the library, material \"duran50\", or your own.",
+    .sentence = "Returns a brittle material: from the library, material \"duran50\", or your own.",
     .options = material_options,
     .example = "material { name = \"PMMA\", E = 3.09*GPa, rho = 1180, nu = 0.35, G0 = 300 }"};
 
@@ -92,14 +91,14 @@ int push_name(lua_State* L) {
 }
 
 constexpr std::array fields{
-    Property{"name", "", "What reports call it.", push_name},
+    Property{"name", "", "Name in reports.", push_name},
     Property{"E", "Pa", "Young's modulus.", push_value<&Material::E>},
     Property{"rho", "kg/m3", "Density.", push_value<&Material::rho>},
     Property{"nu", "", "Poisson's ratio of the real material.", push_value<&Material::nu>},
     Property{"G0", "J/m2", "Fracture energy.", push_value<&Material::G0>},
-    Property{"alpha", "", "How far compression toughens it.", push_value<&Material::alpha>},
+    Property{"alpha", "", "Toughening by compression.", push_value<&Material::alpha>},
     Property{"alphaT", "1/K", "Thermal expansion.", push_value<&Material::alphaT>},
-    Property{"s0", "", "Critical stretch where it is given, or 0.", push_value<&Material::s0>},
+    Property{"s0", "", "Critical stretch if it was given, else 0.", push_value<&Material::s0>},
 };
 
 constexpr TypeDoc type{.name = "material",

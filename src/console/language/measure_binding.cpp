@@ -24,15 +24,15 @@ constexpr std::array cracks_options{
            .type = OptionType::point,
            .unit = "m",
            .alternative = true,
-           .sentence = "Its upper right corner."},
+           .sentence = "Upper right corner of the area."},
 };
 constexpr FunctionDoc cracks_doc{
     .name = "cracks",
     .owner = "s",
     .sentence =
-        "Where nodes have lost more than 0.35 of their bonds: nodes, left, right, bottom, top, "
-        "bands (the most above each other, a horizon apart), fork (the x where the middle lines of "
-        "two branches meet, the first from the left, or nil).",
+        "Finds the nodes that have lost more than 0.35 of their bonds: nodes, left, right, bottom, "
+        "top, bands (the largest number one above another, a horizon apart), fork (x where the "
+        "middle lines of two branches meet, the first from the left, or nil).",
     .options = cracks_options,
     .example = "tip = s:cracks { from = {0, 10*mm}, to = {100*mm, 30*mm} }.right"};
 
@@ -40,8 +40,8 @@ constexpr FunctionDoc fragments_doc{.name = "fragments",
                                     .owner = "s",
                                     .call = Call::values,
                                     .sentence =
-                                        "Its fragments: the nodes of each part that bonds hold "
-                                        "together, the largest first, as a list.",
+                                        "Lists the fragments by size: the number of nodes in each "
+                                        "part that bonds hold together, the largest first.",
                                     .example = "print(#s:fragments())"};
 
 constexpr std::array at_options{
@@ -49,13 +49,13 @@ constexpr std::array at_options{
            .type = OptionType::point,
            .unit = "m",
            .required = true,
-           .sentence = "The node nearest to it is meant."},
+           .sentence = "Point; the nearest node is taken."},
 };
 constexpr FunctionDoc at_doc{
     .name = "at",
     .owner = "s",
     .call = Call::values,
-    .sentence = "What one node does: x, y (its place at birth), ux, uy (m), damage.",
+    .sentence = "Returns the state of one node: x, y (initial position), ux, uy (m), damage.",
     .options = at_options,
     .example = "print(s:at({50*mm, 30*mm}).uy)"};
 

@@ -15,12 +15,12 @@ inline constexpr Option file_option{.name = "file",
                                     .type = OptionType::text,
                                     .required = true,
                                     .positional = true,
-                                    .sentence = "Its name, in the output folder if relative."};
+                                    .sentence = "File name; relative to the output folder."};
 inline constexpr Option every_option{.name = "every",
                                      .unit = "s",
                                      .range = above(0.0),
                                      .required = true,
-                                     .sentence = "Simulated time from one to the next."};
+                                     .sentence = "Simulated time between frames or records."};
 
 inline constexpr auto movie_options = joined(
     std::array{
@@ -31,26 +31,27 @@ inline constexpr auto movie_options = joined(
         Option{.name = "fps",
                .range = between(1.0, 240.0),
                .fallback = "30",
-               .sentence = "Frames a second when played; in .gif at most 50, to 1/100 s."},
+               .sentence = "Frames per second when played; in .gif at most 50, to 1/100 s."},
         Option{.name = "profile",
                .type = OptionType::choice,
                .fallback = "web",
                .choices = profile_names,
-               .sentence = "What it is for; lossless: .mkv, .apng and .webp."},
+               .sentence = "Quality of the movie; lossless in .mkv, .apng and .webp."},
         Option{.name = "crf",
                .type = OptionType::integer,
                .range = between(1.0, 63.0),
                .fallback = "18 in .mp4, 28 in .webm",
-               .sentence = "Lower is better and larger; up to 51 in .mp4, in others none."},
+               .sentence = "Constant rate factor; lower is better and larger; up to 51 in .mp4, in "
+                           "others none."},
         Option{.name = "hold",
                .unit = "s",
                .range = between(0.0, 3600.0),
                .fallback = "1",
-               .sentence = "For which the last frame stays when it is played."},
+               .sentence = "Time for which the last frame stays when played."},
         Option{.name = "fallback",
                .type = OptionType::flag,
                .fallback = "false",
-               .sentence = "To the next best kind of file when an encoder is missing."},
+               .sentence = "Uses the next best kind of file if an encoder is missing."},
     },
     picture_options);
 

@@ -24,7 +24,7 @@ constexpr FunctionDoc options_doc{
     .name = "options",
     .leading = "{ name = default, ... }",
     .call = Call::free,
-    .sentence = "These defaults, overridden by --set name=value of the command line.",
+    .sentence = "Returns these defaults, overridden by --set name=value on the command line.",
     .example = "o = options { load = 12*MPa, film = true, name = \"crack\" }"};
 
 // Names must be text; defaults numbers, text, true or false.

@@ -18,14 +18,14 @@ namespace {
 
 constexpr FunctionDoc plate_doc{
     .name = "plate",
-    .sentence = "A rectangular plate; its lower left corner is the origin, x right, y up.",
+    .sentence = "Makes a rectangular plate; its lower left corner is the origin, x right, y up.",
     .options = options_of<Plate>,
     .example = "p = plate { width = 100*mm, height = 40*mm, material = \"duran50\" }"};
 
 constexpr FunctionDoc nofail_doc{
     .name = "nofail",
     .owner = "p",
-    .sentence = "A strip along an edge, a rectangle or a disc in which no bond breaks.",
+    .sentence = "Marks a strip along an edge, a rectangle or a disc in which no bond breaks.",
     .options = region_options,
     .example = "p:nofail { edge = \"top\", depth = 2*mm }"};
 

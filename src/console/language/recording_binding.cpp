@@ -158,9 +158,9 @@ constexpr std::array methods{Function{&recorded_frame_doc, guarded<frame>},
                              Function{&recorded_movie_doc, guarded<movie>}};
 
 constexpr std::array fields{
-    Property{"times", "s", "Of the records, a list.", push_times},
-    Property{"nodes", "", "Of the lattice.", push_nodes},
-    Property{"file", "", "Where it is.", push_file},
+    Property{"times", "s", "Times of the records, a list.", push_times},
+    Property{"nodes", "", "Number of nodes of the lattice.", push_nodes},
+    Property{"file", "", "Path of the run file.", push_file},
     Property{"script", "", "Name of the script that made the run.", push_script},
 };
 
@@ -184,7 +184,7 @@ Tiles tiles_of(Arguments& arguments, const char* who) {
 
 const TypeDoc& recording_type() {
   static constexpr TypeDoc type{.name = "recording",
-                                .sentence = "A recorded run, to be looked at again.",
+                                .sentence = "A recorded run, for pictures and movies.",
                                 .methods = methods,
                                 .fields = fields,
                                 .to_text = guarded<to_text>,

@@ -16,12 +16,12 @@ inline constexpr std::array recording_options{
            .type = OptionType::text,
            .required = true,
            .positional = true,
-           .sentence = "What s:record{} has written, beside the script or in the output folder."},
+           .sentence = "File written by s:record{}, beside the script or in the output folder."},
 };
 
 inline constexpr FunctionDoc recording_doc{
     .name = "recording",
-    .sentence = "Opens a recorded run, to look at it again without computing.",
+    .sentence = "Opens a recorded run for viewing, without computing.",
     .options = recording_options,
     .example =
         "s:record { \"crack.h5\", every = 1*us } s:run(2*us) s:close()\n"
@@ -29,7 +29,7 @@ inline constexpr FunctionDoc recording_doc{
 
 // The record that is nearest.
 inline constexpr Option time_option{
-    .name = "time", .unit = "s", .fallback = "the end", .sentence = "Of the record that is shown."};
+    .name = "time", .unit = "s", .fallback = "the end", .sentence = "Time of the record to show."};
 
 inline constexpr auto recorded_frame_options =
     joined(std::array{file_option, time_option, width_option, scale_option}, picture_options);
@@ -47,9 +47,12 @@ inline constexpr std::array moment_options{
            .unit = "s",
            .range = above(0.0),
            .fallback = "a frame for each record",
-           .sentence = "Simulated time from frame to frame; each shows the nearest record."},
-    Option{.name = "from", .unit = "s", .fallback = "the start", .sentence = "Of the movie."},
-    Option{.name = "to", .unit = "s", .fallback = "the end", .sentence = "Of the movie."},
+           .sentence = "Simulated time between frames; each shows the nearest record."},
+    Option{.name = "from",
+           .unit = "s",
+           .fallback = "the start",
+           .sentence = "Beginning of the movie."},
+    Option{.name = "to", .unit = "s", .fallback = "the end", .sentence = "End of the movie."},
 };
 
 inline constexpr auto recorded_movie_options =
@@ -58,7 +61,7 @@ inline constexpr auto recorded_movie_options =
 inline constexpr FunctionDoc recorded_movie_doc{
     .name = "movie",
     .owner = "r",
-    .sentence = "Films what was recorded.",
+    .sentence = "Makes a movie of the records.",
     .options = recorded_movie_options,
     .example = "r:movie { \"crack.mp4\", field = \"von_mises\", percentile = 99 }"};
 
@@ -67,12 +70,12 @@ inline constexpr Option recordings_option{.name = "recordings",
                                           .read = read_recordings,
                                           .range = at_least(1.0),
                                           .required = true,
-                                          .sentence = "The runs, what recording returned."};
+                                          .sentence = "Recordings, as returned by recording."};
 inline constexpr Option run_titles_option{.name = "titles",
                                           .type = OptionType::texts,
                                           .range = at_least(1.0),
                                           .fallback = "the names of the files",
-                                          .sentence = "What stands below each."};
+                                          .sentence = "Caption below each."};
 
 inline constexpr auto side_by_side_options =
     joined(joined(std::array{recordings_option, run_titles_option,
@@ -80,19 +83,19 @@ inline constexpr auto side_by_side_options =
                                     .type = OptionType::integer,
                                     .range = between(1.0, 16.0),
                                     .fallback = "2",
-                                    .sentence = "Runs side by side."},
+                                    .sentence = "Number of runs per row."},
                              Option{.name = "width",
                                     .type = OptionType::integer,
                                     .unit = "px",
                                     .range = between(320.0, 4096.0),
                                     .fallback = "640",
-                                    .sentence = "Of each run, even."}},
+                                    .sentence = "Width of each run's picture, even."}},
                   moment_options),
            without("width", without("every", movie_options)));
 
 inline constexpr FunctionDoc side_by_side_doc{
     .name = "side_by_side",
-    .sentence = "Films several recorded runs on one clock, with one range of the colour bar.",
+    .sentence = "Makes a movie of several recorded runs, with a common clock and colour bar.",
     .options = side_by_side_options,
     .example = "side_by_side { \"both.mp4\", recordings = { r, r }, titles = { \"a\", \"b\" } }"};
 

@@ -15,7 +15,7 @@ constexpr Option tolerance_option(std::string_view fallback) {
   return {.name = "tolerance",
           .range = between(1e-14, 0.1),
           .fallback = fallback,
-          .sentence = "What may be left of a force, as a share of the largest load or reaction."};
+          .sentence = "Largest residual force, as a share of the largest load or reaction."};
 }
 
 constexpr std::array relax_options{tolerance_option("1e-8")};
@@ -24,10 +24,9 @@ constexpr FunctionDoc relax_doc{
     .name = "relax",
     .owner = "s",
     .sentence =
-        "Brings the plate to rest under what acts on it now, heat included, without breaking it; "
-        "what it had too much is energy.released. Returns steps, residual, most (the largest "
-        "stretch over the critical one), beyond (bonds "
-        "above that).",
+        "Finds the static equilibrium under the present loads and heat, without breaking bonds; "
+        "the surplus energy is energy.released. Returns steps, residual, most (the largest ratio "
+        "of stretch to critical stretch), beyond (bonds above it).",
     .options = relax_options,
     .example = "s:relax { tolerance = 1e-6 }"};
 
@@ -36,14 +35,13 @@ constexpr std::array quasistatic_options{
            .unit = "s",
            .range = above(0.0),
            .required = true,
-           .sentence =
-               "Of the amplitudes of the loads to go through; nodes held at a velocity go as far "
-               "as it makes."},
+           .sentence = "Time of the amplitudes to go through; nodes with a prescribed velocity "
+                       "move as far as it takes them."},
     Option{.name = "increments",
            .type = OptionType::integer,
            .range = between(1.0, 1e6),
            .fallback = "10",
-           .sentence = "Moments at which the plate is brought to rest, bonds breaking."},
+           .sentence = "Number of times at which equilibrium is found, with bonds breaking."},
     tolerance_option("1e-6"),
 };
 
@@ -51,10 +49,10 @@ constexpr FunctionDoc quasistatic_doc{
     .name = "quasistatic",
     .owner = "s",
     .sentence =
-        "Goes through the loads so slowly that the plate is always at rest, at exact moments "
-        "whatever the step; functions of s:on are called between increments. What jumps give off "
-        "is energy.released. Returns passes (a list), steps, broken, bears (false when it came "
-        "apart).",
+        "Applies the loads so slowly that the plate is always in equilibrium, at exact times "
+        "whatever the step; functions of s:on are called between increments. Energy set free by "
+        "jumps is energy.released. Returns passes (a list), steps, broken, bears (false when it "
+        "came apart).",
     .options = quasistatic_options,
     .example =
         "s = simulate(plate { width = 10*mm, height = 10*mm, material = \"duran50\" }, { spacing = "

@@ -22,39 +22,38 @@
 namespace hackle {
 namespace {
 
-constexpr auto show_options = joined(
-    std::array{Option{.name = "time",
-                      .unit = "s",
-                      .alternative = true,
-                      .sentence = "Of a recording: the record that is shown, or that of the end."}},
-    picture_options);
+constexpr auto show_options =
+    joined(std::array{Option{
+               .name = "time",
+               .unit = "s",
+               .alternative = true,
+               .sentence = "Time of the record to show, of a recording; default: the last."}},
+           picture_options);
 
 constexpr FunctionDoc show_doc{
     .name = "show",
     .leading = "s",
     .sentence =
-        "Shows a simulation as it is, or a recording, in the terminal; where there is none, as "
-        "show_1.png, show_2.png, ... in the output folder.",
+        "Shows the present state of a simulation, or a recording, in the terminal; without a "
+        "terminal, as show_1.png, show_2.png, ... in the output folder.",
     .options = show_options,
     .example = "show(s) show(s, { zoom = {60*mm, 20*mm, 10*mm} })"};
 
 constexpr auto watch_options = joined(
-    std::array{Option{
-        .name = "every",
-        .unit = "s",
-        .range = above(0.0),
-        .alternative = true,
-        .sentence = "Simulated time from picture to picture; without it no more are drawn."}},
+    std::array{Option{.name = "every",
+                      .unit = "s",
+                      .range = above(0.0),
+                      .alternative = true,
+                      .sentence = "Simulated time between pictures; without it drawing stops."}},
     picture_options);
 
-constexpr FunctionDoc watch_doc{
-    .name = "watch",
-    .owner = "s",
-    .sentence =
-        "Draws it in the terminal again and again while it runs, each time in the same "
-        "place; elsewhere nothing.",
-    .options = watch_options,
-    .example = "s:watch { every = 0.5*us } s:run(2*us) s:watch()"};
+constexpr FunctionDoc watch_doc{.name = "watch",
+                                .owner = "s",
+                                .sentence =
+                                    "Redraws it in the terminal while it runs, always in the same "
+                                    "place; without a terminal does nothing.",
+                                .options = watch_options,
+                                .example = "s:watch { every = 0.5*us } s:run(2*us) s:watch()"};
 
 // show { s, zoom = ... } means show(s, { zoom = ... }): what stands in the braces is copied, the
 // simulation aside.

@@ -227,18 +227,18 @@ constexpr auto energy_keys = std::to_array<std::string_view>(
 constexpr auto damage_keys = std::to_array<std::string_view>({"broken_bonds", "most"});
 
 constexpr std::array fields{
-    Property{"time", "s", "Simulated so far.", push_time},
-    Property{"steps", "", "Taken so far.", push_steps},
+    Property{"time", "s", "Simulated time so far.", push_time},
+    Property{"steps", "", "Steps taken so far.", push_steps},
     Property{"dt", "s", "The time step.", push_dt},
-    Property{"dt_limit", "s", "The longest stable time step.", push_dt_limit},
-    Property{"nodes", "", "Of the lattice.", push_nodes},
-    Property{"bonds", "", "The plate was born with.", push_bonds},
+    Property{"dt_limit", "s", "Largest stable time step.", push_dt_limit},
+    Property{"nodes", "", "Number of nodes of the lattice.", push_nodes},
+    Property{"bonds", "", "Number of initial bonds of the plate.", push_bonds},
     Property{"energy", "J/m",
-             "kinetic, strain, broken, damped, released, contact, external and residual.",
+             "Table: kinetic, strain, broken, damped, released, contact, external and residual.",
              push_energy, energy_keys},
-    Property{"damage", "", "broken_bonds since the start, and the most damage of a node.",
+    Property{"damage", "", "Table: broken_bonds since the start, and the largest damage of a node.",
              push_damage, damage_keys},
-    Property{"hash", "", "Of the state; equal only when every bit is.", push_hash},
+    Property{"hash", "", "Hash of the state; equal only if every bit is.", push_hash},
 };
 
 // Of all files that bind methods of a simulation.
@@ -257,7 +257,7 @@ std::vector<Function> all_methods_of_simulation() {
 const TypeDoc& simulation_type() {
   static const std::vector<Function> all = all_methods_of_simulation();
   static const TypeDoc type{.name = "simulation",
-                            .sentence = "A plate being solved, and what it leaves behind.",
+                            .sentence = "A plate being solved, and its output.",
                             .methods = all,
                             .fields = fields,
                             .to_text = guarded<to_text>,

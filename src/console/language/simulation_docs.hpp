@@ -24,13 +24,13 @@ inline constexpr std::array run_options{
            .unit = "s",
            .range = at_least(0.0),
            .required = true,
-           .sentence = "Simulated time to go on for."},
+           .sentence = "Simulated time to run."},
 };
 
 inline constexpr FunctionDoc run_doc{.name = "run",
                                      .owner = "s",
                                      .call = Call::values,
-                                     .sentence = "Goes on for so much simulated time.",
+                                     .sentence = "Runs for this simulated time.",
                                      .options = run_options,
                                      .example = "s:run(1*us)"};
 
@@ -40,20 +40,20 @@ inline constexpr std::array step_options{
            .unit = "steps",
            .range = between(0.0, 1e12),
            .fallback = "1",
-           .sentence = "How many."},
+           .sentence = "Number of time steps."},
 };
 
 inline constexpr FunctionDoc step_doc{.name = "step",
                                       .owner = "s",
                                       .call = Call::values,
-                                      .sentence = "Goes on for so many time steps.",
+                                      .sentence = "Runs this many time steps.",
                                       .options = step_options,
                                       .example = "s:step(10)"};
 
 inline constexpr FunctionDoc movie_doc{
     .name = "movie",
     .owner = "s",
-    .sentence = "Films what follows: .mp4, .webm, .mkv, .gif, .apng or .webp.",
+    .sentence = "Makes a movie of the following run: .mp4, .webm, .mkv, .gif, .apng or .webp.",
     .options = movie_options,
     .example = "s:movie { \"crack.mp4\", field = \"damage\", every = 0.25*us }"};
 
@@ -62,7 +62,7 @@ inline constexpr auto frame_options =
 
 inline constexpr FunctionDoc frame_doc{.name = "frame",
                                        .owner = "s",
-                                       .sentence = "Writes a picture of the state as it is, a PNG.",
+                                       .sentence = "Writes a picture of the present state, a PNG.",
                                        .options = frame_options,
                                        .example = "s:frame { \"crack.png\", width = 640 }"};
 
@@ -71,21 +71,21 @@ inline constexpr std::array record_options{file_option, every_option};
 inline constexpr FunctionDoc record_doc{
     .name = "record",
     .owner = "s",
-    .sentence = "Records what follows in an HDF5 file that ParaView opens.",
+    .sentence = "Records the following run in an HDF5 file that ParaView opens.",
     .options = record_options,
     .example = "s:record { \"crack.h5\", every = 1*us }"};
 
 inline constexpr FunctionDoc report_doc{.name = "report",
                                         .owner = "s",
                                         .call = Call::values,
-                                        .sentence = "What happened so far, as a text.",
+                                        .sentence = "Returns a report of the run so far as text.",
                                         .example = "print(s:report())"};
 
 inline constexpr FunctionDoc close_doc{
     .name = "close",
     .owner = "s",
     .call = Call::values,
-    .sentence = "Completes its movies and records; the end of the script does it too.",
+    .sentence = "Completes its movies and records; the end of the script also does so.",
     .example = "s:close()"};
 
 }  // namespace hackle

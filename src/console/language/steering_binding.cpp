@@ -21,36 +21,34 @@ enum class Event { every, breaks, damage };
 constexpr auto event_names = std::to_array<std::string_view>({"every", "break", "damage"});
 
 constexpr auto on_options = joined(
-    std::array{
-        Option{.name = "event",
-               .type = OptionType::choice,
-               .required = true,
-               .positional = true,
-               .choices = event_names,
-               .sentence =
-                   "What to wait for. every: again and again; break: once, when the next bond "
-                   "breaks; damage: once, when a crack reaches an area."},
-        Option{.name = "call",
-               .type = OptionType::function,
-               .required = true,
-               .sentence = "Called with the time between two steps; it may change "
-                           "loads, write pictures, and stop the run."},
-        Option{.name = "every",
-               .unit = "s",
-               .range = above(0.0),
-               .alternative = true,
-               .sentence = "Simulated time from call to call, for every."},
-        Option{.name = "above",
-               .range = between(0.0, 1.0),
-               .fallback = "0.35",
-               .sentence = "Damage that a node of the area must exceed, for damage; "
-                           "0.35 is the side of a crack."}},
+    std::array{Option{.name = "event",
+                      .type = OptionType::choice,
+                      .required = true,
+                      .positional = true,
+                      .choices = event_names,
+                      .sentence = "Event: every (repeatedly), break (once, when the next bond "
+                                  "breaks) or damage (once, when a crack reaches an area)."},
+               Option{.name = "call",
+                      .type = OptionType::function,
+                      .required = true,
+                      .sentence = "Function called with the time, between two steps; it may change "
+                                  "loads, write pictures, and stop the run."},
+               Option{.name = "every",
+                      .unit = "s",
+                      .range = above(0.0),
+                      .alternative = true,
+                      .sentence = "Simulated time between calls, for every."},
+               Option{.name = "above",
+                      .range = between(0.0, 1.0),
+                      .fallback = "0.35",
+                      .sentence = "Damage that a node of the area must exceed, for damage; 0.35 is "
+                                  "the side of a crack."}},
     region_options);
 
 constexpr FunctionDoc on_doc{
     .name = "on",
     .owner = "s",
-    .sentence = "Calls a function between steps whenever something happens.",
+    .sentence = "Calls a function between steps when an event occurs.",
     .options = on_options,
     .example =
         "s:on { \"every\", every = 1*us, call = function(t) print(t, s.energy.kinetic) end }\n"
@@ -60,20 +58,21 @@ constexpr FunctionDoc stop_doc{
     .name = "stop",
     .owner = "s",
     .call = Call::values,
-    .sentence =
-        "The run that is under way ends here; in a function given to s:on, after this step.",
+    .sentence = "Ends the current run; in a function given to s:on, after this step.",
     .example = "s:on { \"break\", call = function() s:stop() end }"};
-constexpr FunctionDoc fork_doc{.name = "fork",
-                               .owner = "s",
-                               .call = Call::values,
-                               .sentence = "A simulation in the same state, to go another way.",
-                               .example = "t = s:fork()"};
+constexpr FunctionDoc fork_doc{
+    .name = "fork",
+    .owner = "s",
+    .call = Call::values,
+    .sentence = "Returns a copy in the same state, which can go another way.",
+    .example = "t = s:fork()"};
 constexpr FunctionDoc rewind_doc{
     .name = "rewind",
     .owner = "s",
     .leading = "t",
     .call = Call::values,
-    .sentence = "Goes back, or over, to state and loads of another simulation of the same plate.",
+    .sentence =
+        "Returns to, or takes over, the state and loads of another simulation of the same plate.",
     .example = "t = s:fork() s:run(1*us) s:rewind(t)"};
 
 // The options that go with one event and not with another.

@@ -22,7 +22,7 @@ constexpr auto strength_options = [] {
 constexpr FunctionDoc strength_doc{
     .name = "strength",
     .owner = "p",
-    .sentence = "Lets strength differ from place to place, the same on every machine.",
+    .sentence = "Scatters the strength over the plate, identically on every machine.",
     .options = strength_options,
     .example =
         "p:strength { distribution = \"weibull\", modulus = 10, correlation = 2*mm, seed = 7 }"};

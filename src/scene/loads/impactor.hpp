@@ -20,18 +20,21 @@ inline constexpr auto description_of<Impactor> = describe_noun(
     member("centre", &Impactor::centre,
            {.unit = "m",
             .required = true,
-            .sentence = "Where it starts, beside the plate as it is drawn, or in a hole."}),
+            .sentence = "Initial position: outside the plate as it is drawn, or in a hole."}),
     member("radius", &Impactor::radius,
-           {.unit = "m", .range = above(0.0), .required = true, .sentence = "At least a spacing."}),
+           {.unit = "m",
+            .range = above(0.0),
+            .required = true,
+            .sentence = "Radius, at least one spacing."}),
     member("velocity", &Impactor::velocity,
            {.unit = "m/s",
             .required = true,
-            .sentence = "With which it starts; then it flies freely."}),
+            .sentence = "Initial velocity; afterwards it flies freely."}),
     member("mass", &Impactor::mass,
            {.unit = "kg/m",
             .range = above(0.0),
             .alternative = true,
-            .sentence = "Per metre of thickness, instead of a density."}));
+            .sentence = "Mass per metre of thickness, instead of a density."}));
 
 // Never: a disc moves, so a new one does not replace it.
 inline bool same_place(const Impactor&, const Impactor&) {

@@ -17,10 +17,9 @@ struct Pressure {
 template <>
 inline constexpr auto description_of<Pressure> = describe_noun(
     "pressure", "pressure",
-    member("rim", &Pressure::rim, {.required = true, .sentence = "The name of a hole or a notch."}),
-    member(
-        "pressure", &Pressure::pressure,
-        {.unit = "Pa", .required = true, .sentence = "Positive when it pushes into the material."}),
+    member("rim", &Pressure::rim, {.required = true, .sentence = "Name of a hole or notch."}),
+    member("pressure", &Pressure::pressure,
+           {.unit = "Pa", .required = true, .sentence = "Pressure, positive into the material."}),
     member("time", &Pressure::amplitude, about_amplitude));
 
 inline bool same_place(const Pressure& one, const Pressure& other) {

@@ -23,12 +23,11 @@ inline constexpr auto description_of<Support> = describe_noun(
     "support", "support", member("region", &Support::region, about_region),
     kind_member(&Support::kind, &Support::value,
                 std::to_array<std::string_view>({"displacement", "velocity"}),
-                std::to_array<About>({{.unit = "m",
-                                       .alternative = true,
-                                       .sentence = "The displacement that is imposed."},
-                                      {.unit = "m/s",
-                                       .alternative = true,
-                                       .sentence = "The velocity that is imposed, instead."}})),
+                std::to_array<About>(
+                    {{.unit = "m", .alternative = true, .sentence = "Prescribed displacement."},
+                     {.unit = "m/s",
+                      .alternative = true,
+                      .sentence = "Prescribed velocity, instead of a displacement."}})),
     member("along_x", &Support::along_x), member("along_y", &Support::along_y),
     member("time", &Support::amplitude, about_amplitude));
 

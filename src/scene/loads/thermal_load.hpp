@@ -18,9 +18,7 @@ template <>
 inline constexpr auto description_of<ThermalLoad> = describe_noun(
     "temperature", "temperature change", member("region", &ThermalLoad::region, about_region),
     member("change", &ThermalLoad::change,
-           {.unit = "K",
-            .required = true,
-            .sentence = "From the temperature at which it is free of stress."}),
+           {.unit = "K", .required = true, .sentence = "Change from the stress-free temperature."}),
     member("time", &ThermalLoad::amplitude, about_amplitude));
 
 inline bool same_place(const ThermalLoad& one, const ThermalLoad& other) {

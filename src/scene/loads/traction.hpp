@@ -20,16 +20,17 @@ template <>
 inline constexpr auto description_of<Traction> = describe_noun(
     "traction", "traction",
     member("edge", &Traction::edge,
-           {.required = true, .sentence = "The edge it acts on, all along."}),
+           {.required = true, .sentence = "Edge it acts on, over its whole length."}),
     member("stress", &Traction::stress,
            {.unit = "Pa",
             .required = true,
-            .sentence = "Force on the edge per area; positive right and up."}),
+            .sentence = "Force per area of the edge; positive right and up."}),
     member("depth", &Traction::depth,
            {.unit = "m",
             .range = above(0.0),
             .fallback = "one spacing",
-            .sentence = "Depth of the layer that the force is spread over; its sum is the same."}),
+            .sentence =
+                "Depth of the layer over which the force is spread; the resultant is the same."}),
     member("time", &Traction::amplitude, about_amplitude));
 
 // Returns whether a new load replaces the old one; likewise in the other headers of this folder.
