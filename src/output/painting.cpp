@@ -36,10 +36,8 @@ FieldStyle style_of(const FieldChoice& field, const Simulation& simulation) {
 
 void check_field(const char* output, const std::string& name, Problems& problems) {
   if (std::ranges::find(scalar_names, name) != scalar_names.end()) return;
-  const auto now = renamed("field", name);
   problems.add(fmt::format("{}: there is no field '{}'{}", output, name,
-                           now ? fmt::format(" (it is called '{}' now)", *now)
-                               : did_you_mean(name, scalar_names)),
+                           present_name("field", name, scalar_names)),
                "one of " + comma_list(scalar_names));
 }
 

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "base/text.hpp"
+#include "base/renamed.hpp"
 #include "base/units.hpp"
 #include "console/lua/description.hpp"
 #include "console/lua/lua_function.hpp"
@@ -203,7 +203,8 @@ std::any read_choice(const GivenValue& given) {
   const auto found = std::ranges::find(option.choices, text);
   if (found == option.choices.end())
     return given.wrong(fmt::format("{} is {}{}, expected {}", given.name(), in_quotes(text),
-                                   did_you_mean(text, option.choices), expectation(option)));
+                                   present_name(option.name, text, option.choices),
+                                   expectation(option)));
   return Choice{static_cast<std::size_t>(found - option.choices.begin())};
 }
 

@@ -45,7 +45,7 @@ TEST(PlateBinding, AFormerNameGetsThePresentOne) {
             "test.lua:2: plate has no 'start' (it is called 'initial' now)");
   EXPECT_THAT(test::message_of(test::plate_p + "simulate(p, { spacing = 1*mm }):frame { 'a.png', "
                                                "field = 'pieces' }"),
-              HasSubstr("there is no field 'pieces' (it is called 'fragments' now)"));
+              HasSubstr("field is 'pieces' (it is called 'fragments' now)"));
 }
 
 TEST(PlateBinding, CannotBeWrittenToNorTakenApart) {
