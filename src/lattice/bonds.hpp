@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One bit for each bond.
+// The bonds of a lattice as bits, one per bond.
 #pragma once
 
 #include <bit>
@@ -10,8 +10,8 @@
 
 namespace hackle {
 
-// Bit k at a node says whether the k-th bond that it keeps (see Family) holds. Places are those of
-// a NodeLayout. Kept as planes: word w of all places, then word w + 1.
+// Bit k of a node says whether the k-th bond it keeps (see Family) is intact. Places are those of a
+// NodeLayout. Stored as planes: word w of all places, then word w + 1.
 class BondBits {
  public:
   BondBits() = default;
@@ -31,19 +31,19 @@ class BondBits {
   std::uint32_t word(std::ptrdiff_t at, int word) const {
     return words_[static_cast<std::size_t>(word) * plane_ + static_cast<std::size_t>(at)];
   }
-  // Clears bits of one word of a place.
+  // Clears bits in one word of a place.
   void clear(std::ptrdiff_t at, int word, std::uint32_t bits) {
     words_[static_cast<std::size_t>(word) * plane_ + static_cast<std::size_t>(at)] &= ~bits;
   }
 
-  // Bonds that hold.
+  // Returns the number of intact bonds.
   std::int64_t count() const {
     std::int64_t sum = 0;
     for (const std::uint32_t word : words_) sum += std::popcount(word);
     return sum;
   }
 
-  std::size_t plane() const { return plane_; }  // words between two planes
+  std::size_t plane() const { return plane_; }  // words from one plane to the next
   bool empty() const { return words_.empty(); }
   const std::vector<std::uint32_t>& words() const { return words_; }
 

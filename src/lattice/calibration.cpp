@@ -9,7 +9,7 @@ namespace hackle {
 using std::numbers::pi;
 
 Moduli moduli(const Family& family, double c, double dx, Plane plane) {
-  // The stretch of a bond is xi.(strain offset)/|xi|^2; offset and xi differ with centroids alone.
+  // The stretch of a bond is xi.(strain offset)/|xi|^2; offset and xi differ only with centroids.
   double xx = 0.0, xy = 0.0, shear = 0.0;
   family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int) {
     const double r3 = std::pow(xi.squaredNorm(), 1.5);
@@ -17,7 +17,7 @@ Moduli moduli(const Family& family, double c, double dx, Plane plane) {
     xy += weight * (xi.x() * a) * (xi.y() * b) / r3;
     shear += weight * 0.25 * (xi.x() * b + xi.y() * a) * (xi.x() * b + xi.y() * a) / r3;
   });
-  // Half, times two for the opposite bonds; V = dx^2, and x^4/r^3 carries one dx.
+  // Half, times two for the opposite bonds; V = dx^2, and x^4/r^3 contributes one dx.
   const double scale = c * dx * dx * dx;
   Moduli moduli;
   moduli.C11 = scale * xx;
@@ -43,7 +43,7 @@ double fracture_energy(const Family& family, double c, double s0, double dx, con
 
 namespace {
 
-// Factors of E/(pi delta^3) in c, and of G0/(E delta) in s0^2 (src/lattice/README.md 3.3).
+// The factors of E/(pi delta^3) in c, and of G0/(E delta) in s0^2 (src/lattice/README.md 3.3).
 struct ContinuumFactors {
   double c, s0_squared;
 };

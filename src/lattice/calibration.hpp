@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Micromodulus and critical stretch of a family, and what they amount to: the elastic moduli and
-// the fracture energy that the lattice really has. Per metre of thickness.
+// Micromodulus and critical stretch of a family, and the elastic moduli and fracture energy that
+// result on the lattice. Per metre of thickness.
 #pragma once
 
 #include "lattice/family.hpp"
@@ -10,10 +10,10 @@ namespace hackle {
 
 // Moduli of the square lattice for a small uniform strain (src/lattice/README.md 3.1):
 // C11 = 1/2 c V sum w x^4/r^3 and C12 = 1/2 c V sum w x^2 y^2/r^3 over the directed bonds; with
-// centroids one x (and y) of each square is that of the node.
+// centroids one x (and one y) of each square is that of the node.
 struct Moduli {
   double C11 = 0.0;    // Pa
-  double C12 = 0.0;    // Pa; equals C66, centroids apart
+  double C12 = 0.0;    // Pa; equals C66, except with centroids
   double E = 0.0;      // Young's modulus along a lattice axis, Pa
   double nu = 0.0;     // Poisson's ratio along a lattice axis: near 1/3 in plane stress, 1/4 in
                        // plane strain
@@ -27,16 +27,16 @@ struct Calibration {
   double G0 = 0.0;  // fracture energy of a straight cut along a lattice axis, J/m2
 };
 
-// In plane strain E and nu are those of the solid that has these C11 and C12.
+// Computes the moduli. In plane strain E and nu are those of the solid with these C11 and C12.
 Moduli moduli(const Family& family, double c, double dx, Plane plane = Plane::stress);
 
-// Energy per area to break all bonds across a straight cut with unit normal `normal`:
-// G = 1/4 sum_p w_p c s0^2 |xi_p| |o_p . n| V over the directed bonds, o_p the offset of the
-// neighbour (src/lattice/README.md 3.4). J/m2.
+// Computes the energy per area to break all bonds across a straight cut with unit normal `normal`:
+// G = 1/4 sum_p w_p c s0^2 |xi_p| |o_p . n| V over the directed bonds, where o_p is the offset of
+// the neighbour (src/lattice/README.md 3.4). J/m2.
 double fracture_energy(const Family& family, double c, double s0, double dx, const Vec2& normal);
 
-// A critical stretch that the material gives holds as it is, and G0 follows from it.
-// Constants::paper knows plane stress and the constant micromodulus only.
+// Computes the constants of a material. If the material gives s0, it is used unchanged and G0
+// follows from it. Constants::paper requires plane stress and the constant micromodulus.
 Calibration calibrate(const Family& family, const Material& material, double dx,
                       Constants constants, Plane plane = Plane::stress);
 

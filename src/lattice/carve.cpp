@@ -56,7 +56,7 @@ std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& gri
 
 namespace {
 
-// Carves the bonds that node (i, j) keeps.
+// Removes bonds that node (i, j) keeps.
 void carve_at(int i, int j, const Shape& shape, const std::vector<std::uint8_t>& material,
               const Grid& grid, const Family& family, BondBits& bonds) {
   const auto is_void = [&](int column, int row) {

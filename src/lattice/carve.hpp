@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes on the lattice: which nodes they cover, what they take away.
+// Shapes on the lattice: the nodes they cover, and the nodes and bonds they remove.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace hackle {
 // Distances below this count as 0, in units of dx.
 inline constexpr double tie = 1e-9;
 
-// The nodes in a box, which may reach beyond the lattice: columns first_i to last_i and so on.
+// The nodes in a box, which may extend beyond the lattice: columns first_i to last_i, rows
+// likewise.
 struct NodeRange {
   int first_i, last_i, first_j, last_j;
 
@@ -25,20 +26,20 @@ struct NodeRange {
   }
   std::size_t rows() const { return static_cast<std::size_t>(std::max(0, last_j - first_j + 1)); }
   std::size_t count() const { return columns() * rows(); }
-  // Index of a node in the range, row by row from the lower left.
+  // Returns the index of a node in the range, row by row from the lower left.
   std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(j - first_j) * columns() +
            static_cast<std::size_t>(i - first_i);
   }
 };
-// The range of all nodes nearer to the box than `margin` spacings. The box is in lattice units,
-// from the centre of the lattice.
+// Returns the range of all nodes closer to the box than `margin` spacings. The box is in lattice
+// units, relative to the centre of the lattice.
 NodeRange nodes_near(const Box& box, const Grid& grid, int margin);
-// A range that holds all nodes of a region.
+// Returns a range that contains all nodes of a region.
 NodeRange nodes_of(const Region& region, const Grid& grid);
 
-// Calls work(i, j) row by row. All loops that set up a plate use it, so Ctrl-C ends them between
-// two rows. Throws Error (interrupted).
+// Calls work(i, j) row by row. All loops that set up a plate use it, so that Ctrl-C ends them
+// between two rows. Throws Error (interrupted).
 template <class Work>
 void for_nodes(const NodeRange& range, const Work& work) {
   for (int j = range.first_j; j <= range.last_j; ++j) {
@@ -59,19 +60,19 @@ void for_nodes_in(const Shape& shape, const Grid& grid, const Work& work) {
     if (covers(scaled, grid.from_centre(i, j), tie)) work(i, j);
   });
 }
-// For every node, when there is no region.
+// Without a region, calls work(i, j) for every node.
 template <class Work>
 void for_nodes_in(const Region& region, const Grid& grid, const Work& work) {
   if (region) return for_nodes_in(*region, grid, work);
   for_nodes(grid, work);
 }
 
-// The plate's own material, then those of its inclusions, each once.
+// Returns the plate's own material, then those of its inclusions, each once.
 std::vector<Material> distinct_materials(const Plate& plate);
 
-// Per node: of distinct_materials, by the last inclusion that covers it (rim included), or
-// Lattice::void_node inside a cut-out (a node on its rim stays). Empty when there is neither.
-// Throws Error (refused) when no node is left.
+// Returns one value per node: the index in distinct_materials of the last inclusion that covers it
+// (rim included), or Lattice::void_node inside a cut-out (a node on the rim stays). Empty without
+// inclusions and cut-outs. Throws Error (refused) if no node is left.
 std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& grid);
 
 // Clears the bonds of void nodes and those that pass through the inside of a cut-out.

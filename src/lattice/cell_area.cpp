@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-// Area and first moments of a region, added up strip by strip.
+// Area and first moments of a region, summed strip by strip.
 struct Moments {
   double area = 0.0, x = 0.0, y = 0.0;
 };
@@ -21,7 +21,7 @@ void add_rectangle(Moments& sum, double left, double right, double bottom, doubl
   sum.y += 0.5 * area * (bottom + top);
 }
 
-// Adds what lies above `bottom` and below the circle between left and right.
+// Adds the region above `bottom` and below the circle, between left and right.
 void add_cap(Moments& sum, double left, double right, double bottom, double radius) {
   const auto height = [&](double x) { return std::sqrt(std::max(radius * radius - x * x, 0.0)); };
   const auto area = [&](double x) {
@@ -39,7 +39,7 @@ void add_cap(Moments& sum, double left, double right, double bottom, double radi
   sum.y += moment_y(right) - moment_y(left);
 }
 
-// The abscissa at which the circle has the height y; 0 when it never has.
+// Returns the abscissa at which the circle has the height y; 0 if there is none.
 double where_height_is(double y, double radius) {
   return y < radius ? std::sqrt(radius * radius - y * y) : 0.0;
 }
@@ -47,13 +47,13 @@ double where_height_is(double y, double radius) {
 }  // namespace
 
 CellPart cell_inside_circle(int a, int b, double radius) {
-  // In the upper octant the circle is flat enough for strips that stand upright.
+  // In the upper octant the circle is flat enough for vertical strips.
   if (a > b) {
     CellPart turned = cell_inside_circle(b, a, radius);
     std::swap(turned.centroid.x(), turned.centroid.y());
     return turned;
   }
-  // The right half of a cell on the axis: the left one mirrors it.
+  // For a cell on the axis, only the right half is computed: the left half is its mirror image.
   const bool on_axis = a == 0;
   const double left = on_axis ? 0.0 : a - 0.5, right = a + 0.5;
   const double bottom = b - 0.5, top = b + 0.5;

@@ -22,7 +22,7 @@ Family family_of(const Numerics& numerics) {
   return Family(numerics.m(), numerics.quadrature, numerics.micromodulus);
 }
 
-// Columns and rows of nodes; without limit, as a spacing may be absurd.
+// The number of columns and rows, unlimited because a spacing may be absurd.
 struct Extent {
   double nx, ny;
   double nodes() const { return nx * ny; }
@@ -43,7 +43,7 @@ void check_memory(const Plate& plate, const Numerics& numerics, std::uint64_t me
                            quantity(numerics.spacing * std::sqrt(1.2 * needed / free), "m")));
 }
 
-// Whether the constants are made for this plate and micromodulus.
+// Returns whether the constants are defined for this plate and micromodulus.
 bool constants_apply(const Plate& plate, const Numerics& numerics) {
   const bool plain =
       plate.plane == Plane::stress && numerics.micromodulus == Micromodulus::constant;
@@ -57,7 +57,7 @@ double max_alpha(const Plate& plate) {
   return most;
 }
 
-// Choices that do not go together.
+// Checks for incompatible choices.
 void check_choices(const Plate& plate, const Numerics& numerics, Problems& problems) {
   const double alpha = max_alpha(plate);
   if (numerics.fidelity > 0.0 && alpha > 0.0)
@@ -76,7 +76,7 @@ bool is_positive(double value) {
   return value > 0.0 && std::isfinite(value);
 }
 
-// True when it makes a lattice.
+// Checks the spacing; returns true if it makes a lattice.
 bool check_spacing(const Plate& plate, const Numerics& numerics, Problems& problems) {
   if (!is_positive(numerics.spacing)) return false;
   if (numerics.spacing > std::min(plate.width, plate.height))
@@ -87,7 +87,7 @@ bool check_spacing(const Plate& plate, const Numerics& numerics, Problems& probl
   return true;
 }
 
-// Checks the horizon, in spacings; true when it makes a family.
+// Checks the horizon, in spacings; returns true if it makes a family.
 bool check_horizon(const Numerics& numerics, Problems& problems) {
   constexpr double slack = 1e-9;
   if (!is_positive(numerics.horizon_or_default())) return false;
@@ -107,8 +107,8 @@ bool check_horizon(const Numerics& numerics, Problems& problems) {
   return false;
 }
 
-// Requires a family. Nothing when the material or the constants give no stiffness, which is
-// reported elsewhere, or when the numbers overflow, which is reported here.
+// Requires a family. Returns nothing if the material or the constants give no stiffness, which is
+// reported elsewhere, or if the numbers overflow, which is reported here.
 std::optional<double> micromodulus_of(const Material& material, const Plate& plate,
                                       const Numerics& numerics, const Family& family,
                                       Problems& problems) {
@@ -125,7 +125,7 @@ std::optional<double> micromodulus_of(const Material& material, const Plate& pla
   return std::nullopt;
 }
 
-// A disc that crosses much of a spacing in a step is not resolved, stable or not.
+// A disc that crosses much of a spacing per step is not resolved, even if the step is stable.
 void check_impact(const Plate& plate, const Numerics& numerics, Problems& problems) {
   const double longest = longest_step_of_impact(plate, numerics.spacing);
   if (*numerics.step <= longest * (1.0 + 1e-9)) return;
@@ -136,7 +136,7 @@ void check_impact(const Plate& plate, const Numerics& numerics, Problems& proble
       fmt::format("take a step of {} or less, or leave it out", quantity(longest, "s")));
 }
 
-// The limit is that of the stiffest and the lightest material.
+// The limit combines the stiffest and the lightest material.
 void check_against_limit(const Plate& plate, const Numerics& numerics, Problems& problems) {
   const Family family = family_of(numerics);
   const auto own = micromodulus_of(plate.material, plate, numerics, family, problems);

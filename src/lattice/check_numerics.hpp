@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether numerical choices can work on a plate.
+// Checks whether numerical choices can work on a plate.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 namespace hackle {
 
 // Adds a problem for every numerical choice that cannot work on this plate, and for a lattice that
-// would need more memory (see needs.hpp) than `memory` bytes. One problem does not hide another,
-// unless the second cannot be decided without the first: no limit of the step without a family,
-// constants that apply and a material.
+// would need more than `memory` bytes (see needs.hpp). Independent problems are all reported; a
+// check that depends on a failed one is skipped: the step limit needs a family, applicable
+// constants and a material.
 void check(const Plate& plate, const Numerics& numerics, std::uint64_t memory, Problems& problems);
 
 }  // namespace hackle

@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-// The crack in units of the lattice.
+// Returns the points of the crack in lattice units.
 std::vector<Vec2> on_lattice(const Crack& crack, const Grid& grid) {
   std::vector<Vec2> points;
   for (const Vec2& point : crack.points) points.push_back(grid.from_centre(point));

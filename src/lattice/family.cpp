@@ -14,8 +14,8 @@ double whole_if_near(double m) {
   return std::abs(m - whole) <= 1e-9 * whole ? whole : m;
 }
 
-// Weights up to this are rounding errors: of a cell that only touches the horizon, or of a bond
-// that is as long as a conical micromodulus reaches.
+// Weights up to this are rounding errors: a cell that only touches the horizon, or a bond as long
+// as the range of a conical micromodulus.
 constexpr double no_weight = 1e-12;
 
 struct Weighted {

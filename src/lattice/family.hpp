@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The family of a node on the lattice: which offsets it is bonded to, and with what weight. The
-// same for every node, so nothing is stored per bond but one bit.
+// The family of a node on the lattice: the offsets it is bonded to, with their weights. It is the
+// same for every node, so only one bit per bond is stored.
 #pragma once
 
 #include <vector>
@@ -18,9 +18,9 @@ namespace hackle {
 struct Images {
   int a = 0;            // columns, >= 0
   int b = 0;            // rows, >= 0
-  Vec2 xi{0, 0};        // the bond itself, in units of dx: (a, b), unless the quadrature moves it
-  double weight = 0.0;  // of quadrature and micromodulus, above 0, at most 1
-  int first_bit = 0;    // bit of the first kept bond in a node's bond bits; the other follows, in
+  Vec2 xi{0, 0};        // bond vector in units of dx: (a, b), unless the quadrature moves it
+  double weight = 0.0;  // from quadrature and micromodulus, in (0, 1]
+  int first_bit = 0;    // bit of the first kept bond in a node's bits; the second follows, in
                         // the same word of 32
 
   bool is_quad() const { return a > 0 && b > 0; }
@@ -30,24 +30,24 @@ struct Images {
 
 class Family {
  public:
-  // All offsets whose weight is above 1e-12. With full and ramp these are a^2 + b^2 <= m^2, decided
-  // in integers: m is taken as whole when it is within 1e-9 of a whole number. With area and
-  // centroid all whose cell lies partly inside the horizon, which may be up to m + 1/2 columns or
-  // rows away. A conical micromodulus leaves out bonds of at least the length of the horizon.
+  // Contains all offsets whose weight is above 1e-12. With full and ramp these are a^2 + b^2 <=
+  // m^2, decided in integers: m counts as whole if it is within 1e-9 of an integer. With area and
+  // centroid they are all offsets whose cell lies partly inside the horizon, up to m + 1/2 columns
+  // or rows away. A conical micromodulus excludes bonds at least as long as the horizon.
   Family(double m, Quadrature quadrature, Micromodulus micromodulus = Micromodulus::constant);
 
   double m() const { return m_; }
   Quadrature quadrature() const { return quadrature_; }
   Micromodulus micromodulus() const { return micromodulus_; }
-  // Rows from far to near, columns from near to far.
+  // Ordered by rows from far to near, then by columns from near to far.
   const std::vector<Images>& images() const { return images_; }
-  int kept() const { return kept_; }               // bonds kept by an inner node
-  int bonds() const { return 2 * kept_; }          // bonds of an inner node
-  int reach() const { return reach_; }             // the farthest column or row of a neighbour
+  int kept() const { return kept_; }       // bonds kept by an inner node
+  int bonds() const { return 2 * kept_; }  // bonds of an inner node
+  int reach() const { return reach_; }     // largest distance of a neighbour in columns or rows
   int words() const { return (bits_ + 31) / 32; }  // words of bond bits per node
 
   // Calls visit(column, row, xi, weight, bit) for every bond that a node keeps, in the order of the
-  // bits. Their opposites are the other half of its bonds.
+  // bits. The opposite bonds are the other half of the node's bonds.
   template <class Visit>
   void for_each_bond(Visit visit) const {
     for (const Images& image : images_) {

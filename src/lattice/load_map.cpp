@@ -16,8 +16,8 @@ namespace {
 
 using NodeForces = std::vector<LoadedNode>;
 
-// Adds the force of a stress over a length, which is a force density, on a node. No load adds to a
-// node twice.
+// Adds the force of a stress over a length, which is a force density, to a node. No load calls it
+// twice for a node.
 void push(NodeForces& forces, const Lattice& lattice, int i, int j, const Vec2& stress,
           double length) {
   const double rho = lattice.material_at(i, j).material.rho;
@@ -30,7 +30,7 @@ NodeForces in_order(NodeForces forces, const Grid& grid) {
   return forces;
 }
 
-// The value of a field at a node, checked.
+// Returns the value of a field at a node, after checking it.
 template <class T>
 T value_at(const FieldOfPlace<T>& field, const Lattice& lattice, int i, int j, const char* who) {
   const Vec2 place = lattice.grid.position(i, j);
@@ -51,7 +51,7 @@ T value_at(const FieldOfPlace<T>& field, const Lattice& lattice, int i, int j, c
               "give it a larger area, or a smaller spacing");
 }
 
-// A line of nodes that ends at the edge: k counts along the edge, depth from it.
+// Node on a line perpendicular to the edge: k counts along the edge, depth from it.
 std::pair<int, int> node_at(const Grid& grid, Edge edge, int k, int depth) {
   switch (edge) {
     case Edge::left:
@@ -66,7 +66,7 @@ std::pair<int, int> node_at(const Grid& grid, Edge edge, int k, int depth) {
   return {0, 0};
 }
 
-// A line whose outermost node is void has no edge to pull at.
+// A line whose outermost node is void has no edge for the traction to act on.
 NodeForces spread(const Traction& traction, const Lattice& lattice) {
   const Grid& grid = lattice.grid;
   const bool along_x = traction.edge == Edge::top || traction.edge == Edge::bottom;
@@ -94,8 +94,8 @@ NodeForces spread(const Traction& traction, const Lattice& lattice) {
   return forces;
 }
 
-// A pressure acts on the faces of cells between material and the cut-out. Its resultant on a closed
-// rim is 0, and its projection on any direction is right to one cell.
+// A pressure acts on the cell faces between material and cut-out. Its resultant on a closed rim is
+// 0, and its projection on any direction is exact to one cell.
 NodeForces spread(const Pressure& pressure, const Plate& plate, const Lattice& lattice) {
   const Grid& grid = lattice.grid;
   std::vector<char> open(grid.nodes());
@@ -107,7 +107,7 @@ NodeForces spread(const Pressure& pressure, const Plate& plate, const Lattice& l
   NodeForces forces;
   for_nodes(grid, [&](int i, int j) {
     if (lattice.is_void(i, j)) return;
-    Vec2 normal{0, 0};  // out of the cut-out, summed over the faces
+    Vec2 normal{0, 0};  // out of the cut-out, summed over faces
     for (const auto& [a, b] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
       if (grid.contains(i + a, j + b) && open[grid.index(i + a, j + b)] != 0) normal -= Vec2(a, b);
     if (normal != Vec2(0, 0)) push(forces, lattice, i, j, pressure.pressure * normal, grid.dx);

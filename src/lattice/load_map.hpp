@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps the loads of a scene to nodes: where they act, and how hard when their factor of time is 1.
+// Maps the loads of a scene to nodes, with their values at amplitude 1.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace hackle {
 
-// A node on which a force acts.
+// A node with a force.
 struct LoadedNode {
   int i = 0;
   int j = 0;
   Vec2 acceleration{0, 0};  // m/s2
-  double inertia = 1.0;     // density there over Lattice::rho
+  double inertia = 1.0;     // its density over Lattice::rho
 };
 
 // A node whose motion is prescribed, along x, y or both.
@@ -27,7 +27,7 @@ struct HeldNode {
   bool along_y = true;
 };
 
-// Each node once, ordered by index; void nodes are left out.
+// A force on nodes, each listed once, ordered by index; void nodes are left out.
 struct SpreadForce {
   std::vector<LoadedNode> nodes;
   Amplitude amplitude;
@@ -38,21 +38,22 @@ struct SpreadSupport {
   Amplitude amplitude;
 };
 
-// How nodes expand: alphaT of their material times the change of temperature.
+// Thermal strain of nodes: alphaT of their material times the change of temperature.
 struct SpreadHeat {
-  NodeRange range;             // around the area
-  std::vector<double> strain;  // by NodeRange::index; 0 outside of the area
+  NodeRange range;             // encloses the region
+  std::vector<double> strain;  // by NodeRange::index; 0 outside the region
   Amplitude amplitude;
 };
 
-// Tractions, pressures and body forces of the plate, in that order. Throws what functions of place
-// throw, and Error (refused) when they give no finite numbers or a load finds no node to act on.
+// Returns tractions, pressures and body forces of the plate, in that order. Throws what functions
+// of place throw, and Error (refused) if they give values that are not finite or a load finds no
+// node to act on.
 std::vector<SpreadForce> spread_forces(const Plate& plate, const Lattice& lattice);
 std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& lattice);
-// Temperature changes, likewise.
+// Returns the temperature changes, likewise.
 std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice);
 
-// The sum of two lists. In all three each node occurs once, ordered by index.
+// Returns the sum of two lists. In all three each node occurs once, ordered by index.
 std::vector<LoadedNode> sum_of(const std::vector<LoadedNode>& one,
                                const std::vector<LoadedNode>& other, const Grid& grid);
 

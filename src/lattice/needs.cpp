@@ -10,12 +10,12 @@
 namespace hackle {
 namespace {
 
-// Columns and rows of nodes; without limit, as a spacing may be absurd.
+// The number of columns and rows, unlimited because a spacing may be absurd.
 Vec2 nodes_along(const Plate& plate, const Numerics& numerics) {
   return {std::round(plate.width / numerics.spacing), std::round(plate.height / numerics.spacing)};
 }
 
-// Values per place that the engine and the motion hold.
+// Returns the values per place that engine and motion hold.
 double values_of_place(const Needs& needs) {
   double values = 6.0;                // u, the next u and v
   if (needs.varied()) values += 2.0;  // critical stretch, threshold
@@ -26,7 +26,7 @@ double values_of_place(const Needs& needs) {
   return values;
 }
 
-// The number of rows that tile_rows() lists, without the list.
+// Returns the number of rows in tile_rows() without building that list.
 double rows_of_tiles(int ny, int reach) {
   const int height = reach <= 8 ? 8 : 16;
   const int each_side = std::max(0, (ny / height - 1) / 2);
@@ -34,7 +34,7 @@ double rows_of_tiles(int ny, int reach) {
   return 2.0 * each_side + (left >= 2 * height && left % 2 == 0 ? 2.0 : 1.0);
 }
 
-// Two ranges of four values and four bytes each, and three flags.
+// Counts two ranges of four values and four bytes each, and three flags.
 double bytes_of_tile(const Needs& needs, double real) {
   const double range = real == 4.0 ? 20.0 : 40.0;
   return 2.0 * range + 3.0 + (needs.heated ? real : 0.0);
@@ -73,7 +73,8 @@ double nodes_of_edge(const Traction& traction, const Grid& grid) {
                  : grid.ny * std::min<double>(layers, grid.nx);
 }
 
-// A node in a list of forces: what acts by each load and in all, twice, and what the kernel reads.
+// Counts, per node in a list of forces: the force of each load and their sum, twice, and the
+// kernel's copy.
 double loads(const Plate& plate, const Grid& grid, double real) {
   const double force = 3.0 * sizeof(LoadedNode) + 24.0 + 3.0 * real;
   const double prescribed = sizeof(HeldNode) + 80.0 + 4.0 * real;
@@ -86,9 +87,9 @@ double loads(const Plate& plate, const Grid& grid, double real) {
   return bytes;
 }
 
-// Starts: what each gives, twice two components and a place, and their sums. Changes of heat: the
-// strain before and after, twice, and the stiffness. The summary: accelerations of all
-// places, and velocities.
+// Initial conditions: the part of each, with two components and a place, twice, and their sums.
+// Changes of temperature: the strain before and after, twice, and the stiffness. The summary:
+// accelerations and velocities of all places.
 double passing(const Plate& plate, const Grid& grid, const Needs& needs, double real) {
   const auto nodes = static_cast<double>(grid.nodes());
   double starts = plate.initial_conditions.empty() ? 0.0 : 32.0 * nodes;
@@ -99,8 +100,8 @@ double passing(const Plate& plate, const Grid& grid, const Needs& needs, double 
   return std::max({starts, heat, summary});
 }
 
-// A tangent of three floats for each bond, sixteen vectors of the solver, two stiffnesses of a
-// node, its critical stretch, piece and part, and the state as it was before.
+// Counts a tangent of three floats per bond, sixteen vectors of the solver, two stiffnesses per
+// node, its critical stretch, fragment and part, and a copy of the previous state.
 double statics(const Grid& grid, const Family& family, const Needs& needs, double real) {
   constexpr double vectors = 16.0, stiffness = 24.0;
   const double tangent = 12.0 * 0.5 * family.bonds();

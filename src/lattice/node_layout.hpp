@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How node values lie in memory.
+// The memory layout of node values.
 #pragma once
 
 #include <cstddef>
@@ -7,18 +7,18 @@
 namespace hackle {
 
 // Rows of nodes with ghost columns between them, so that a kernel may read and compute whole groups
-// of columns. Ghosts have no bonds. The lattice's midline falls on the border of two groups when nx
-// is even: groups are then each other's mirror images.
+// of columns. Ghosts have no bonds. If nx is even, the midline of the lattice is the border between
+// two groups, so groups are mirror images of each other.
 struct NodeLayout {
-  static constexpr int group = 16;  // columns; also the farthest column a kernel may read
+  static constexpr int group = 16;  // columns; also the largest distance that a kernel may read
 
   int nx = 0;
   int ny = 0;
 
-  int groups() const { return (shift() + nx + group - 1) / group; }  // of a row
-  int first_column() const { return -shift(); }  // of the first group, 0 or a ghost
+  int groups() const { return (shift() + nx + group - 1) / group; }  // per row
+  int first_column() const { return -shift(); }  // of the first group; node 0 or a ghost
   std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(groups() + 1) * group; }
-  // The place of column i of row j. at(first_column(), j) is a multiple of `group`.
+  // Returns the place of column i of row j. at(first_column(), j) is a multiple of `group`.
   std::ptrdiff_t at(int i, int j) const { return j * stride() + group + shift() + i; }
   std::size_t size() const { return static_cast<std::size_t>(ny * stride() + group); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How finely and how a scene is solved: everything about the numerics that a user may choose.
+// The numerical choices of a user: how finely and by what method a scene is solved.
 #pragma once
 
 #include <cstdint>
@@ -12,32 +12,32 @@
 
 namespace hackle {
 
-// How a node near the rim of the horizon is weighted (src/lattice/README.md 2.1).
+// The weight of a node near the rim of the horizon (src/lattice/README.md 2.1).
 enum class Quadrature {
-  full,      // weight 1 for every node whose distance is at most the horizon (FA)
-  ramp,      // LAMMPS: 1 up to horizon - dx/2, falling linearly to 1/2 at the horizon
+  full,      // 1 for every node within the horizon (FA)
+  ramp,      // LAMMPS: 1 up to horizon - dx/2, then linear down to 1/2 at the horizon
   area,      // the part of the node's cell that lies inside the horizon (PA-AC)
-  centroid,  // the same, and the bond ends at the centroid of that part (IPA-AC)
+  centroid,  // the same, with the bond ending at the centroid of that part (IPA-AC)
 };
 
-// How the micromodulus depends on the length r of a bond.
+// The micromodulus as a function of the bond length r.
 enum class Micromodulus {
   constant,  // c
   conical,   // c (1 - r/delta)
 };
 
-// Where micromodulus and critical stretch come from.
+// The source of micromodulus and critical stretch.
 enum class Constants {
-  lattice,    // E and G0 exact on the lattice in use
+  lattice,    // such that E and G0 are exact on this lattice
   continuum,  // of an infinitely fine lattice (src/lattice/README.md 3.3): c = 9 E/(pi delta^3) and
               // s0 = sqrt(4 pi G0/(9 E delta)) in plane stress with a constant micromodulus
-  paper,  // the paper's Eq. 8 and Eq. 10, which do not belong together (src/lattice/README.md 3.7)
+  paper,      // the paper's Eq. 8 and Eq. 10, which are inconsistent (src/lattice/README.md 3.7)
 };
 
-// When a bond that is found stretched too far ceases to pull.
+// The step in which an overstretched bond stops pulling.
 enum class Breaking {
-  at_once,    // in the step that finds it
-  next_step,  // in the step after, as in LAMMPS: longer steps then make a tougher material
+  at_once,    // the step that finds it
+  next_step,  // the next step, as in LAMMPS: longer steps then make a tougher material
 };
 
 enum class Precision { f64, f32 };
@@ -65,11 +65,11 @@ struct Numerics {
   Constants constants = Constants::lattice;
   Breaking breaking = Breaking::at_once;
   Precision precision = Precision::f64;
-  bool fused = false;  // multiply and add in one rounding: faster, but not on every machine
-  // Share of the critical stretch below which forces may be linearised, 0..1; where materials
-  // differ or the temperature changes they never are.
+  bool fused = false;  // multiply and add with one rounding: faster, but not on every machine
+  // Share of the critical stretch below which forces may be linearised, 0..1. Forces are never
+  // linearised where materials differ or the temperature changes.
   double fidelity = 0.0;
-  std::optional<double> step;  // s; nothing: step_fraction of the stability limit
+  std::optional<double> step;  // s; if empty, step_fraction of the stability limit
   bool force_step = false;     // accept a step above the limit
 
   double horizon_or_default() const { return horizon != 0.0 ? horizon : 4.0 * spacing; }
@@ -118,12 +118,11 @@ inline constexpr auto description_of<Numerics> = describe_noun(
            {.fallback = "false",
             .sentence = "Accepts a step above the stability limit, to see the run diverge."}));
 
-// The default step as a share of the limit 2/omega_max: the rest covers the stiffening of bonds
-// that are stretched up to s0.
+// The default step as a share of the limit 2/omega_max. The margin covers the stiffening of bonds
+// stretched up to s0.
 inline constexpr double step_fraction = 0.9;
 
-// The range of m. Up to 16 no quadrature reaches further than the 16 columns of a NodeLayout's
-// group.
+// The range of m. With m <= 16 every quadrature stays within one NodeLayout group (16 columns).
 inline constexpr double min_m = 2.0;
 inline constexpr double max_m = 16.0;
 

@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-// SplitMix64 (Steele, Lea & Flood 2014): neighbours in, unrelated bits out.
+// SplitMix64 (Steele, Lea & Flood 2014): neighbouring inputs give unrelated bits.
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -20,12 +20,13 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// In (-1, 1), a multiple of 2^-52 plus half of it, which is never 0.
+// Returns a number in (-1, 1): an odd multiple of 2^-52, hence never 0.
 double centred(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-51 - 1.0;
 }
 
-// Weights of 2 reach + 1 cells around a place: a bell as wide as a cell; beyond 5 cells it is 4e-6.
+// Weights of 2 reach + 1 cells around a place: a Gaussian of standard deviation 1 cell, which is
+// 4e-6 beyond 5 cells.
 constexpr int reach = 5;
 struct Bell {
   std::int64_t first = 0;
@@ -51,7 +52,7 @@ class NoiseRows {
   NoiseRows(std::int64_t seed, std::int64_t first_column, std::size_t columns)
       : seed_(seed), first_column_(first_column), columns_(columns) {}
 
-  // Moves up only: rows must be asked for in ascending order.
+  // Moves only upwards: rows must be requested in ascending order.
   void move_to(std::int64_t first_row) {
     while (!rows_.empty() && first_row_ < first_row) {
       rows_.pop_front();
@@ -81,7 +82,7 @@ class NoiseRows {
   std::deque<std::vector<double>> rows_;
 };
 
-// Calls take(node, g) with a number g of a standard normal distribution for every node.
+// Calls take(node, g) with a standard normal random number g for every node.
 template <class Take>
 void for_correlated(const Scatter& scatter, const Grid& grid, const Take& take) {
   const double cell = 0.5 * scatter.correlation;
@@ -111,8 +112,7 @@ void for_independent(const Scatter& scatter, const Grid& grid, const Take& take)
   for_nodes(grid, [&](int i, int j) { take(grid.index(i, j), normal_noise(scatter.seed, i, j)); });
 }
 
-// The value of a Weibull distribution with the same probability below it as g of a standard normal
-// distribution.
+// Returns the Weibull quantile at the probability of g under the standard normal distribution.
 double weibull(double g, double modulus) {
   const double below = g < 0.0 ? -portable::log1p(-portable::normal_below(g))
                                : -portable::log(portable::normal_below(-g));
@@ -121,7 +121,7 @@ double weibull(double g, double modulus) {
 
 }  // namespace
 
-// Marsaglia's polar method, which needs no angles.
+// Uses Marsaglia's polar method, which needs no angles.
 double normal_noise(std::int64_t seed, std::int64_t column, std::int64_t row) {
   std::uint64_t bits =
       mixed(mixed(mixed(static_cast<std::uint64_t>(seed)) ^ static_cast<std::uint64_t>(column)) ^

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-// A square of the zone of wave vectors, all of one size, and the symbol at its centre.
+// A square in the zone of wave vectors (all have the same size), with the symbol at its centre.
 struct Cell {
   Vec2 centre{0, 0};
   double value = 0.0;
@@ -23,7 +23,8 @@ Cell cell_at(const Family& family, const Vec2& centre) {
   return {centre, symbol(family, 1.0, 1.0, centre).most};
 }
 
-// The quarters of the cells, without those beyond the diagonal: exchanging x and y changes nothing.
+// Returns the quarters of the cells, except those beyond the diagonal: exchanging x and y changes
+// nothing.
 std::vector<Cell> quarters(const Family& family, const std::vector<Cell>& cells, double half) {
   std::vector<Cell> list;
   for (const Cell& cell : cells)
@@ -50,9 +51,9 @@ double curvature_bound(const Family& family) {
   return 0.5 * (A + B) + std::max(0.5 * std::abs(A - B), std::abs(S));
 }
 
-// The largest value of the symbol for c = dx = 1, to a relative 1e-9. The gradient vanishes at the
-// peak, so the value drops by at most curvature/2 times the square of the distance from it. A cell
-// whose centre lies further below the best value seen cannot hold the peak.
+// Computes the maximum of the symbol for c = dx = 1, to a relative 1e-9. The gradient vanishes at
+// the peak, so the value drops by at most curvature/2 times the square of the distance from it. A
+// cell whose centre lies further below the best value found cannot contain the peak.
 double peak(const Family& family) {
   const double curvature = curvature_bound(family);
   double half = 0.5 * pi, best = 0.0;
@@ -72,12 +73,12 @@ double peak(const Family& family) {
 Branches symbol(const Family& family, double c, double dx, const Vec2& k) {
   Eigen::Matrix2d D = Eigen::Matrix2d::Zero();
   family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int) {
-    // 1 - cos x = 2 sin^2(x/2), no cancellation; twice, for the opposite bond.
+    // 1 - cos x = 2 sin^2(x/2) avoids cancellation; doubled for the opposite bond.
     const double half_sine = std::sin(0.5 * k.dot(Vec2(a, b)));
     D += weight * 4.0 * half_sine * half_sine / (xi.squaredNorm() * xi.norm()) *
          (xi * xi.transpose());
   });
-  D *= c * dx;  // V = dx^2, and xi xi^T/|xi|^3 is 1/dx
+  D *= c * dx;  // V = dx^2, and xi xi^T/|xi|^3 has the unit 1/dx
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(D, Eigen::EigenvaluesOnly);
   return {solver.eigenvalues()[0], solver.eigenvalues()[1]};
 }

@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-// Of two discs that fly straight on.
+// Returns the smallest distance of two discs that fly on straight paths.
 double closest_distance(const Impactor& one, const Impactor& other) {
   const Vec2 apart = other.centre - one.centre, speed = other.velocity - one.velocity;
   const double square = speed.squaredNorm();
@@ -17,8 +17,8 @@ double closest_distance(const Impactor& one, const Impactor& other) {
   return (apart + when * speed).norm();
 }
 
-// How many discs may push one node at a time: those that come near each other, and any two, which
-// the plate may throw together.
+// Returns how many discs may push one node at a time: those that come near each other, and any two,
+// because the plate may throw them together.
 double discs_at_a_node(const std::vector<Impactor>& discs, double dx) {
   std::ptrdiff_t most = std::min<std::ptrdiff_t>(2, std::ssize(discs));
   for (const Impactor& one : discs)

@@ -13,7 +13,8 @@ constexpr hsize_t max_chunk_values = 1 << 17;  // 512 KiB of f32: good for compr
 constexpr hsize_t series_chunk = 2048;
 constexpr unsigned deflate_level = 1;  // level 4 takes 1.4 times as long for 2 % less
 
-// What the system said, e.g. "No space left on device", out of the many details of the driver.
+// Returns the system's message, e.g. "No space left on device", out of the many details of the
+// driver.
 std::string system_message(const std::string& text) {
   constexpr std::string_view before = "error message = '";
   const std::size_t begin = text.find(before);
@@ -30,14 +31,15 @@ Hdf5Handle text_type(std::size_t size) {
   return type;
 }
 
-// Without the moment at which a dataset is written: the same run leaves the same bytes.
+// Does not store the time at which a dataset is written: the same run gives the same bytes.
 Hdf5Handle timeless() {
   Hdf5Handle plan(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(plan.get(), 0);
   return plan;
 }
 
-// How a dataset is cut and compressed: each column by itself, in pieces of at most 512 KiB of f32.
+// Defines chunks and compression of a dataset: each column separately, in chunks of at most 512 KiB
+// of f32.
 Hdf5Handle storage(std::vector<hsize_t> shape) {
   shape[0] = std::clamp<hsize_t>(shape[0], 1, max_chunk_values);
   if (shape.size() > 1) shape[1] = 1;
@@ -45,13 +47,13 @@ Hdf5Handle storage(std::vector<hsize_t> shape) {
   H5Pset_chunk(plan.get(), static_cast<int>(shape.size()), shape.data());
   H5Pset_shuffle(plan.get());
   H5Pset_deflate(plan.get(), deflate_level);
-  H5Pset_fletcher32(plan.get());  // a disk that forgets is an error, not a picture
+  H5Pset_fletcher32(plan.get());  // a disk fault must be an error, not a wrong picture
   return plan;
 }
 
 }  // namespace
 
-// The innermost message of HDF5's error stack, which names the cause.
+// Returns the innermost message of HDF5's error stack, which names the cause.
 std::string cause_of_failure() {
   std::string text;
   const auto keep_innermost = [](unsigned n, const H5E_error2_t* error, void* into) -> herr_t {
@@ -89,8 +91,8 @@ Hdf5Handle without_locks() {
 
 Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path) {
   begin_hdf5();
-  // Nothing that is committed depends on bytes that are still to come, so that whoever reads finds
-  // a whole file at any moment.
+  // Committed data never depend on bytes that are still to be written, so that readers find a whole
+  // file at any moment.
   const Hdf5Handle access = without_locks();
   file_ = {checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), "create"),
            H5Fclose};
@@ -133,9 +135,9 @@ void Hdf5File::attribute(const std::string& name, long long number) {
 Hdf5Handle Hdf5File::group(unsigned members) {
   constexpr unsigned name_length = 16;
   const Hdf5Handle plan(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
-  // Groups of the old kind spread their names over three structures, which a flush writes one after
-  // the other. Tracking the order makes a group of the new kind, and the two limits keep all of its
-  // names in its header, which is written at once.
+  // Groups of the old format spread their names over three structures, which a flush writes one
+  // after another. Tracking the order makes a group of the new format, and the two limits keep all
+  // its names in its header, which is written at once.
   H5Pset_link_creation_order(plan.get(), H5P_CRT_ORDER_TRACKED);
   H5Pset_link_phase_change(plan.get(), 0xFFFF, 0xFFFF);
   H5Pset_est_link_info(plan.get(), members, name_length);
@@ -150,8 +152,8 @@ Hdf5Handle Hdf5File::series(const std::string& name, hid_t type, const std::stri
                             const std::string& long_name) {
   const hsize_t none = 0, unlimited = H5S_UNLIMITED;
   const Hdf5Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
-  // Not compressed: a chunk that grows under compression moves in the file, and a process killed in
-  // between would leave an index that points to where it was.
+  // Not compressed: a chunk that grows under compression moves in the file, and a process killed
+  // meanwhile would leave an index that points to its old place.
   const Hdf5Handle plan = timeless();
   H5Pset_chunk(plan.get(), 1, &series_chunk);
   Hdf5Handle series(checked(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT,

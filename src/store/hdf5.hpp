@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The few things Hackle does with HDF5, with errors that say what failed.
+// A thin layer over HDF5, whose errors say what failed.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace hackle {
 
-// Owns an identifier of HDF5 and closes it.
+// Owns an HDF5 identifier and closes it.
 class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -26,7 +26,7 @@ class Hdf5Handle {
   ~Hdf5Handle() { reset(); }
 
   hid_t get() const { return id_; }
-  // Closes it. Returns false when that failed, as closing a file on a full disk does.
+  // Closes the identifier. Returns false if that fails, e.g. when a file on a full disk is closed.
   bool reset();
 
  private:
@@ -34,50 +34,52 @@ class Hdf5Handle {
   Close close_ = nullptr;
 };
 
-// Numbers in a file, one row a node.
+// Numbers in a file, one row per node.
 struct Dataset {
   std::string name;
-  hid_t file_type;             // how they are stored
+  hid_t file_type;             // type in the file
   std::vector<hsize_t> shape;  // rows, or rows and columns
   std::string units, long_name;
 };
 
-// What HDF5 says went wrong last.
+// Returns the last error message of HDF5.
 std::string cause_of_failure();
 
-// Before anything else is asked of HDF5: errors are thrown, not printed. At the end of the program
-// the library leaves alone what it could not close, which it would not survive.
+// Call this before any other HDF5 function: errors are thrown, not printed. At the end of the
+// program the library does not touch identifiers that could not be closed, because that would crash
+// it.
 void begin_hdf5();
 
-// How files are opened: without the locks of the library, which keep readers and writers apart.
+// Returns the access options: without the locks of the library, which would keep readers and
+// writers apart.
 Hdf5Handle without_locks();
 
-// A file being written. Every function throws Error (files) with the reason that HDF5 gives.
+// A file being written. Every function throws Error (files) with the reason from HDF5.
 class Hdf5File {
  public:
-  // Replaces a file that is there. It may be read while it is written.
+  // Replaces an existing file. The file may be read while it is written.
   explicit Hdf5File(const std::filesystem::path& path);
 
   void attribute(const std::string& name, const std::string& text);
-  void attribute(const std::string& name, long long number);  // replaces an old value
+  void attribute(const std::string& name, long long number);  // replaces the old value
 
-  // A group for at most `members` things, that cannot be found yet: when it is filled and flushed,
-  // name() puts it where it belongs. The names of its members are kept in one block of that size,
-  // so that a process killed while one is added leaves the others readable.
+  // Creates a group for at most `members` members that cannot be found yet: once it is filled and
+  // flushed, name() links it. The names of its members are stored in one block of that size, so
+  // that a process killed while adding one leaves the others readable.
   Hdf5Handle group(unsigned members);
   void name(const Hdf5Handle& group, const std::string& name);
 
-  // A dataset of single values that grows by append().
+  // Creates a dataset of single values that grows by append().
   Hdf5Handle series(const std::string& name, hid_t type, const std::string& units,
                     const std::string& long_name);
   // Appends a value as number `index`.
   void append(const Hdf5Handle& series, hsize_t index, hid_t type, const void* value);
-  // A dataset written at once, each column compressed by itself: what lies side by side in one is
-  // alike, and packs better and in less time. `values`, of `memory_type`, may have fewer columns:
-  // those that are missing read as 0 and take no room.
+  // Writes a dataset at once, compressing each column separately: the values of a column are alike,
+  // and compress better and faster. `values`, of `memory_type`, may have fewer columns: missing
+  // columns read as 0 and take no space.
   void write(const Hdf5Handle& group, const Dataset& dataset, hid_t memory_type, hsize_t columns,
              const void* values);
-  // A text of any length as a dataset of its own; attributes end at 64 KiB.
+  // Writes a text of any length as its own dataset; attributes are limited to 64 KiB.
   void write_text(const std::string& name, const std::string& text, const std::string& long_name);
   const Hdf5Handle& root() const { return file_; }
   void flush();

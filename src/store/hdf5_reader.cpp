@@ -22,15 +22,15 @@ namespace hackle {
 namespace {
 
 constexpr std::size_t max_text = std::size_t{1} << 26U;       // bytes
-constexpr std::size_t max_attribute = std::size_t{1} << 16U;  // bytes, as the format has it
-constexpr hsize_t max_piece = hsize_t{1} << 21U;              // bytes; ours are half of it at most
-constexpr hsize_t min_piece = 1024;                           // rows, where there are so many
-constexpr std::size_t small_piece = std::size_t{1} << 16U;    // bytes; unpacks to 66 MB at most
+constexpr std::size_t max_attribute = std::size_t{1} << 16U;  // bytes, the limit of the format
+constexpr hsize_t max_piece = hsize_t{1} << 21U;              // bytes; ours are at most half of it
+constexpr hsize_t min_piece = 1024;                           // rows, if there are as many
+constexpr std::size_t small_piece = std::size_t{1} << 16U;    // bytes; unpacks to at most 66 MB
 constexpr hsize_t rows_at_once = hsize_t{1} << 20U;
-constexpr hsize_t max_packed = 1100;  // deflate makes nothing smaller by more than 1032 times
+constexpr hsize_t max_packed = 1100;  // deflate compresses by at most a factor of 1032
 constexpr std::string_view locked = "Resource temporarily unavailable";
 constexpr std::string_view cut_off = "it is cut off";
-constexpr int max_trials = 20;  // of opening a file that grows
+constexpr int max_trials = 20;  // to open a growing file
 constexpr std::chrono::milliseconds between_trials{5};
 
 std::string extents_text(const std::vector<hsize_t>& shape) {
@@ -53,7 +53,7 @@ bool is_number(hid_t type) {
   return (kind == H5T_INTEGER || kind == H5T_FLOAT) && H5Tget_size(type) <= max_size;
 }
 
-// In words of our own: those of the library may repeat names that stand in the file.
+// Our own words: those of the library may repeat names from the file.
 std::string plain_cause() {
   const std::string cause = cause_of_failure();
   for (const auto& [part, plain] : {std::pair{"signature", "it is no HDF5 file"},
@@ -68,16 +68,17 @@ std::string plain_cause() {
              : "it is damaged";
 }
 
-// Says why in `why` when it cannot be opened.
+// Sets `why` if the file cannot be opened.
 Hdf5Handle opened_once(const std::filesystem::path& path, std::string& why) {
-  const Hdf5Handle access = without_locks();  // closed after the cause is known: that forgets it
+  // closed only after the cause is read, which closing would erase
+  const Hdf5Handle access = without_locks();
   Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
   if (file.get() < 0) why = plain_cause();
   return file;
 }
 
-// The library asks how long a file is before it reads how long it should be. One that grew in
-// between looks cut off, but not again and again.
+// The library reads the actual file length before the length that the file states. A file that grew
+// in between looks cut off, but not repeatedly.
 Hdf5Handle opened_growing(const std::filesystem::path& path, std::string& why) {
   for (int trial = 1;; ++trial) {
     Hdf5Handle file = opened_once(path, why);
@@ -126,7 +127,7 @@ std::int64_t Hdf5Reader::integer(const std::string& name) const {
   return value;
 }
 
-// A text of the length that its type says.
+// Reads a text of the length given by its type.
 std::string Hdf5Reader::text_of(hid_t type, const std::string& name, std::size_t most,
                                 const auto& read) const {
   const bool fixed = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
@@ -148,7 +149,7 @@ std::string Hdf5Reader::text(const std::string& name) const {
   const Hdf5Handle dataset = open(name);
   const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
   if (!shape_of(dataset, name).empty()) refuse(fmt::format("its {} is no text", name));
-  // It is written as it is: a text that is longer than its place in the file was not.
+  // The text is stored uncompressed: if it is longer than its storage, we did not write it.
   if (H5Dget_storage_size(dataset.get()) < H5Tget_size(type.get()))
     refuse(fmt::format("its {} is missing or damaged", name));
   stop_if_interrupted();
@@ -157,7 +158,7 @@ std::string Hdf5Reader::text(const std::string& name) const {
   });
 }
 
-// The last part of a path whose other parts are plain.
+// Checks the last part of a path whose other parts are plain links.
 void Hdf5Reader::check_link(const std::string& name) const {
   H5L_info_t link{};
   if (H5Lget_info(file_.get(), name.c_str(), &link, H5P_DEFAULT) < 0)
@@ -168,7 +169,7 @@ void Hdf5Reader::check_link(const std::string& name) const {
          "a run file holds all that belongs to it");
 }
 
-// Whether there is something of this name, to be reached by plain links alone.
+// Returns whether the name exists and is reached by plain links only.
 bool Hdf5Reader::find(const std::string& name) const {
   for (std::size_t end = name.find('/');; end = name.find('/', end + 1)) {
     const std::string part = name.substr(0, end);
@@ -190,7 +191,7 @@ Hdf5Handle Hdf5Reader::open(const std::string& name) const {
   return dataset;
 }
 
-// That its data lie in this file, and are packed as we do it.
+// Checks that the data lie in this file and are packed as in our files.
 void Hdf5Reader::check_storage(const Hdf5Handle& dataset, const std::string& name) const {
   const Hdf5Handle plan(H5Dget_create_plist(dataset.get()), H5Pclose);
   const H5D_layout_t layout = H5Pget_layout(plan.get());
@@ -198,7 +199,7 @@ void Hdf5Reader::check_storage(const Hdf5Handle& dataset, const std::string& nam
     refuse(fmt::format("the data of its {} lie in another file", name),
            "a run file holds all that belongs to it");
   if (layout < 0) refuse(fmt::format("its {} is missing or damaged", name));
-  std::array<int, 3> found{};  // how often each of ours
+  std::array<int, 3> found{};  // number of each of our filters
   for (int k = 0; k < H5Pget_nfilters(plan.get()); ++k) {
     const auto known = std::ranges::find(our_filters, filter_at(plan, k));
     const auto place = static_cast<std::size_t>(known - our_filters.begin());
@@ -208,8 +209,7 @@ void Hdf5Reader::check_storage(const Hdf5Handle& dataset, const std::string& nam
   if (layout == H5D_CHUNKED) check_pieces(dataset, plan, name, found[0] > 0);
 }
 
-// That its pieces are no larger, and no smaller, than ours may be, and unpack to no more than they
-// are said to be.
+// Checks that the pieces have sizes that ours can have, and unpack to no more than they state.
 void Hdf5Reader::check_pieces(const Hdf5Handle& dataset, const Hdf5Handle& plan,
                               const std::string& name, bool is_packed) const {
   const std::vector<hsize_t> shape = shape_of(dataset, name);
@@ -227,7 +227,7 @@ void Hdf5Reader::check_pieces(const Hdf5Handle& dataset, const Hdf5Handle& plan,
       check_piece(dataset, {row, column}, size, name);
 }
 
-// HDF5 unpacks without a limit. Small pieces need none.
+// HDF5 unpacks without a limit. Small pieces need no check.
 void Hdf5Reader::check_piece(const Hdf5Handle& dataset, const std::array<hsize_t, 2>& at,
                              std::size_t size, const std::string& name) const {
   unsigned skipped = 0;
@@ -275,7 +275,7 @@ void Hdf5Reader::read_rows(const std::string& name, const Hdf5Handle& dataset,
     refuse(fmt::format("its {} is damaged: {}", name, plain_cause()));
 }
 
-// In parts of some rows, between which Ctrl-C is heard.
+// Reads a few rows at a time, so that Ctrl-C takes effect in between.
 template <class Number>
 std::vector<Number> Hdf5Reader::part(const std::string& name, const Hdf5Handle& dataset,
                                      const std::vector<hsize_t>& extents, hid_t type) const {
@@ -315,7 +315,7 @@ Hdf5Handle Hdf5Reader::open_shaped(const std::string& name,
 void Hdf5Reader::check_shape(const std::string& name, const std::vector<hsize_t>& shape) const {
   const Hdf5Handle dataset = open_shaped(name, shape);
   const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
-  // What nobody wrote takes no room, and reads as 0.
+  // Data that were never written take no space, and read as 0.
   if (H5Dget_storage_size(dataset.get()) * max_packed < shape[0] * H5Tget_size(type.get()))
     refuse(fmt::format("its {} has more rows than it has data", name));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run file being read. Nothing in it is believed: a dataset must have the shape asked for, lie in
-// the file itself, and take no more memory than what is asked for.
+// Reads a run file. The file is not trusted: a dataset must have the requested shape, lie in the
+// file itself, and take no more memory than the requested data.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@
 
 namespace hackle {
 
-// Every function throws Error (files), naming the file and what is wrong with it, but nothing that
-// stands in it; those that read datasets throw Error (interrupted) on Ctrl-C. Links of any kind but
-// the plain one are refused, and so are data that lie in other files.
+// Every function throws Error (files), which names the file and its fault but quotes none of its
+// content; functions that read datasets throw Error (interrupted) on Ctrl-C. Links other than plain
+// ones are refused, and so are data in other files.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& path);
 
-  // Attributes of the root.
+  // Attributes of the root group.
   bool has_attribute(const std::string& name) const;
   std::int64_t integer(const std::string& name) const;
   std::string attribute(const std::string& name) const;  // at most 64 KiB
@@ -28,15 +28,16 @@ class Hdf5Reader {
   // Datasets.
   bool holds(const std::string& name) const;
   std::string text(const std::string& name) const;  // at most 64 MiB
-  // The first of a series.
+  // Reads the first values of a series.
   std::vector<double> first_doubles(const std::string& name, hsize_t count) const;
   std::vector<std::int64_t> first_integers(const std::string& name, hsize_t count) const;
-  // A dataset of this shape, of its columns the first ones. Row by row.
+  // Reads the first columns of a dataset of this shape, row by row.
   std::vector<double> doubles(const std::string& name, const std::vector<hsize_t>& shape,
                               hsize_t columns) const;
   std::vector<std::uint32_t> words(const std::string& name,
                                    const std::vector<hsize_t>& shape) const;
-  // Refuses a dataset of another shape, or of data that cannot be in the file, without reading it.
+  // Refuses a dataset of another shape, or with more data than the file can hold, without reading
+  // it.
   void check_shape(const std::string& name, const std::vector<hsize_t>& shape) const;
 
   [[noreturn]] void refuse(const std::string& what, const std::string& remedy = {}) const;

@@ -27,7 +27,7 @@ Json to_json(const Vec2& vector) {
   return Json::array({vector.x(), vector.y()});
 }
 
-// What cannot be written down but as the text that made it, which is in the script.
+// A function can only be written as its text; the function itself is in the script.
 Json function_json(const std::string& text) {
   return {{"function", text}};
 }
@@ -55,8 +55,8 @@ Json to_json(const Shape& shape) {
   return json;
 }
 
-// How many cells in a row are outside, then inside, and so on: "12 3 40". A text, because a list
-// would take a line for each.
+// Writes run lengths, cells outside first, then inside, and so on: "12 3 40". It is a text because
+// a list would take a line per number.
 std::string to_json(const std::vector<std::uint8_t>& cells) {
   std::string text;
   std::uint8_t value = 0;
@@ -113,7 +113,7 @@ Json to_json(const Noun& noun) {
   return json;
 }
 
-// What is left open is as the run took it.
+// Replaces defaults by the values of the run.
 Json resolved(const Simulation& simulation) {
   const Lattice& lattice = simulation.lattice();
   Numerics numerics = simulation.numerics();
@@ -131,7 +131,7 @@ Json resolved(const Simulation& simulation) {
 
 std::string text_of(const Plate& plate, Json numerics) {
   const Json inputs = {{"plate", to_json(plate)}, {"numerics", std::move(numerics)}};
-  // The name of a material may hold bytes that are no UTF-8.
+  // The name of a material may contain invalid UTF-8.
   return inputs.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -7,12 +7,12 @@
 
 namespace hackle {
 
-// Everything that a run was made from, in SI units: every member of the plate and its loads, and
-// the numerics, with the constants and the step that followed from them. JSON text, UTF-8. A
-// function of place or time stands as { "function": what it is }.
+// Returns all inputs of a run in SI units: every member of the plate and its loads, and the
+// numerics, with the resulting constants and step. JSON text, UTF-8. A function of place or time is
+// written as { "function": its text }.
 std::string inputs_of(const Simulation& simulation);
 
-// The same before anything has followed: numerics as they were asked for.
+// Returns the same before a simulation exists, with the numerics as requested.
 std::string inputs_of(const Plate& plate, const Numerics& numerics);
 
 }  // namespace hackle

@@ -22,9 +22,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int max_depth = 16;
-// Sixteen bytes each, of a text that has two at least: of a crack they are nine.
+// Sixteen bytes per value, from a text with at least two per value; of a crack nine.
 constexpr std::int64_t max_values = 8'000'000;
-constexpr std::int64_t max_cells = std::int64_t{1} << 24;  // of a picture, as when it was read
+// of a picture, the limit when it is read
+constexpr std::int64_t max_cells = std::int64_t{1} << 24;
 constexpr std::int64_t max_cells_in_all = 4 * max_cells;
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -45,7 +46,7 @@ bool is_function(const Json& json) {
               "run the script again");
 }
 
-// The numbers of "12 3 40".
+// Returns the numbers of "12 3 40".
 std::vector<std::int64_t> lengths_in(const std::string& text) {
   std::vector<std::int64_t> list;
   const char* const end = text.data() + text.size();
@@ -62,7 +63,7 @@ std::vector<std::int64_t> lengths_in(const std::string& text) {
 // Counts the cells of all pictures.
 class Cells {
  public:
-  // From how many cells in a row are outside, then inside, and so on; a text or a list.
+  // Reads the cells from run lengths, outside first; these are a text or a list.
   std::vector<std::uint8_t> read(const Json& run_lengths, std::int64_t count) {
     if (count < 0 || count > max_cells) refuse("a picture is too large");
     if ((all_ += count) > max_cells_in_all) refuse("its pictures are too many");
@@ -91,8 +92,8 @@ class Cells {
   std::int64_t all_ = 0;
 };
 
-// Reads what inputs.cpp wrote, member by member. A member that an older file lacks stays as it is,
-// unless the noun cannot do without it.
+// Reads the text of inputs.cpp member by member. A member that an older file lacks keeps its
+// default, unless it is required.
 class Reader {
  public:
   template <Described Noun>
@@ -179,7 +180,7 @@ class Reader {
     for (const Json& entry : json) read(entry, list.emplace_back());
   }
 
-  // A word stands for nothing.
+  // A word stands for an empty optional.
   template <class T>
   void read(const Json& json, std::optional<T>& value) {
     if (!json.is_string()) read_value(json, value.emplace(), "");
@@ -216,7 +217,8 @@ class Reader {
   Cells cells_;
 };
 
-// Refuses what goes deeper, or holds more, than what inputs_of() writes, before it takes memory.
+// Refuses a text that is nested more deeply, or has more values, than any from inputs_of(), before
+// it takes memory.
 class Bounds {
  public:
   bool operator()(int depth, Json::parse_event_t event, Json&) {
@@ -243,7 +245,7 @@ Inputs read_inputs(const std::string& text) {
     reader.read(json.at("plate"), inputs.plate);
     reader.read(json.at("numerics"), inputs.numerics);
     return inputs;
-  } catch (const Json::parse_error& error) {  // whose words are those of the text
+  } catch (const Json::parse_error& error) {  // its message quotes the text
     refuse(fmt::format("it is no JSON at byte {}", error.byte));
   } catch (const Json::out_of_range&) {
     refuse("something is missing or too large");

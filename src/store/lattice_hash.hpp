@@ -7,8 +7,8 @@
 
 namespace hackle {
 
-// Sixteen hexadecimal digits over what the fields of a state depend on: grid, bonds at the start,
-// materials, strength. Equal only when every bit is.
+// Returns sixteen hexadecimal digits over everything that the fields of a state depend on: grid,
+// initial bonds, materials, strength. Equal only if every bit is.
 std::string lattice_hash(const Lattice& lattice);
 
 }  // namespace hackle

@@ -34,7 +34,7 @@ void check_format(const Hdf5Reader& file) {
                 "take the version of Hackle that wrote it");
 }
 
-// A plate that is only looked at: what acts on it is not asked.
+// Removes the loads: a shown plate never evaluates them.
 Plate unloaded(Plate plate) {
   plate.loads = {};
   plate.initial_conditions.clear();
@@ -42,7 +42,7 @@ Plate unloaded(Plate plate) {
   return plate;
 }
 
-// As it was taken, for whatever precision a field wants.
+// Accepts the recorded step unchecked, and uses f64, which suits every field.
 Numerics recorded(Numerics numerics) {
   numerics.force_step = true;
   numerics.precision = Precision::f64;
@@ -51,8 +51,8 @@ Numerics recorded(Numerics numerics) {
   return numerics;
 }
 
-// What cannot be built is a fault of the file, whatever the scene says. Names are left out, so that
-// no message repeats what is in it.
+// An impossible scene is a fault of the file. Names are removed, so that no message quotes the
+// file.
 void check_scene(const Hdf5Reader& file, Plate plate, const Numerics& numerics) {
   plate.material.name.clear();
   for (Inclusion& inclusion : plate.inclusions) inclusion.material.name.clear();
@@ -61,7 +61,7 @@ void check_scene(const Hdf5Reader& file, Plate plate, const Numerics& numerics) 
   check(plate, problems);
   check(plate, numerics, available_memory(), problems);
   if (!problems.empty()) file.refuse(problems.list().front().what);
-  // Before a lattice takes memory: as many nodes as it has places of nodes.
+  // Checked before a lattice takes memory: it has as many nodes as the file has positions.
   const Grid grid = make_grid(plate, numerics.spacing);
   file.check_shape("nodes", {grid.nodes(), 3});
 }
@@ -137,7 +137,7 @@ struct Recording::Parts {
     return file;
   }
 
-  // What is in the group of a record.
+  // Reads the group of a record.
   Snapshot snapshot(const std::string& group, std::int64_t step, double time) const {
     const Lattice& lattice = simulation.lattice();
     const Grid& grid = lattice.grid;
@@ -174,9 +174,9 @@ struct Recording::Parts {
   }
 
   std::filesystem::path path;
-  // Read through an opening of its own, before that of `file`: the library asks but once where the
-  // file ends, when it opens it, and all that was counted before lies before that end, however fast
-  // the file grows.
+  // Read through a separate opening before that of `file`: the library determines the end of a file
+  // only once, on opening, and everything counted before lies before that end, however fast the
+  // file grows.
   hsize_t count;
   Hdf5Reader file;
   Inputs inputs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run that was recorded, put back into its recorded states: what can be asked of a simulation can
-// be asked of it again, without computing.
+// A recorded run, shown in its recorded states: every query of a simulation works on it, without
+// computing.
 #pragma once
 
 #include <cstddef>
@@ -15,27 +15,27 @@ namespace hackle {
 
 class Recording {
  public:
-  // Opens a run file and shows its first record. A file whose run was killed has the records that
-  // were committed. The lattice is built anew from the inputs in the file and must be the same, to
-  // the bit. Throws Error (files) for a file that is no run file, is damaged, holds no record, or
-  // was written in another format, with what to do.
+  // Opens a run file and shows its first record. If the run was killed, the file has the committed
+  // records. The lattice is rebuilt from the inputs in the file and must be identical to the bit.
+  // Throws Error (files), with a remedy, for a file that is not a run file, is damaged, has no
+  // record, or has another format version.
   explicit Recording(const std::filesystem::path& path, Execution execution = {});
   ~Recording();
 
   const std::filesystem::path& path() const;
   const Origin& origin() const;  // the script that made the run
-  // The plate with all that acted on it, functions apart; see Inputs.
+  // Returns the plate with its loads, without functions; see Inputs.
   const Plate& plate() const;
   const std::vector<double>& times() const;  // s, of the records, ascending; at least one
-  // The record whose time is nearest; of two, the earlier one.
+  // Returns the record nearest in time; the earlier one of two.
   std::size_t nearest(double time) const;
 
-  // Shows record k < times().size(). Throws Error (files) when it is damaged; what is shown then is
-  // as before.
+  // Shows record k < times().size(). Throws Error (files) if it is damaged; the previous record
+  // then stays shown.
   void go_to(std::size_t record);
   std::size_t shown() const;
-  // The record that is shown. Damage, bonds, discs and the time are as they were; u, v and thermal
-  // strain to the single precision of the file. Energy that was put in is not recorded.
+  // Returns the shown record. Damage, bonds, discs and time are exact; u, v and thermal strain have
+  // the single precision of the file. The external work is not recorded.
   const Simulation& simulation() const;
 
  private:

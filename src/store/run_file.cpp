@@ -23,7 +23,7 @@ namespace hackle {
 namespace {
 
 constexpr unsigned max_groups = 1000;  // of a thousand records each
-constexpr unsigned max_members = 6;    // of a record
+constexpr unsigned max_members = 6;    // per record
 
 std::vector<double> places(const Grid& grid) {
   std::vector<double> list;
@@ -44,7 +44,7 @@ void require_finite(const Field& field) {
                   "take a smaller step");
 }
 
-// The bonds broken since the start, as bits: node by node, the words of each side by side.
+// Returns the bonds broken since the start as bits, node by node, the words of each together.
 std::vector<std::uint32_t> broken_bonds(const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
   const BondBits &initial = simulation.lattice().bonds, &now = simulation.state().bonds;
@@ -60,7 +60,7 @@ std::vector<std::uint32_t> broken_bonds(const Simulation& simulation) {
   return broken;
 }
 
-// Place (m), velocity (m/s) and radius (m) of each.
+// Returns position (m), velocity (m/s) and radius (m) of each disc.
 std::vector<double> discs(const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
   const std::vector<Impactor>& impactors = simulation.plate().loads.impactors;
@@ -75,12 +75,12 @@ std::vector<double> discs(const Simulation& simulation) {
   return list;
 }
 
-// The sidecar is rewritten when the number of records has grown by this share, so that its cost
-// stays linear in the number of records and a killed run leaves one that opens.
+// The sidecar is rewritten whenever the number of records has grown by this factor: its cost stays
+// linear in the number of records, and a killed run leaves a sidecar that opens.
 constexpr double sidecar_growth = 1.1;
 
-// Refuses a name that the sidecar takes, and removes an older run file, which a recording may still
-// have open, and its sidecar.
+// Refuses a name that the sidecar would take, and removes an older run file, which a recording may
+// still have open, with its sidecar.
 const std::filesystem::path& prepared(const std::filesystem::path& path) {
   if (sidecar_of(path) == path)
     throw Error(ErrorKind::files, fmt::format("cannot write a run file to '{}'", path.string()),
@@ -108,7 +108,7 @@ struct RunFile::Parts {
   Parts(const std::filesystem::path& path_, const Simulation& simulation, const Origin& origin)
       : path(path_), grid(simulation.lattice().grid), file(prepared(path_)) {
     describe(simulation, origin);
-    write(file.root(), {"nodes", H5T_IEEE_F64LE, {grid.nodes(), 3}, "m", "places of the nodes"},
+    write(file.root(), {"nodes", H5T_IEEE_F64LE, {grid.nodes(), 3}, "m", "positions of the nodes"},
           H5T_NATIVE_DOUBLE, 2, places(grid).data());
     has_material = !simulation.lattice().material.empty();
     if (has_material)
@@ -130,7 +130,7 @@ struct RunFile::Parts {
     file.write(group, dataset, memory_type, columns, values);
   }
 
-  // What ParaView shows; it wants three components of a vector.
+  // Writes a field that ParaView shows; vectors need three components.
   void write_field(const Hdf5Handle& group, const Field& field, const std::string& long_name) {
     require_finite(field);
     std::vector<hsize_t> shape{grid.nodes()};
@@ -139,7 +139,7 @@ struct RunFile::Parts {
           static_cast<hsize_t>(field.components), field.values.data());
   }
 
-  // What the state is besides.
+  // Writes the rest of the state.
   void write_state(const Hdf5Handle& group, const Simulation& simulation) {
     const auto words = static_cast<hsize_t>(simulation.lattice().family.words());
     write(group,
@@ -147,7 +147,7 @@ struct RunFile::Parts {
            H5T_STD_U32LE,
            {grid.nodes(), words},
            "",
-           "bits of the bonds that have broken since the start, of those that a node keeps"},
+           "bits of the kept bonds of a node that have broken since the start"},
           H5T_NATIVE_UINT32, words, broken_bonds(simulation).data());
     if (const std::vector<double>& strain = simulation.thermal_strain(); !strain.empty())
       write(group, {"thermal_strain", H5T_IEEE_F32LE, {grid.nodes()}, "", "thermal strain"},
@@ -158,7 +158,7 @@ struct RunFile::Parts {
              H5T_IEEE_F64LE,
              {list.size() / 5, 5},
              "",
-             "of each impactor: place x and y (m), velocity x and y (m/s), radius (m)"},
+             "of each impactor: position x and y (m), velocity x and y (m/s), radius (m)"},
             H5T_NATIVE_DOUBLE, 5, list.data());
   }
 
@@ -178,7 +178,7 @@ struct RunFile::Parts {
     file.write_text("inputs", inputs_of(simulation), "plate and numerics, resolved, in JSON");
   }
 
-  // A group for the next thousand records.
+  // Starts a group for the next thousand records.
   void begin_thousand() {
     const Hdf5Handle group = file.group(records_a_group);
     file.flush();
@@ -210,11 +210,10 @@ void RunFile::add(const Simulation& simulation) {
   const std::size_t record = parts_->times.size();
   Hdf5File& file = parts_->file;
   if (record % records_a_group == 0) parts_->begin_thousand();
-  // Three flushes: first what nothing points to yet, then the names, then the word that it counts.
-  // At no moment does anything committed depend on bytes that are still to come.
+  // Three flushes: first data without links, then their names, then the count that commits them. At
+  // no moment does committed data depend on bytes that are still to be written.
   const Hdf5Handle group = file.group(max_members);
-  parts_->write_field(group, damage(simulation),
-                      "share of the bonds a node was born with that are broken");
+  parts_->write_field(group, damage(simulation), "share of a node's initial bonds that are broken");
   parts_->write_field(group, displacement(simulation), "displacement of the nodes");
   parts_->write_field(group, velocity(simulation), "velocity of the nodes");
   parts_->write_state(group, simulation);

@@ -16,14 +16,14 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
-// What a sidecar says of a run file.
+// The facts about a run file that a sidecar needs.
 struct Contents {
   Grid grid;
   std::vector<double> times;
   bool has_material = false;
 };
 
-// Nothing of a file that somebody else wrote, or that is complete or empty.
+// Returns nothing for a file that we did not write, or that is complete or empty.
 std::optional<Contents> cut_off_contents(const fs::path& path) {
   try {
     const Hdf5Reader file(path);

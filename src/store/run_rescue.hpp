@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program that was killed had recorded.
+// Keeps the records of a killed program.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 namespace hackle {
 
 struct RescuedRun {
-  std::filesystem::path file;  // "crack.cut_off.h5", or with a number when there is one already
+  std::filesystem::path file;  // "crack.cut_off.h5", with a number if that exists
   std::int64_t records = 0;
 };
 
-// Renames a run file that is not complete to a name that is not `taken`, and gives it a sidecar of
-// its own. Nothing when there is none, it is complete, or it holds no record. The caller sees to it
-// that nobody writes it. Throws Error (files) when it cannot be renamed; it then stays.
+// Renames an incomplete run file to a name that is not `taken`, and gives it its own sidecar.
+// Returns nothing if there is no file, or it is complete or has no record. The caller makes sure
+// that nobody is writing it. Throws Error (files) if it cannot be renamed; it then stays as it is.
 std::optional<RescuedRun> rescue_run(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& taken = [](const auto&) {

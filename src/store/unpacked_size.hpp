@@ -7,8 +7,8 @@
 
 namespace hackle {
 
-// Whether a deflated piece, which what is behind its end does not belong to, unpacks to at most so
-// many bytes. Takes no memory for them: HDF5 itself asks no limit.
+// Returns whether a deflated piece unpacks to at most `most` bytes; bytes behind its end are
+// ignored. The unpacked bytes are not stored: HDF5 itself has no such limit.
 bool unpacks_within(std::span<const std::uint8_t> piece, std::size_t most);
 
 }  // namespace hackle

@@ -36,8 +36,8 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-// A field of one record. Whole datasets only: of the two readers of ParaView, XDMF 2 and XDMF 3,
-// each misreads the way in which the other wants parts of a dataset to be named.
+// Describes a field of one record. Only whole datasets: ParaView's two readers, XDMF 2 and XDMF 3,
+// each misread the way in which the other refers to parts of a dataset.
 std::string attribute(const Grid& grid, const std::string& source, const char* name,
                       int components) {
   return fmt::format(
@@ -50,7 +50,7 @@ std::string attribute(const Grid& grid, const std::string& source, const char* n
       fmt::arg("last", components == 1 ? "" : " 3"), fmt::arg("source", source));
 }
 
-// The same for all records. A threshold below 255 hides what was cut out.
+// Describes the material, the same for all records. A threshold below 255 hides cut-outs.
 std::string material_attribute(const Grid& grid, const std::string& file) {
   return fmt::format(
       R"(      <Attribute Name="material" AttributeType="Scalar" Center="Node">
