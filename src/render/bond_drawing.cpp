@@ -7,11 +7,11 @@
 namespace hackle {
 namespace {
 
-// Read on any colour of a field.
+// Legible on any colour of a field.
 constexpr Colour holding{255, 255, 255}, broken{235, 70, 60}, rim{0, 0, 0};
 constexpr double opacity_of_holding = 0.35, opacity_of_broken = 0.8;
 
-// Where node (i, j) is seen, px.
+// Returns the visible position of node (i, j), px.
 Vec2 place_of(int i, int j, const Grid& grid, const Displaced& displaced, const Camera& camera) {
   Vec2 cells(i + 0.5, j + 0.5);
   if (!displaced.displacement.empty()) {
@@ -39,7 +39,7 @@ void draw_bonds(Canvas& canvas, const std::vector<BondLine>& bonds, const Grid& 
   }
   const double radius = std::clamp(0.1 * cell, 1.5, 12.0);
   for (const BondLine& bond : bonds) {
-    if (bond.column != 0 || bond.row != 1) continue;  // one of each node
+    if (bond.column != 0 || bond.row != 1) continue;  // once per node
     const Vec2 node = place_of(bond.i, bond.j, grid, displaced, camera);
     canvas.colour(rim);
     canvas.dot(node, radius + 1.0);

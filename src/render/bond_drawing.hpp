@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lattice itself: bonds as lines, nodes as dots.
+// Draws the lattice itself: bonds as lines, nodes as dots.
 #pragma once
 
 #include <span>
@@ -12,10 +12,11 @@
 
 namespace hackle {
 
-// Nodes of which bonds are drawn in one picture, at most.
+// The largest number of nodes whose bonds are drawn in one picture.
 inline constexpr int max_drawn_nodes = 1500;
 
-// Inside of the rectangle of the plate; broken bonds in another colour, over those that hold.
+// Draws inside the rectangle of the plate; broken bonds have another colour and lie over intact
+// ones.
 void draw_bonds(Canvas& canvas, const std::vector<BondLine>& bonds, const Grid& grid,
                 const Displaced& displaced, const Camera& camera, const Rectangle& plate);
 

@@ -6,9 +6,9 @@
 namespace hackle {
 namespace {
 
-// Enough for `size` cells, and such that its middle is that of `count` cells.
+// Returns a number of cells that is at least `size` and has the same midpoint as `count` cells.
 int cells_around(double size, int count) {
-  // A right angle has a cosine of 6e-17, which must not make room for one more cell.
+  // The cosine of a right angle is 6e-17, which must not add a cell.
   constexpr double slack = 1e-9;
   const int cells = static_cast<int>(std::ceil(size - slack));
   return cells + (cells + count) % 2;

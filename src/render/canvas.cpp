@@ -39,7 +39,7 @@ void Canvas::outline(const Rectangle& r, int width) {
   fill(r.right(), r.y, width, r.height);
 }
 
-// What is nearer than half a pixel to the last point cannot be seen.
+// A point nearer than half a pixel to the last one is invisible.
 void Canvas::clip(const Rectangle& r) {
   cairo_rectangle(cairo_.get(), r.x, r.y, r.width, r.height);
   cairo_clip(cairo_.get());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines, areas and texts on the pixels of an image, drawn with Cairo. Lengths in px, y downwards.
+// Draws lines, areas and texts on the pixels of an image with Cairo. Lengths in px, y downwards.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@ namespace hackle {
 
 class Canvas {
  public:
-  // Draws over what the image holds, which must outlive the canvas; its upper left corner is at
-  // `x`, `y` of what is drawn.
+  // Draws over the content of the image, which must outlive the canvas. The upper left corner of
+  // the image has the coordinates `x`, `y`.
   explicit Canvas(Image& image, int x = 0, int y = 0);
   ~Canvas();
   Canvas(const Canvas&) = delete;
@@ -26,19 +26,19 @@ class Canvas {
 
   void colour(Colour colour, double opacity = 1.0);
   void fill(double x, double y, double width, double height);
-  // Around the rectangle, so many px wide.
+  // Draws a frame of this width around the rectangle.
   void outline(const Rectangle& r, int width);
-  // Nothing is drawn outside of it from now on.
+  // Restricts later drawing to the rectangle.
   void clip(const Rectangle& r);
   void line(std::span<const Vec2> points, double width);
-  // Seen through a little, with a bright rim.
+  // Draws a translucent disc with a bright rim.
   void disc(const Vec2& centre, double radius_x, double radius_y, Colour colour);
   void dot(const Vec2& centre, double radius);
-  // An image whose upper left corner comes to x, y, grown or shrunk.
+  // Draws an image with its upper left corner at x, y, scaled.
   void picture(cairo_surface_t* from, double x, double y, double scale);
 
   void write(const Font& font, const PlacedText& text);
-  // With a rim of the other colour, to be read on any ground.
+  // Writes with a rim in another colour, so that the text is legible on any ground.
   void write(const Font& font, const PlacedText& text, Colour rim);
 
  private:

@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-// The nodes around a corner of the lattice: lower left, lower right, upper left, upper right.
+// Nodes around a corner of the lattice: lower left, lower right, upper left, upper right.
 constexpr int around = 4;
 using Places = std::array<Vec2, around>;
 
@@ -17,9 +17,9 @@ class Corners {
  public:
   Corners(const Grid& grid, const Displaced& displaced) : grid_(grid), displaced_(displaced) {}
 
-  // Of the corner between columns i - 1 and i and rows j - 1 and j, in cells from the lower left
-  // corner of the lattice: where each node around it sees it. Nodes beyond the lattice do not
-  // count.
+  // Returns the corner between columns i - 1 and i and rows j - 1 and j, in cells from the lower
+  // left corner of the lattice, as each surrounding node sees it. Nodes beyond the lattice are
+  // ignored.
   Places at(int i, int j) const {
     const Vec2 at_rest(i, j);
     Places places;
@@ -37,7 +37,7 @@ class Corners {
     return has(i, j) && (displaced_.links[grid_.index(i, j)] & bit) != 0;
   }
 
-  // For each node around it, bits of those it hangs together with, itself included.
+  // For each surrounding node, bits of the nodes it is joined to, itself included.
   std::array<unsigned, around> groups(int i, int j) const {
     std::array<unsigned, around> group{1, 2, 4, 8};
     const auto join = [&](std::size_t one, std::size_t other) {
@@ -54,7 +54,7 @@ class Corners {
     return group;
   }
 
-  // Of the displacement of the nodes of a group, magnified, in cells.
+  // Returns the mean magnified displacement of the nodes in a group, in cells.
   Vec2 mean(int i, int j, unsigned group) const {
     Vec2 sum(0, 0);
     int count = 0;
@@ -72,7 +72,7 @@ class Corners {
   const Displaced& displaced_;
 };
 
-// m, magnified.
+// Returns a bound on the magnified displacement, m.
 double farthest(const Displaced& displaced) {
   float most = 0.0F;
   for (const float u : displaced.displacement) most = std::max(most, std::abs(u));
@@ -108,7 +108,7 @@ std::vector<float> corners(const Blocks& blocks, const Window& window, const Gri
                            const Displaced& displaced, const Camera& camera) {
   std::vector<float> list(8 * blocks.count());
   const Corners lattice(grid, displaced);
-  // Corner k of its nodes is corner 3 - k of the block that such a node belongs to.
+  // Corner k of the nodes around it is corner 3 - k of the block to which such a node belongs.
   const auto put = [&](int column, int row, std::size_t corner, const Vec2& place) {
     if (column < 0 || row < 0 || column >= blocks.columns || row >= blocks.rows) return;
     const Vec2 share = camera.share(place);

@@ -13,11 +13,11 @@ namespace {
 
 double share_of(double value, const BarText& text) {
   if (text.logarithmic) return std::log(value / text.least) / std::log(text.most / text.least);
-  // Halves do not overflow where the whole would.
+  // Halving avoids an overflow of the difference.
   return (0.5 * value - 0.5 * text.least) / (0.5 * text.most - 0.5 * text.least);
 }
 
-// The colours at the ends stand for everything beyond them, too.
+// The colours at the ends also stand for everything beyond them.
 std::string beyond(double value, const BarText& text) {
   constexpr double end = 1e-6;
   const double share = share_of(value, text);
@@ -25,7 +25,7 @@ std::string beyond(double value, const BarText& text) {
   return share < end && value != 0.0 ? "≤" : "";
 }
 
-// Where numbers stand and how large they are, px.
+// Positions and size of the numbers, px.
 struct Numbers {
   const Rectangle& bar;
   const Rectangle& room;
@@ -38,7 +38,7 @@ struct Ticks {
   std::vector<PlacedText> numbers;
 };
 
-// Inside of the room for them.
+// Places a number inside the room for numbers.
 PlacedText number(const Numbers& all, const Font& font, const std::string& text, int x) {
   const double half = 0.5 * font.width_of(text, all.size);
   const double least = all.room.x + half, most = all.room.right() - half;
@@ -73,7 +73,7 @@ bool any_touch(const Font& font, const std::vector<PlacedText>& numbers) {
          }) != numbers.end();
 }
 
-// As many as there is room for; where not even two fit, one.
+// Returns as many ticks as fit; one if not even two fit.
 Ticks fitting_ticks(const Numbers& numbers, const BarText& text, const Font& font) {
   constexpr int linear = 5, logarithmic = 12;  // intervals
   Ticks all;

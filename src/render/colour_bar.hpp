@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The colours of a field and what values they stand for.
+// The colours of a field and the values they stand for.
 #pragma once
 
 #include <vector>
@@ -15,12 +15,12 @@ class ColourBar {
             const Font& font);
 
   void draw(Canvas& canvas, const ColourMap& map) const;
-  // The name and the numbers.
+  // Returns the name and the numbers.
   const std::vector<PlacedText>& texts() const { return texts_; }
 
  private:
   Rectangle bar_;
-  int mark_ = 0, hairline_ = 1;  // px, how long and wide marks are
+  int mark_ = 0, hairline_ = 1;  // px, length and width of marks
   std::vector<int> marks_;       // px from the left
   std::vector<PlacedText> texts_;
   Colour colour_;

@@ -36,7 +36,7 @@ ColourMap fringe_map(double least, double most) {
     const double order =
         least + (most - least) * static_cast<double>(k) / static_cast<double>(count - 1);
     const double light = std::pow(std::sin(std::numbers::pi * order), 2);
-    // Light to the number of a pixel: about the curve of sRGB.
+    // Converts light to pixel values: approximately the curve of sRGB.
     const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * std::pow(light, 1.0 / 2.2)));
     map.colours[k] = {grey, grey, grey};
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table of colours from the least to the largest value of a field.
+// A table of colours from the smallest to the largest value of a field.
 #pragma once
 
 #include <array>
@@ -17,18 +17,20 @@ struct Colour {
 
 struct ColourMap {
   std::string name;
-  std::vector<Colour> colours;  // evenly from the least value to the largest, two at least
+  // at equal distances from the smallest to the largest value, at least two
+  std::vector<Colour> colours;
 };
 
-// Each has a file of its own in assets/colour_maps; in alphabetical order.
+// Each has a file in assets/colour_maps; in alphabetical order.
 inline constexpr auto colour_map_names = std::to_array<std::string_view>(
     {"batlow", "cividis", "damage", "inferno", "roma", "vik", "viridis"});
 
-// The brightness of a polariscope with a dark field, sin^2(pi N), for orders N from least to most.
+// Returns the brightness in a dark-field polariscope, sin^2(pi N), for fringe orders N from `least`
+// to `most`.
 ColourMap fringe_map(double least, double most);
 
-// The map of assets/colour_maps/NAME.csv. Throws Error (refused) for an unknown name, with the
-// nearest one, and Error (files) for a damaged file.
+// Loads assets/colour_maps/NAME.csv. Throws Error (refused) for an unknown name, with the nearest
+// one, and Error (files) for a damaged file.
 ColourMap load_colour_map(const std::string& name);
 
 }  // namespace hackle

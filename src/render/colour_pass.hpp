@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of one field, or of two, into colours, on the graphics library.
+// Turns the values of one field, or of two, into colours on the graphics library.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace hackle {
 
-// How values become colours.
+// The mapping from values to colours.
 struct Colouring {
   ColourMap map;
   double least = 0.0, most = 1.0;  // values at its ends
@@ -24,26 +24,26 @@ struct Colouring {
 // Numbers in rows from the bottom.
 struct Points {
   int width = 0, height = 0;
-  std::vector<float> values, second;  // nan where there is no material; second may be empty
-  std::vector<std::uint8_t> gaps;     // damage in 255ths, to be seen as gaps; may be empty
-  Vec2 middle{0, 0};                  // of the plate, where its halves meet, in points
+  std::vector<float> values, second;  // nan without material; second may be empty
+  std::vector<std::uint8_t> gaps;     // damage in 1/255, shown as gaps; may be empty
+  Vec2 middle{0, 0};                  // where the halves of the plate meet, in points
 };
 
 class ColourPass {
  public:
-  // `background`, premultiplied red, green, blue and alpha, is seen where a value is nan.
+  // `background`, premultiplied red, green, blue and alpha, shows where a value is nan.
   ColourPass(const GlFunctions& gl, const std::array<float, 4>& background,
              const Colouring& colouring);
-  // From now on the second values of points are seen, too.
+  // Also shows the second values of points from now on.
   void set_second(const Colouring& colouring, Arrangement arrangement);
 
-  // Draws the points into colours(). Leaves its framebuffer and its program bound.
+  // Draws the points into colours(). Its framebuffer and its program stay bound.
   void paint(const Points& points);
-  // Draws them straight into a framebuffer, the lower left one at x, y px.
+  // Draws the points straight into a framebuffer, the lower left one at x, y px.
   void paint(const Points& points, GLuint framebuffer, int x, int y);
 
   const Texture& colours() const { return colours_; }
-  // That colours() is the pixels of.
+  // Returns the framebuffer that draws into colours().
   const Framebuffer& framebuffer() const { return framebuffer_; }
 
  private:

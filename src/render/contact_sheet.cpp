@@ -27,7 +27,7 @@ struct Measures {
         font(std::max(10.0, std::round(layout.font * layout.width))),
         pitch(height + (layout.titled ? 2.2 * font + 0.5 * gap : gap)) {}
   double width, height, gap, font;
-  double pitch;  // from the top of a cell to that of the one below it
+  double pitch;  // from the top of a cell to the top of the next below
 };
 
 Surface read(const std::filesystem::path& file) {
@@ -40,7 +40,7 @@ Surface read(const std::filesystem::path& file) {
   return surface;
 }
 
-// In the middle of the cell whose upper left corner is at x, y.
+// Draws the picture in the middle of the cell with its upper left corner at x, y.
 void draw_picture(Canvas& canvas, const Measures& cell, double x, double y, cairo_surface_t* from) {
   const double width = cairo_image_surface_get_width(from);
   const double height = cairo_image_surface_get_height(from);
@@ -69,7 +69,7 @@ Image blank(const Measures& cell, int columns, int rows, bool even) {
   return {w + (w & odd), h + (h & odd)};
 }
 
-// Of `count` cells; picture(k) is the surface of each and title(k) its text.
+// Draws a sheet of `count` cells; picture(k) is the surface of each and title(k) its text.
 template <class Picture, class Title>
 Image sheet_of(int count, const SheetLayout& layout, Picture picture, Title title) {
   if (count == 0) throw Error(ErrorKind::refused, "contact_sheet: there is no picture");

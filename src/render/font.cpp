@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-// Of the face that Cairo found for a family.
+// Returns the family of the face that Cairo found.
 std::string family_of(cairo_scaled_font_t* font) {
   if (cairo_scaled_font_status(font) != CAIRO_STATUS_SUCCESS ||
       cairo_scaled_font_get_type(font) != CAIRO_FONT_TYPE_FT)
@@ -33,7 +33,7 @@ bool is_utf8(cairo_scaled_font_t* font, const std::string& text) {
   return status == CAIRO_STATUS_SUCCESS;
 }
 
-// Control characters have no glyph, and Cairo draws nothing more once it met broken UTF-8.
+// Control characters have no glyph, and Cairo stops drawing at invalid UTF-8.
 std::string displayable(cairo_scaled_font_t* font, std::string text) {
   constexpr unsigned char blank = 0x20, erase = 0x7f;
   const auto is_control = [](unsigned char c) { return c < blank || c == erase; };
@@ -50,7 +50,7 @@ double advance(cairo_scaled_font_t* font, const std::string& text) {
   return extents.x_advance;
 }
 
-// To at most so many bytes, but no character in two; UTF-8.
+// Shortens UTF-8 text to at most `bytes` bytes, keeping characters whole.
 void shorten(std::string& text, std::size_t bytes) {
   if (text.size() <= bytes) return;
   while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) --bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The font of all pictures: how much room texts take, and what of them fits.
+// The font of all pictures: measures texts and shortens them to fit.
 #pragma once
 
 #include <memory>
@@ -11,29 +11,31 @@
 
 namespace hackle {
 
-// A text on whole pixels, so that it is sharp.
+// A text at whole pixels, so that it is sharp.
 struct PlacedText {
   std::string text;
-  double x = 0.0, y = 0.0;  // px, where its base line begins
+  double x = 0.0, y = 0.0;  // px, start of its base line
   double size = 0.0;        // px
   Colour colour;
 };
 
 class Font {
  public:
-  // Throws Error (files), which names the Debian package, when the machine lacks the family: Cairo
-  // would take any other.
+  // Throws Error (files), which names the Debian package, if the machine lacks the family: Cairo
+  // would silently take another.
   explicit Font(const char* family = "DejaVu Sans");
 
-  // px, from where the text begins to where the next would.
+  // Returns the advance width of the text, px.
   double width_of(const std::string& text, double size) const;
-  // The text, or what of it fits into `width` px before an ellipsis; "" when not even that fits.
+  // Returns the text, or as much of it as fits into `width` px with an ellipsis; "" if not even
+  // that fits.
   std::string fitting(const std::string& text, double size, double width) const;
-  // `anchor` 0: the text begins at x; 0.5: is centred on it; 1: ends there. `y` is its base line.
+  // Places a text. `anchor` 0: it begins at x; 0.5: it is centred on x; 1: it ends at x. `y` is its
+  // base line.
   PlacedText place(const std::string& text, double x, double y, double size, double anchor,
                    Colour colour) const;
 
-  // Whole pixels and crisp stems: hinted, in shades of grey.
+  // Hinted and in shades of grey: whole pixels and crisp stems.
   using Scaled = std::unique_ptr<cairo_scaled_font_t, void (*)(cairo_scaled_font_t*)>;
   Scaled scaled(double size) const;
 

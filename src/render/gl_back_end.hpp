@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What GlContext needs of a library that makes OpenGL contexts.
+// The interface of GlContext to a library that makes OpenGL contexts.
 #pragma once
 
 #include "base/image.hpp"
@@ -13,12 +13,13 @@ class GlBackEnd {
   using Function = void (*)();
 
   virtual ~GlBackEnd() = default;
-  // False when it cannot be had.
+  // Returns false if the context cannot be made current.
   virtual bool make_current() = 0;
   virtual Function function(const char* name) const = 0;
-  // What the default framebuffer is for others: where a picture is drawn. Called once, current.
+  // Makes the framebuffer in which a picture is drawn, in place of the default framebuffer. Called
+  // once, while current.
   virtual GLuint make_target(const GlFunctions& gl) = 0;
-  // The pixels of the target into `image`, the top row first; nothing is being drawn any more.
+  // Reads the pixels of the target into `image`, the top row first; drawing is finished.
   virtual void read(const GlFunctions& gl, Image& image) = 0;
 };
 

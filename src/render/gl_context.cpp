@@ -42,7 +42,7 @@ struct GlContext::Parts {
 
   GlLibrary library;
   Image image;
-  std::unique_ptr<GlBackEnd> end;  // after the image: it goes first
+  std::unique_ptr<GlBackEnd> end;  // declared after the image: destroyed first
   GlFunctions gl;
   GLuint target = 0;
 };
@@ -76,7 +76,7 @@ GLuint GlContext::target() const {
 }
 
 const Image& GlContext::finish() {
-  parts_->gl.Finish();  // pixels are undefined before
+  parts_->gl.Finish();  // pixels are undefined before this
   parts_->end->read(parts_->gl, parts_->image);
   return parts_->image;
 }

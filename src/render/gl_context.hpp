@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An off-screen OpenGL 3.3 core context that draws into memory. What is outside this pair does not
+// An off-screen OpenGL 3.3 core context that draws into memory. Code outside this pair does not
 // know which library draws.
 #pragma once
 
@@ -13,33 +13,33 @@
 
 namespace hackle {
 
-// OSMesa, and EGL without a surface, for systems whose Mesa has no OSMesa any more.
+// OSMesa, or EGL without a surface for systems whose Mesa lacks OSMesa.
 enum class GlLibrary { osmesa, egl };
 inline constexpr std::array<std::string_view, 2> gl_library_names{"osmesa", "egl"};
 
-// What the environment variable HACKLE_GL says, or OSMesa. Throws Error (refused) for a name that
-// there is not.
+// Returns the library named by the environment variable HACKLE_GL, or OSMesa. Throws Error
+// (refused) for an unknown name.
 GlLibrary chosen_gl_library();
 
 class GlContext {
  public:
-  // A context for pictures of this size, current on the calling thread, which must be the only one
-  // to use it. Throws Error (run_failed) when the library gives none.
+  // Makes a context for pictures of this size, current on the calling thread, which must be the
+  // only one to use it. Throws Error (run_failed) if the library cannot make one.
   GlContext(int width, int height, GlLibrary library = chosen_gl_library());
   ~GlContext();
 
-  // Sends the GL calls of this thread to this context, as the constructor does.
+  // Directs the GL calls of this thread to this context, as the constructor does.
   void make_current();
 
   const GlFunctions& functions() const;
 
-  // The framebuffer that finish() reads, bound at first.
+  // Returns the framebuffer that finish() reads; it is bound initially.
   GLuint target() const;
 
-  // The pixels of the target after everything drawn so far, the top row first.
+  // Finishes all drawing and returns the pixels of the target, the top row first.
   const Image& finish();
 
-  // What draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
+  // Returns the name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
   std::string renderer() const;
 
  private:

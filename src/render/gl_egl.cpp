@@ -10,7 +10,7 @@
 namespace hackle {
 namespace {
 
-// The functions of EGL, from the library as it is found; null where one is missing.
+// The functions of EGL in the library found; null if missing.
 struct EglFunctions {
   PFNEGLGETPROCADDRESSPROC find = nullptr;
   PFNEGLGETPLATFORMDISPLAYPROC get_display = nullptr;
@@ -32,7 +32,7 @@ void take(PFNEGLGETPROCADDRESSPROC find, const char* name, Pointer& pointer) {
   pointer = reinterpret_cast<Pointer>(find(name));
 }
 
-// Never closed: Mesa keeps threads and handlers of its own in it.
+// Never closed: Mesa keeps its own threads and handlers in it.
 EglFunctions load_egl() {
   EglFunctions egl;
   void* library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
@@ -52,7 +52,7 @@ class Egl : public GlBackEnd {
  public:
   Egl(const EglFunctions& egl, EGLDisplay display, EGLContext context, int width, int height)
       : egl_(egl), display_(display), context_(context), width_(width), height_(height) {}
-  // Takes the target with it.
+  // Also deletes the target.
   ~Egl() override {
     egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     egl_.destroy_context(display_, context_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenGL by EGL without a surface, which draws into a framebuffer of its own. The library is opened
-// when it is asked for: a system without it runs Hackle all the same.
+// OpenGL through EGL without a surface, drawing into its own framebuffer. The library is opened on
+// first use, so that Hackle also runs on systems without it.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,8 @@
 
 namespace hackle {
 
-// For pictures of so many px. Null when this system has no EGL that works without a display.
+// Makes a context for pictures of this size, in px. Returns null if this system has no EGL that
+// works without a display.
 std::unique_ptr<GlBackEnd> make_egl(int width, int height);
 
 }  // namespace hackle

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The OpenGL functions that Hackle calls, loaded through the context: whatever draws, no call goes
-// to another library by the name of a symbol.
+// The OpenGL functions that Hackle calls, loaded through the context: with any renderer, no call
+// reaches another library by a symbol's name.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -68,7 +68,8 @@ struct GlFunctions {
 #undef HACKLE_DECLARE
 };
 
-// From a function that finds the entry point "glClear", ...: void (*)() find(const char*).
+// Loads all functions with `find`, which returns the entry point of "glClear", ...: void (*)()
+// find(const char*).
 template <class Find>
 GlFunctions load_gl_functions(Find find) {
   GlFunctions gl;

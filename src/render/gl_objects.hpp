@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Objects of OpenGL that live as long as their C++ objects. The context of `gl` must be current in
-// every call, the destructor included.
+// OpenGL objects that live as long as their C++ objects. The context of `gl` must be current in
+// every call, including the destructor.
 #pragma once
 
 #include <cstddef>
@@ -21,13 +21,13 @@ class Texture {
   Texture(const Texture&) = delete;
   Texture& operator=(const Texture&) = delete;
 
-  // To the texture unit of that number, for sampler uniforms.
+  // Binds it to the texture unit of this number, for sampler uniforms.
   void bind(GLint unit) const;
-  // Rows from the bottom.
+  // Sets values, rows from the bottom.
   void set_numbers(int width, int height, const float* numbers) const;
   void set_bytes(int width, int height, const std::uint8_t* bytes) const;  // 255 is read as 1
   void set_colours(int width, int height, const Colour* colours) const;
-  void make_room(int width, int height) const;  // for colours with alpha, to be drawn into
+  void make_room(int width, int height) const;  // for colours with alpha, as a render target
   GLuint id() const { return id_; }
 
  private:
@@ -37,10 +37,10 @@ class Texture {
   GLuint id_ = 0;
 };
 
-// Where to draw that is not the picture: a texture, or memory with several samples a pixel.
+// A render target other than the picture: a texture, or memory with several samples per pixel.
 class Framebuffer {
  public:
-  // Draws into the texture, which has its size already.
+  // Draws into the texture, whose size must be set.
   Framebuffer(const GlFunctions& gl, const Texture& texture);
   Framebuffer(const GlFunctions& gl, int width, int height, int samples);
   ~Framebuffer();
@@ -55,8 +55,8 @@ class Framebuffer {
   GLuint memory_ = 0;
 };
 
-// What the attributes and the order of vertices come from. Core profile wants one to be bound even
-// where there are no attributes.
+// The source of attributes and order of vertices. The core profile needs one bound even without
+// attributes.
 class VertexArray {
  public:
   explicit VertexArray(const GlFunctions& gl);
@@ -65,9 +65,10 @@ class VertexArray {
   VertexArray& operator=(const VertexArray&) = delete;
 
   void bind() const;
-  // Attributes 0, 1, ... of so many numbers each, one after the other, vertex by vertex.
+  // Sets attributes 0, 1, ... with the given numbers of components, one after another, vertex by
+  // vertex.
   void set_vertices(std::span<const float> numbers, std::initializer_list<int> attributes);
-  // For glDrawElements.
+  // Sets the order for glDrawElements.
   void set_order(std::span<const std::uint32_t> vertices);
 
  private:

@@ -9,8 +9,7 @@
 namespace hackle {
 namespace {
 
-// The functions of OSMesa. Its library, which brings LLVM with it, is loaded with the first
-// picture.
+// The functions of OSMesa. The library, which also loads LLVM, is loaded with the first picture.
 struct OsMesaFunctions {
   decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
   decltype(&OSMesaDestroyContext) destroy_context = nullptr;
@@ -29,7 +28,7 @@ void take(void* library, const char* name, Pointer& pointer) {
   pointer = reinterpret_cast<Pointer>(dlsym(library, name));
 }
 
-// Never closed: Mesa keeps threads and handlers of its own in it.
+// Never closed: Mesa keeps its own threads and handlers in it.
 OsMesaFunctions load_osmesa() {
   OsMesaFunctions mesa;
   void* library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
@@ -49,7 +48,7 @@ const OsMesaFunctions& osmesa() {
 
 struct Destroy {
   void operator()(osmesa_context* context) const {
-    // Unbound first: Mesa would go on writing into the buffer of a current context.
+    // Unbound first: Mesa would keep writing into the buffer of a current context.
     osmesa().make_current(nullptr, nullptr, 0, 0, 0);
     osmesa().destroy_context(context);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenGL by OSMesa, which draws straight into the pixels of an image.
+// OpenGL through OSMesa, which draws straight into the pixels of an image.
 #pragma once
 
 #include <memory>

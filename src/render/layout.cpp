@@ -20,7 +20,7 @@ int raised_to(double value) {
   return static_cast<int>(std::ceil(value));
 }
 
-// Pixels of a cell along x and y.
+// Returns the pixels per cell along x and y.
 double cell_size(const Grid& grid, double width, double height) {
   const double size = std::min(width / grid.nx, height / grid.ny);
   return size >= 3.0 ? std::floor(size) : size;
@@ -33,12 +33,12 @@ int margin_for(int width) {
   return whole(1.5 * font_for(width));
 }
 
-// Of two plates that are taller than they are wide, the second lies right of the first.
+// Two plates that are taller than wide stand side by side.
 bool lies_across(const Grid& grid, const PlateSize& size) {
   return size.twice && grid.ny > grid.nx;
 }
 
-// Lays out from the top; `y` is how far it has come.
+// Lays out from the top; `y_` is the height used so far.
 class Composer {
  public:
   Composer(const Grid& grid, int width, const OverlayText& text, const PlateSize& size)
@@ -63,7 +63,7 @@ class Composer {
 
  private:
   struct Line {
-    int left = 0, right = 0;  // px taken from either side
+    int left = 0, right = 0;  // px used on either side
   };
 
   int room() const { return layout_.width - 2 * side_; }
@@ -71,7 +71,7 @@ class Composer {
     return raised_to(font_.width_of(text, size));
   }
 
-  // Captions and legend are flush with the plates, unless they are too narrow for them.
+  // Captions and legend are as wide as the plates, unless these are too narrow for them.
   void size_plate() {
     const int inner = layout_.width - 2 * margin_;
     const bool across = lies_across(grid_, size_);
@@ -85,7 +85,7 @@ class Composer {
     side_ = wide ? (layout_.width - plates_width_) / 2 : margin_;
   }
 
-  // The first line, from that of the last text on, where there is room; else a new one.
+  // Returns the first line with room, starting from that of the last text, or else a new line.
   std::size_t line_for(int width) {
     for (std::size_t k = first_line_; k < lines_.size(); ++k)
       if (lines_[k].left + width + lines_[k].right <= room()) return k;
@@ -108,7 +108,7 @@ class Composer {
 
   void place_caption() {
     layout_.title = in_caption(text_.title, layout_.font, true);
-    // The widest of time_text, so that the title stays where it is.
+    // The widest time_text, so that the title stays in place.
     if (parts_.clock) layout_.clock = in_caption("000.0000 ms", layout_.font, false);
     layout_.slow_motion =
         in_caption(slow_motion_text(text_.slow_motion), layout_.small_font, false);
@@ -156,13 +156,13 @@ class Composer {
     if (!parts_.bar) y_ += height;
   }
 
-  // The bar and its name share a line when the scale bar still fits in. Bars begin alike.
+  // The bar and its name share a line if the scale bar still fits. All bars begin at the same x.
   BarRoom place_bar(const BarText& text) {
     constexpr double shortest = 5.0, scale = 6.0;
     BarRoom room_for;
     int label = whole(shortest * layout_.font);
     for (const BarText& bar : text_.bars) label = std::max(label, needed(bar.label, layout_.font));
-    const int drop = raised_to(0.25 * layout_.font);  // of letters below the base line
+    const int drop = raised_to(0.25 * layout_.font);  // descent of letters below the base line
     const int bar_width = whole(0.28 * layout_.width);
     const bool beside =
         label + gap_ + bar_width + 3 * margin_ / 2 + whole(scale * layout_.font) <= room();
@@ -177,7 +177,7 @@ class Composer {
     return room_for;
   }
 
-  // Side by side where both have room.
+  // Places the charts side by side if both have room.
   void place_charts() {
     std::vector<Rectangle*> charts;
     if (parts_.load_curve) charts.push_back(&layout_.load_curve);

@@ -8,9 +8,9 @@
 namespace hackle {
 namespace {
 
-constexpr Colour ink{255, 255, 255}, rim{0, 0, 0};  // read on any colour of a field
+constexpr Colour ink{255, 255, 255}, rim{0, 0, 0};  // legible on any colour of a field
 
-// px; of all that is taken.
+// The room taken by a marker, px.
 struct Box {
   double left, top, right, bottom;
 
@@ -39,8 +39,8 @@ bool is_seen(const Vec2& place, const Rectangle& plate) {
          place.y() <= plate.bottom();
 }
 
-// Where a label may stand about its point: how far off along x and y, in units of the size, and
-// which part of it comes there.
+// A possible position of a label relative to its point: offset along x and y, in units of the size,
+// and the part of the label that lies there.
 struct Side {
   double x, y, anchor;
 };
@@ -53,7 +53,7 @@ constexpr auto sides = std::to_array<Side>({{0.75, 0.35, 0.0},
                                             {-0.5, -0.8, 1.0},
                                             {-0.5, 1.45, 1.0}});
 
-// Between caption and legend; on one of two plates, on it alone.
+// The area between caption and legend; for one of two plates, that plate only.
 Box room(const Layout& layout, const Rectangle& plate, double margin) {
   if (!layout.second_plate.empty())
     return {plate.x + margin, static_cast<double>(plate.y), plate.right() - margin,
@@ -62,7 +62,7 @@ Box room(const Layout& layout, const Rectangle& plate, double margin) {
           static_cast<double>(layout.foot)};
 }
 
-// Finds room for one label after another.
+// Finds room for labels one after another.
 class Placer {
  public:
   Placer(const Layout& layout, const Rectangle& plate, const Font& font)

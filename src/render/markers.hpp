@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points of a plate with their names.
+// Labelled points of a plate.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@ namespace hackle {
 
 struct PlacedMarker {
   Vec2 place{0, 0};                 // px
-  std::optional<PlacedText> label;  // nothing where there is no room left for it
+  std::optional<PlacedText> label;  // empty if there is no room for it
 };
 
-// Of those that are seen on the plate, a rectangle of the layout. A label stands right of its
-// point, or on another side where it would leave the picture or cover what stands there already;
-// one longer than the picture is shortened.
+// Places those markers that are visible on the plate, a rectangle of the layout. A label stands
+// right of its point, or on another side if it would leave the picture or cover an earlier one; a
+// label longer than the picture is shortened.
 std::vector<PlacedMarker> place_markers(const std::vector<Marker>& markers, const Layout& layout,
                                         const Rectangle& plate, const Camera& camera,
                                         const Font& font);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Displaced cells, anti-aliased, on the graphics library.
+// Draws displaced cells, anti-aliased, on the graphics library.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace hackle {
 
 class MeshPass {
  public:
-  // For a part of the picture of so many px.
+  // Makes a pass for a part of the picture of this size, px.
   MeshPass(const GlFunctions& gl, int width, int height);
 
   // Draws the quadrilaterals in the colours of their blocks, one texel each, over `background` into
@@ -21,7 +21,7 @@ class MeshPass {
   void paint(std::span<const MeshVertex> vertices, const Texture& colours,
              const std::array<float, 4>& background);
 
-  // Several samples a pixel: to be copied into the picture.
+  // Has several samples per pixel: it must be copied into the picture.
   const Framebuffer& framebuffer() const { return framebuffer_; }
 
  private:

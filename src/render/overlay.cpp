@@ -13,7 +13,7 @@
 namespace hackle {
 namespace {
 
-// To a rectangle as large as `from`.
+// Copies to a rectangle as large as `from`.
 void copy(const Image& from, Image& to, const Rectangle& area) {
   const std::uint8_t* row = from.pixels.data();
   const std::ptrdiff_t left = 4 * static_cast<std::ptrdiff_t>(area.x);
@@ -22,7 +22,7 @@ void copy(const Image& from, Image& to, const Rectangle& area) {
     std::memcpy(at, row, static_cast<std::size_t>(from.stride()));
 }
 
-// Of one line of a caption, where its letters stand.
+// Returns the base line of the letters of one caption line.
 double base_line(const Rectangle& line, double font) {
   return line.y + font;
 }
@@ -108,7 +108,7 @@ void Overlay::draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& hi
   fleeting_.insert(fleeting_.end(), strip.texts().begin(), strip.texts().end());
 }
 
-// The slow motion stands beside the time, but only longer times than usual move it.
+// The slow motion stands beside the time; it moves only for times that are longer than usual.
 void Overlay::write_clock(double time) {
   const Rectangle& clock = layout_.clock;
   double left = clock.right();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Texts, bars and charts around a plate and marks on it, drawn with Cairo on the pixels of a
-// picture. What is the same on all pictures of a series is drawn once and copied.
+// picture. Parts that all pictures of a series share are drawn once and copied.
 #pragma once
 
 #include <functional>
@@ -19,26 +19,26 @@
 
 namespace hackle {
 
-// What an overlay shows at one time.
+// The content of an overlay at one time.
 struct Moment {
   double time = 0.0;  // s
   std::vector<Circle> discs;
-  Chart load_curve, energy;  // looked at where the layout has them
+  Chart load_curve, energy;  // used if the layout has room for them
 };
 
 class Overlay {
  public:
-  // A map for each bar of the text. A metre takes so many px along x. A bare layout has discs only.
-  // Throws what Font throws.
+  // Takes a colour map for each bar of the text, and px per metre along x. A bare layout shows only
+  // discs. Throws what Font throws.
   Overlay(const Layout& layout, const OverlayText& text, const std::vector<ColourMap>& maps,
           double pixels_a_metre);
 
-  // On a picture of the layout's size, over whatever reaches beyond the plate there. A camera for
-  // each of its plates. Moments of a
-  // series are drawn in order: charts show what was drawn before.
+  // Draws on a picture of the layout's size, over anything there that extends beyond the plate.
+  // Takes a camera per plate. Moments of a series must be drawn in order: charts show the earlier
+  // ones.
   void draw(Image& image, const std::vector<Camera>& cameras, const Moment& moment);
 
-  // All that was written by draw(), the last time it was called.
+  // Returns all texts of the last draw().
   std::vector<PlacedText> texts() const;
 
  private:
@@ -60,10 +60,10 @@ class Overlay {
   Layout layout_;
   Theme theme_;
   std::string slow_motion_;
-  std::optional<Font> font_;  // nothing is written on a bare picture
+  std::optional<Font> font_;  // empty on a bare picture, which has no text
   std::vector<Strip> strips_;
   std::vector<Marker> markers_;
-  std::vector<PlacedMarker> placed_;  // of markers_, as they were drawn last
+  std::vector<PlacedMarker> placed_;  // of markers_, as last drawn
   ChartHistory loads_, energy_;
   std::vector<PlacedText> lasting_, fleeting_;
 };

@@ -10,7 +10,7 @@
 namespace hackle {
 
 std::string slow_motion_text(double factor) {
-  constexpr double sane = 1e15;  // also keeps the rounding within whole numbers
+  constexpr double sane = 1e15;  // also keeps rounding within integers
   if (!(factor > 0.0) || factor > sane) return "";
   const bool slowed = factor >= 1.0;
   const double times = slowed ? factor : 1.0 / factor;

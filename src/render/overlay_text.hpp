@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said around a plate and on it.
+// The texts around a plate and on it.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace hackle {
 
-// A point of the plate with a name.
+// A labelled point of the plate.
 struct Marker {
   Vec2 place{0, 0};  // m
   std::string label;
 };
 
-// What a user asks for.
+// The user's choices.
 struct OverlayOptions {
-  std::optional<std::string> title;  // the material if not given; "" for none
+  std::optional<std::string> title;  // default: the material; "" for none
   bool clock = true;
   bool bar = true;
   bool scale_bar = true;
@@ -35,23 +35,23 @@ struct BarText {
   bool logarithmic = false;
 };
 
-// All that a picture says, the same for a series of them. Any text may be empty.
+// All texts of a picture, the same for a whole series. Any text may be empty.
 struct OverlayText {
-  OverlayOptions parts;  // but for the title
+  OverlayOptions parts;  // except the title
   std::string title;
-  std::string note;                      // how the plate is shown, "deformed × 100"
-  double slow_motion = 0.0;              // how many times slower than it is; 0: not said
-  std::vector<BarText> bars{BarText{}};  // one for each field
+  std::string note;                      // describes the view: "deformed × 100"
+  double slow_motion = 0.0;              // slow-motion factor; 0: not shown
+  std::vector<BarText> bars{BarText{}};  // one per field
   Background background = Background::dark;
 };
 
-// "slowed 133 000 times", three digits of it; "" for 0.
+// Returns "slowed 133 000 times", to three digits; "" for 0.
 std::string slow_motion_text(double factor);
 
-// "22.50 µs"; always as many decimals, so that it does not dance.
+// Returns "22.50 µs", always with the same number of decimals, so that it does not jump.
 std::string time_text(double time);
 
-// A unit as pictures write it: "µs" for "us", "J/m³" for "J/m3".
+// Returns a unit as pictures write it: "µs" for "us", "J/m³" for "J/m3".
 std::string printed_unit(const std::string& name);
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all pictures of a series have in common.
+// The properties that all pictures of a series share.
 #pragma once
 
 #include <array>
@@ -14,14 +14,13 @@
 
 namespace hackle {
 
-// Where a second field is seen: in the lower or the right half of the plate, for scenes that are
-// symmetric about the midline, over the first field, the more opaque the larger it is, or on a
-// plate of its own.
+// The position of a second field: in the lower or the right half of the plate, for scenes symmetric
+// about the midline; over the first field, more opaque for larger values; or on a second plate.
 enum class Arrangement { below, right, over, beside };
 inline constexpr std::array<std::string_view, 4> arrangement_names{"below", "right", "over",
                                                                    "beside"};
 
-// How a field is painted.
+// The appearance of a field.
 struct FieldStyle {
   std::string colour_map = "damage";  // one of colour_map_names, or fringes_name
   double least = 0.0;                 // the values at the two ends of the colour bar, in SI;
@@ -34,20 +33,20 @@ struct FieldStyle {
 
 struct PictureStyle {
   Grid grid;
-  std::optional<Window> window;  // what is seen of it; all if not given
-  double rotation = 0.0;         // rad, counterclockwise, about the middle of what is seen
-  double magnification = 0.0;    // of displacements; 0 is the plate at rest
+  std::optional<Window> window;  // visible part of the plate; default: all
+  double rotation = 0.0;         // rad, anticlockwise, about the centre of the visible part
+  double magnification = 0.0;    // of displacements; 0 shows the undeformed plate
   int width = 1280;              // px, even
   double cell = 0.0;             // px; 0: as large as the width allows
-  int bare_height = 0;           // px; above 0 the plate alone, stretched to fill the picture
+  int bare_height = 0;           // px; if above 0, the plate alone is stretched to fill the picture
   FieldStyle field;
-  std::optional<FieldStyle> second;              // of another field
+  std::optional<FieldStyle> second;              // a second field
   Arrangement arrangement = Arrangement::below;  // of the second field
   std::string title;                             // may be empty
-  OverlayOptions overlay;                        // but for its title
+  OverlayOptions overlay;                        // except its title
   Background background = Background::dark;
-  std::string note;          // how the plate is shown, "deformed × 100"; may be empty
-  double slow_motion = 0.0;  // how many times slower than it is; 0: not said
+  std::string note;          // describes the view, "deformed × 100"; may be empty
+  double slow_motion = 0.0;  // slow-motion factor; 0: not shown
 };
 
 }  // namespace hackle

@@ -28,7 +28,7 @@ Window window_of(const PictureStyle& style) {
   return style.window.value_or(Window{0, 0, style.grid.nx, style.grid.ny});
 }
 
-// As the colour bar has it: with the prefix that suits its larger end.
+// The unit of the colour bar, with the prefix that suits its larger end.
 PrefixedUnit unit_of(const FieldStyle& field) {
   return prefixed(std::max(std::abs(field.least), std::abs(field.most)), field.unit);
 }
@@ -84,7 +84,7 @@ bool is_beside(const PictureStyle& style) {
   return style.second && style.arrangement == Arrangement::beside && style.bare_height == 0;
 }
 
-// Whether cells are not all rectangles of the same size.
+// Returns whether the cells are not all rectangles of equal size.
 bool needs_mesh(const PictureStyle& style) {
   return style.magnification > 0.0 || style.rotation != 0.0;
 }
@@ -116,7 +116,7 @@ struct PlatePainter::Parts {
       first_pass.set_second(colouring_of(*style.second), style.arrangement);
     if (needs_mesh(style)) mesh_pass.emplace(gl, layout.plate.width, layout.plate.height);
   }
-  ~Parts() { context.make_current(); }  // its objects go to the context they came from
+  ~Parts() { context.make_current(); }  // its objects are deleted in their context
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
@@ -159,18 +159,19 @@ struct PlatePainter::Parts {
     cells.nx = blocks.columns * blocks.size;
     cells.ny = blocks.rows * blocks.size;
     Points points = points_of(pass, shot, cells, blocks.columns, blocks.rows);
-    // Single cells open where bonds are broken; blocks of them hide what is broken inside.
+    // Single cells open where bonds are broken, so need no gaps; blocks of cells hide broken bonds
+    // inside.
     if (blocks.size == 1 && !shot.links.empty()) points.gaps.clear();
     pass.paint(points);
     const auto places = corners(blocks, cells, style.grid, displaced, camera(plate, window));
-    constexpr double tolerance = 2.0 * 0.05;  // px, of the two units of Camera::share
+    constexpr double tolerance = 2.0 * 0.05;  // px, in the two units of Camera::share
     mesh_pass->paint(quadrilaterals(blocks, places, points.values,
                                     {tolerance / plate.width, tolerance / plate.height}),
                      pass.colours(), background_of(style));
     copy_to_picture(mesh_pass->framebuffer(), plate.width, plate.height, plate);
   }
 
-  // Spread evenly over the window.
+  // Spreads the points evenly over the window.
   Points points_of(const ColourPass& pass, const Shot& shot, const Window& window, int width,
                    int height) const {
     const auto sampled = [&](const std::vector<float>& values, const FieldStyle& field) {
@@ -197,7 +198,7 @@ struct PlatePainter::Parts {
   // OpenGL counts rows from the bottom.
   int row_from_below(const Rectangle& plate) const { return layout.height - plate.bottom(); }
 
-  // All `width` x `height` px of it, to where the plate is.
+  // Copies all `width` x `height` px to the position of the plate.
   void copy_to_picture(const Framebuffer& from, int width, int height, const Rectangle& plate) {
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.target());
@@ -219,10 +220,10 @@ struct PlatePainter::Parts {
   PictureStyle style;
   Layout layout;
   Overlay overlay;
-  GlContext context;  // before everything that lives in it
+  GlContext context;  // declared before everything that lives in it
   const GlFunctions& gl = context.functions();
   ColourPass first_pass;
-  std::optional<ColourPass> second_pass;  // for a plate of its own
+  std::optional<ColourPass> second_pass;  // for a second plate
   std::optional<MeshPass> mesh_pass;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A complete picture of a plate: the field in colours, colour bar, time and scale bar.
+// Paints complete pictures of a plate: field in colours, colour bar, time and scale bar.
 #pragma once
 
 #include <cstdint>
@@ -15,35 +15,35 @@
 
 namespace hackle {
 
-// What is painted at one time, by Grid::index: of one field at most 14 bytes a node.
+// The content of one picture, by Grid::index: for one field at most 14 bytes per node.
 struct Shot {
-  std::vector<float> values;        // nan where the background is to be seen
+  std::vector<float> values;        // nan shows the background
   std::vector<float> second;        // of the second field, if the style has one
-  std::vector<std::uint8_t> gaps;   // damage in 255ths, to be seen as gaps; empty where it is not
-  std::vector<float> displacement;  // m, x and y; empty for the plate at rest
-  std::vector<std::uint8_t> links;  // of Link, when there are displacements
-  std::vector<BondLine> bonds;      // to be drawn one by one
+  std::vector<std::uint8_t> gaps;   // damage in 1/255, shown as gaps; may be empty
+  std::vector<float> displacement;  // m, x and y; empty for the undeformed plate
+  std::vector<std::uint8_t> links;  // of Link, if there are displacements
+  std::vector<BondLine> bonds;      // drawn one by one
   double time = 0.0;                // s
   std::vector<Circle> discs;
-  std::optional<Window> window;  // as large as that of the style, which it stands in for
-  Chart load_curve, energy;      // where the overlay has them
+  std::optional<Window> window;  // replaces that of the style and has its size
+  Chart load_curve, energy;      // if the overlay shows them
 };
 
-// Where everything lies in the pictures of a series.
+// Returns the layout of all pictures of a series.
 Layout layout_of(const PictureStyle& style);
 
-// Owns a GL context, so it must be used, and destroyed, by the thread that created it.
+// Owns a GL context, so the thread that creates it must also use and destroy it.
 class PlatePainter {
  public:
-  // Throws Error (files) when a shader, colour map or font is missing, Error (run_failed) when no
-  // GL context can be had.
+  // Throws Error (files) if a shader, colour map or font is missing, Error (run_failed) if no GL
+  // context is available.
   explicit PlatePainter(PictureStyle style);
   ~PlatePainter();
 
   int width() const;   // px, even unless bare
-  int height() const;  // px, even, from the shape of what is seen; or as the style says
+  int height() const;  // px, even, from the shape of the visible part; or as the style says
 
-  // Discs are drawn where they are, over the plate, displaced or not.
+  // Discs are drawn at their positions, over the plate, displaced or not.
   Image paint(const Shot& shot);
 
  private:

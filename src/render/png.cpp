@@ -20,7 +20,8 @@ bool is_opaque(const Image& image) {
   return true;
 }
 
-// Takes what Cairo has encoded so far; an interrupt ends a large picture in the middle.
+// Writes the bytes that Cairo has encoded so far; an interrupt ends even a large picture in the
+// middle.
 cairo_status_t take(void* file, const unsigned char* bytes, unsigned int count) {
   if (interrupted()) return CAIRO_STATUS_WRITE_ERROR;
   auto& out = *static_cast<std::ofstream*>(file);
@@ -32,7 +33,7 @@ cairo_status_t take(void* file, const unsigned char* bytes, unsigned int count) 
 
 void write_png(const Image& image, const std::filesystem::path& path) {
   const PartialFile partial(path);
-  // Cairo only reads the pixels here, but its interface does not say so.
+  // Cairo only reads the pixels here, though its interface takes a non-const pointer.
   auto* pixels = const_cast<std::uint8_t*>(image.pixels.data());
   const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
       cairo_image_surface_create_for_data(

@@ -11,7 +11,7 @@
 namespace hackle {
 namespace {
 
-// The reader of libpng, freed on every way out.
+// The reader of libpng, freed on every exit.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& path) : path_(path) {
@@ -39,7 +39,7 @@ class Reader {
   void check() {
     if (!PNG_IMAGE_FAILED(image_)) return;
     png_image_free(&image_);
-    // The words of libpng may repeat what stands in the file.
+    // Messages of libpng may quote the file.
     throw Error(
         ErrorKind::files,
         fmt::format("cannot read the picture '{}': it is damaged or no PNG", path_.string()),

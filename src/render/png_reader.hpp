@@ -7,7 +7,7 @@
 
 namespace hackle {
 
-// Brightness, 0 black to 255 white, as a screen shows it (sRGB).
+// Brightness from 0 (black) to 255 (white), as a screen shows it (sRGB).
 struct GreyImage {
   int width = 0;                     // px
   int height = 0;                    // px
@@ -16,12 +16,13 @@ struct GreyImage {
 
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 24;
 
-// Reads a PNG of any kind: grey, colour or palette, 1 to 16 bits, interlaced or not. What is
-// transparent is laid on white. Throws Error (files) when it cannot be read, Error (refused) when
-// it has more than max_pixels.
+// Reads a PNG of any kind: grey, colour or palette, 1 to 16 bits, interlaced or not. Transparent
+// pixels are laid on white. Throws Error (files) if it cannot be read, Error (refused) if it has
+// more than max_pixels.
 GreyImage read_png(const std::filesystem::path& path);
 
-// Throws what read_png() throws of a file that is no PNG or too large, without reading its pixels.
+// Throws what read_png() throws for a file that is not a PNG or is too large, without reading its
+// pixels.
 void check_png(const std::filesystem::path& path);
 
 }  // namespace hackle

@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-// Finds the largest squares of blocks that are flat, by halving.
+// Finds the largest flat squares of blocks by halving.
 class Merger {
  public:
   Merger(const Blocks& blocks, std::span<const float> corners, std::span<const float> values,
@@ -24,7 +24,7 @@ class Merger {
   }
 
  private:
-  // Columns and rows, each from the first to the last.
+  // Columns and rows, from the first to the last.
   struct Patch {
     int left, bottom, right, top;
     int columns() const { return right - left + 1; }
@@ -55,7 +55,7 @@ class Merger {
       for (const int right : {0, half}) add(column + right, row + up, half);
   }
 
-  // Where the four corners of a patch put a point of it, 0..1 across and up: two triangles.
+  // Maps a point of a patch, 0..1 across and up, by its four corners: two triangles.
   static Vec2 inside(const std::array<Vec2, 4>& outer, double across, double up) {
     if (across + up <= 1.0)
       return outer[0] + across * (outer[1] - outer[0]) + up * (outer[2] - outer[0]);
@@ -67,7 +67,7 @@ class Merger {
             corner(patch.left, patch.top, 2), corner(patch.right, patch.top, 3)};
   }
 
-  // A crack shows as corners that are far from where they would be.
+  // A crack shows as a corner far from its place in a flat patch.
   bool is_flat(const Patch& patch) const {
     const std::array<Vec2, 4> ends = outer(patch);
     for (int row = patch.bottom; row <= patch.top; ++row)

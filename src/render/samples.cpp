@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-// The largest value; of no value -infinity. nan compares false.
+// The largest value; -infinity without any. nan compares false.
 struct Largest {
   using Value = float;
   static constexpr float none = -std::numeric_limits<float>::infinity();
@@ -44,8 +44,8 @@ struct LargestByte {
   std::uint8_t result() const { return sum; }
 };
 
-// For each of `points` spread over `cells` columns or rows from `begin` on, what of those under it
-// lies among `count` of the lattice; empty when last < first.
+// Returns, for each of `points` spread over `cells` columns or rows from `begin` on, the part under
+// it that lies among `count` of the lattice; empty if last < first.
 std::vector<Under> all_under(int points, int cells, int begin, int count) {
   std::vector<Under> list;
   list.reserve(static_cast<std::size_t>(points));
@@ -56,7 +56,7 @@ std::vector<Under> all_under(int points, int cells, int begin, int count) {
   return list;
 }
 
-// First the rows under a point are taken together, column by column, then its columns.
+// Combines the rows under a point first, column by column, then its columns.
 template <class Sum>
 std::vector<typename Sum::Value> all_samples(std::span<const typename Sum::Value> values,
                                              const Grid& grid, const Window& window, int width,

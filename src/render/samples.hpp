@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of cells as a picture of fewer points shows them.
+// Reduces the values of cells to the points of a picture.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace hackle {
 
-// The columns or rows [first, last] of `cells` that lie at least partly under point k of `points`,
-// those beyond the ends included. Decided in integers, so that mirror images see mirror images.
+// Columns or rows [first, last] of `cells` that lie at least partly under point k of `points`,
+// including those beyond the ends. Decided in integers, so that mirror images give mirror images.
 struct Under {
   int first = 0, last = 0;
 };
 Under under(int k, int points, int cells);
 
-// One value for each of `width` x `height` points spread evenly over the window, rows from the
-// bottom, from one value for each node by Grid::index. A point shows what `sampling` says of the
-// nodes under it; taking one of them would drop a crack one cell wide, and the mean would fade it.
-// nan, and what lies beyond the lattice, is left out; a point with nothing under it is nan.
+// Returns values for `width` x `height` points spread evenly over the window, rows from the bottom,
+// from one value per node by Grid::index. `sampling` reduces the nodes under a point to its value;
+// picking one node would lose a crack one cell wide, and the mean would fade it. nan, and cells
+// beyond the lattice, are ignored; a point with no value under it is nan.
 std::vector<float> samples(std::span<const float> values, const Grid& grid, const Window& window,
                            int width, int height, Sampling sampling);
 
-// The largest of the values under each point, 0 with nothing under it.
+// Returns the largest value under each point, or 0 if there is none.
 std::vector<std::uint8_t> samples(std::span<const std::uint8_t> values, const Grid& grid,
                                   const Window& window, int width, int height);
 

@@ -32,7 +32,7 @@ ScaleBar::ScaleBar(const Layout& layout, const OverlayText& text, const Font& fo
   const std::string name = font.fitting(length_text(length), layout.small_font, layout.scale.width);
   const double half = 0.5 * font.width_of(name, layout.small_font);
   const double middle = std::min(0.5 * (left_ + right_), right_ - half);
-  // That of the numbers of the colour bar: a line lower than the colours are high.
+  // The base line of the colour bar's numbers: one line below the colours.
   const double base =
       layout.scale.y + std::round(0.8 * layout.font) + 0.4 * layout.font + 0.85 * layout.small_font;
   text_ = font.place(name, middle, base, layout.small_font, 0.5, theme_of(text.background).text);

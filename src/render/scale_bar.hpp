@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line of a neat length, to measure the plate by.
+// A line of a round length, as a measure of the plate.
 #pragma once
 
 #include "render/canvas.hpp"
@@ -9,7 +9,7 @@ namespace hackle {
 
 class ScaleBar {
  public:
-  // About a fifth of the plate, but not too short to be seen.
+  // Its length is about a fifth of the plate, but not too short to see.
   ScaleBar(const Layout& layout, const OverlayText& text, const Font& font,
            double metres_per_pixel);
 

@@ -10,7 +10,7 @@
 namespace hackle {
 namespace {
 
-// Mesa writes "0:12(3): error: ..."; people read "colours.frag:12: error: ...".
+// Turns Mesa's "0:12(3): error: ..." into the usual "colours.frag:12: error: ...".
 std::string with_file_name(const std::string& log, const std::string& file) {
   static const std::regex place(R"((^|\n)0:(\d+)\(\d+\))");
   return std::regex_replace(log, place, "$1" + file + ":$2");

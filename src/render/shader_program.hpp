@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A vertex and a fragment shader from shaders/, compiled and linked.
+// A compiled and linked vertex and fragment shader from shaders/.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace hackle {
 
 class ShaderProgram {
  public:
-  // NAME.vert and NAME.frag of the folder shaders/. Throws Error (files) when one is missing, Error
-  // (run_failed) with file and line when one does not compile.
+  // Loads NAME.vert and NAME.frag of the folder shaders/. Throws Error (files) if one is missing,
+  // Error (run_failed) with file and line if one does not compile.
   ShaderProgram(const GlFunctions& gl, const std::string& name);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
@@ -25,7 +25,7 @@ class ShaderProgram {
   GLuint program_;
 };
 
-// Compiles one shader; `file` is what a message calls it. Throws Error (run_failed).
+// Compiles one shader; `file` is its name in messages. Throws Error (run_failed).
 GLuint compile_shader(const GlFunctions& gl, GLenum kind, const std::string& file,
                       const std::string& text);
 

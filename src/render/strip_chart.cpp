@@ -78,7 +78,8 @@ void StripChart::write_heading(const Chart& chart) {
   write_names(room_.x + font_.width_of(shown, size_) + 1.5 * size_);
 }
 
-// From the right, each with an equal share of the room; what gets too little is left out.
+// Places names from the right, each in an equal share of the room; names without enough room are
+// left out.
 void StripChart::write_names(double left) {
   const double gap = std::round(size_);
   const auto count = static_cast<double>(curves_.size());
@@ -91,7 +92,7 @@ void StripChart::write_names(double left) {
   }
 }
 
-// Left of the frame, whose edge stays where it is while the numbers grow.
+// Places values left of the frame, whose edge stays in place while the numbers grow.
 void StripChart::write_values() {
   std::vector<double> shown = values_;
   for (double& value : shown) value /= unit_factor_;
@@ -109,7 +110,7 @@ void StripChart::write_values() {
   }
 }
 
-// Below the frame, the last with the unit.
+// Places times below the frame, the last one with the unit.
 void StripChart::write_times() {
   constexpr int intervals = 4;
   const PrefixedUnit unit = prefixed(until_, "s");
@@ -139,7 +140,7 @@ void StripChart::place_lines(double now) {
 
 void StripChart::draw(Canvas& canvas) const {
   constexpr double faint = 0.6;
-  const double before = 0.5 * hairline_;  // so that lines are centred on what they mark
+  const double before = 0.5 * hairline_;  // centres lines on their values
   const double width = std::max(1.5, std::round(0.12 * size_));
   for (const double value : values_) {
     canvas.colour(theme_.outline, value == 0.0 ? 1.0 : faint);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves over time in a flat frame, with the present moment.
+// Curves over time in a flat frame, marking the present.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,12 @@ namespace hackle {
 
 class StripChart {
  public:
-  // In `room`; the axis of time goes from 0 to chart.until, or to `now`, s, if that is later.
+  // Draws in `room`; the time axis goes from 0 to chart.until, or to `now` (s) if that is later.
   StripChart(const Rectangle& room, const Chart& chart, double now, const Layout& layout,
              const Theme& theme, const Font& font);
 
   void draw(Canvas& canvas) const;
-  // The heading with the unit, names of curves, numbers at the axes.
+  // Returns the heading with the unit, names of curves and numbers at the axes.
   const std::vector<PlacedText>& texts() const { return texts_; }
 
  private:
@@ -38,7 +38,7 @@ class StripChart {
   double py(double value) const;
 
   Rectangle room_;
-  double size_;   // px, of all texts
+  double size_;   // of all texts, px
   int hairline_;  // px
   const Theme& theme_;
   const Font& font_;
@@ -47,7 +47,7 @@ class StripChart {
   double until_ = 1.0;                                          // s
   double min_ = 0.0, max_ = 1.0;                                // values at bottom and top
   std::vector<double> values_, times_;                          // of the ticks
-  std::string unit_;                                            // as the heading has it
+  std::string unit_;                                            // in the heading
   double unit_factor_ = 1.0;
   double now_ = 0.0;  // px
   std::vector<Line> lines_;

@@ -4,8 +4,8 @@
 namespace hackle {
 namespace {
 
-// Curves: after Okabe and Ito, "Color Universal Design" (2008); darker on white, so that names
-// in these colours can be read.
+// Colours of curves: after Okabe and Ito, "Color Universal Design" (2008); darker on white, so that
+// names in these colours are legible.
 constexpr Theme dark{
     .background = background_colour,
     .text = {222, 228, 236},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The colours of everything that is not the field.
+// The colours of everything except the field.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace hackle {
 
-// What is seen where there is no material. Transparent pictures have the texts of light ones.
+// The colour where there is no material. Transparent pictures have the texts of light ones.
 enum class Background { dark, light, transparent };
 
 inline constexpr auto background_names =
@@ -22,13 +22,13 @@ struct Theme {
   Colour quiet;          // numbers and remarks
   Colour outline;        // rim of the plate, lines of charts
   Colour disc;           // impactors
-  // One after the other for the curves of a chart; colour-blind people tell them apart.
+  // For the curves of a chart, in order; distinguishable for colour-blind people.
   std::array<Colour, 5> curves;
 };
 
 const Theme& theme_of(Background background);
 
-// Of Background::dark.
+// The colour of Background::dark.
 inline constexpr Colour background_colour{15, 18, 24};
 
 }  // namespace hackle

@@ -10,7 +10,7 @@
 namespace hackle {
 namespace {
 
-constexpr double slack = 1e-9;  // so that an end that is neat has its tick
+constexpr double slack = 1e-9;  // so that a round end gets its tick
 
 double neat_at_least(double least) {
   const double decade = std::pow(10.0, std::floor(std::log10(least)));
@@ -25,14 +25,14 @@ double step_of(double least, double most, int intervals) {
 }
 
 std::vector<double> multiples(double step, double first, double last) {
-  constexpr double most = 100.0;  // there are fewer, unless numbers are too near to tell them apart
+  constexpr double most = 100.0;  // there are fewer, unless the numbers are too close to differ
   std::vector<double> values;
   if (!std::isfinite(step) || step == 0.0 || last - first > most) return values;
   for (double k = first; k <= last; ++k) values.push_back(k == 0.0 ? 0.0 : k * step);  // never -0
   return values;
 }
 
-// "−" for "-", and powers of ten as people write them.
+// Writes "−" for "-", and powers of ten in the usual form.
 std::string printed(const std::string& text) {
   const std::size_t e = text.find('e');
   std::string number = text.substr(0, e);
