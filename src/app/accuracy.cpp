@@ -16,7 +16,7 @@
 namespace hackle {
 namespace {
 
-constexpr int samples = 128;  // looks at the crack during the run
+constexpr int samples = 128;  // checks of the crack during the run
 
 Plate plate_for(const Numerics& numerics) {
   Plate plate = bench_deck({}, 1000).plate;
@@ -26,8 +26,8 @@ Plate plate_for(const Numerics& numerics) {
   return plate;
 }
 
-// Steps that divide the time of the comparison, so that all runs are compared at the same time: the
-// longest that are at most `fraction` of the limit.
+// Sets the longest step of at most `fraction` of the limit that divides the time of the comparison,
+// so that all runs are compared at the same time.
 Numerics with_step(const Numerics& numerics, double fraction) {
   const double longest = fraction * Lattice(plate_for(numerics), numerics).step_limit;
   Numerics result = numerics;
@@ -64,7 +64,7 @@ double difference(const Simulation& one, const Simulation& exact) {
   return relative(sum, of);
 }
 
-// A cell of the lattice is four of the finer one: their mean is compared.
+// A cell of the lattice covers four of the finer one: their mean is compared.
 double difference_to_finer(const Simulation& one, const Simulation& finer) {
   const Grid& grid = one.lattice().grid;
   double sum = 0.0, of = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the benchmark solves: the paper's first plate, in every way that Hackle can solve it.
+// The plate of the benchmark: the paper's first plate, in every way that Hackle can solve it.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace hackle {
 
-// One way to solve it: a row of the benchmark's table.
+// One way to solve the plate: a row of the benchmark's table.
 struct Configuration {
   std::string_view name;
   Precision precision = Precision::f64;
   bool fused = false;
-  double alpha = 0.0;     // of the material: s0 depends on the history of stretch
+  double alpha = 0.0;     // of the material: with it, s0 depends on the history of stretch
   double fidelity = 0.0;  // see Numerics
-  bool threads = false;   // as many as asked for; else one
+  bool threads = false;   // as many as requested; otherwise one
 };
 
 inline constexpr std::array configurations{
@@ -39,11 +39,11 @@ struct BenchDeck {
 };
 BenchDeck bench_deck(const Configuration& configuration, int nodes);
 
-// Whether a machine with this instruction set can solve it so.
+// Returns whether a machine with this instruction set can solve it in this way.
 bool is_possible(const Configuration& configuration, InstructionSet set);
 
-// Solves `steps` steps from the start. Returns node-steps per second; setting up does not count.
-// Throws Error (interrupted) on Ctrl-C.
+// Solves `steps` steps from the start. Returns node-steps per second, without set-up. Throws Error
+// (interrupted) on Ctrl-C.
 double measure_speed(Simulation& simulation, int steps);
 
 }  // namespace hackle

@@ -26,18 +26,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// 32 us of the default plate: the crack starts and forks.
+// 32 us of the default plate: the crack starts and branches.
 constexpr int our_steps = 300;
-// LAMMPS visits every bond at every step, whatever the plate does: fewer tell as much.
+// LAMMPS visits every bond in every step, whatever happens on the plate: fewer steps suffice.
 constexpr int lammps_steps = 50;
 
-// What was measured of one row, a value for each round.
+// The measurements of one row, one value per round.
 struct Row {
   Configuration configuration;
   int nodes = 0, bonds = 0, threads = 1;
   double bytes_per_node = 0.0;
   std::vector<double> speeds;  // node-steps/s
-  std::vector<double> ratios;  // to LAMMPS in the same round; none without it
+  std::vector<double> ratios;  // relative to LAMMPS in the same round; empty without LAMMPS
 };
 
 struct LammpsRow {
@@ -94,7 +94,7 @@ void measure(LammpsRow& row, double alpha, const BenchRequest& request) {
   row.speeds.push_back(row.last.node_steps_per_second());
 }
 
-// Calls done(name) after everything that was measured.
+// Calls done(name) after each measurement.
 template <class Done>
 void measure_round(Measurements& measurements, const BenchRequest& request, const Done& done) {
   for (auto& [alpha, row] : measurements.lammps) {
@@ -160,7 +160,7 @@ Json machine(InstructionSet set) {
           {"git", git_hash()}};
 }
 
-// "lammps" is null when it was not asked for or is not there.
+// "lammps" is null if it was not requested or is not installed.
 Json to_json(const Measurements& measurements, const BenchRequest& request) {
   Json json{{"schema", 1},
             {"machine", machine(request.execution.instruction_set)},

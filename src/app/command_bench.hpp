@@ -9,17 +9,17 @@
 namespace hackle {
 
 struct BenchRequest {
-  std::string peer = "auto";  // "lammps", "none", or "auto": LAMMPS when it is installed
+  std::string peer = "auto";  // "lammps", "none", or "auto": LAMMPS if it is installed
   int rounds = 5;
   int nodes = 64000;
   Execution execution;
-  bool accuracy = false;  // measure what speed costs in accuracy instead
+  bool accuracy = false;  // measure the loss of accuracy instead
   bool json = false;
   bool quiet = false;
 };
 
-// Measures every configuration, and the peer, once in every round, so that a machine that slows
-// down slows down everybody; prints medians over the rounds. Returns the exit code.
+// Measures every configuration, and the peer, once per round, so that a machine that slows down
+// affects all of them; prints medians over the rounds. Returns the exit code.
 int command_bench(const BenchRequest& request);
 
 }  // namespace hackle

@@ -20,7 +20,7 @@ ConsoleSettings settings_for(Purpose purpose, const RunRequest& request) {
   return settings;
 }
 
-// What a script throws itself after its simulations may come from results that are not there.
+// An error of the script itself after its simulations may be due to missing results.
 std::optional<Error> failure_of_script(Console& console, const RunRequest& request) {
   try {
     console.run_file(request.script, request.arguments);

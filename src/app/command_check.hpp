@@ -8,12 +8,13 @@
 
 namespace hackle {
 
-// Says on stdout what every simulation of the script would take, without computing or writing
-// anything. Returns the exit code: that of the first error a run of it would meet so far.
+// Prints to stdout the cost of every simulation of the script, without computing or writing
+// anything. Returns the exit code: that of the first error that a run of the script would meet so
+// far.
 int command_check(const RunRequest& request);
 
-// "Options of plate.lua, for --set:" and a line for each, or that there are none. The script is run
-// until it declares them. Throws what Console::run_file throws.
+// Returns "Options of plate.lua, for --set:" and one line per option, or that there are none. Runs
+// the script until it declares them. Throws what Console::run_file throws.
 std::string options_text(const RunRequest& request);
 
 }  // namespace hackle

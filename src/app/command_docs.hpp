@@ -11,11 +11,11 @@ namespace hackle {
 
 struct DocsRequest {
   bool man = false;
-  bool markdown = false;   // so it is when nothing is said
+  bool markdown = false;   // the default
   std::string completion;  // "" or a shell
 };
 
-// Writes one of them to stdout. Returns the exit code.
+// Writes one of the forms to stdout. Returns the exit code.
 int command_docs(const DocsRequest& request, const std::vector<Command>& commands);
 
 }  // namespace hackle

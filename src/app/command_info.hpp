@@ -4,7 +4,7 @@
 
 namespace hackle {
 
-// Prints what was built, with which libraries, and what the machine offers. Returns the exit code.
+// Prints version, libraries and the resources of the machine. Returns the exit code.
 int command_info(bool json);
 
 }  // namespace hackle

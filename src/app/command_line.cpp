@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 7> commands{"run",   "check", "render", "
                                                    "bench", "info",  "docs"};
 constexpr int max_threads = 1024;
 
-// Everything the command line can say.
+// The parsed command line.
 struct Request {
   RunRequest run;
   RenderRequest render;
@@ -50,7 +50,7 @@ bool is_command(const std::string& word) {
   return std::ranges::find(commands, word) != commands.end();
 }
 
-// Takes what follows "--" out of the words.
+// Removes the words after "--" and returns them.
 std::vector<std::string> cut_script_arguments(std::vector<std::string>& words) {
   const auto dashes = std::ranges::find(words, "--");
   if (dashes == words.end()) return {};
@@ -69,7 +69,7 @@ std::string check_setting(const std::string& setting) {
   return equals == 0 || equals == std::string::npos ? "'" + setting + "' is not key=value" : "";
 }
 
-// How a plate is solved, without a bit of difference in the result.
+// Options of execution, which do not change a single bit of the results.
 void describe_execution(CLI::App& command, Execution& execution) {
   command.add_option("-j,--threads", execution.threads, "Number of threads (one per core)")
       ->type_name("N")
@@ -89,7 +89,7 @@ void describe_execution(CLI::App& command, Execution& execution) {
       ->check(CLI::IsMember(names));
 }
 
-// What a script may do to this machine.
+// Options that limit what a script may do to this machine.
 void describe_limits(CLI::App& command, Limits& limits) {
   command.add_flag("--trust", limits.trust,
                    "Allow the script all of Lua's library, any file, and other programs");
@@ -205,7 +205,7 @@ void describe(CLI::App& app, Request& request) {
   app.footer("hackle FILE.lua is short for hackle run FILE.lua; hackle alone opens the prompt.");
 }
 
-// What CLI11 says, in our words where they are better.
+// Reports errors of CLI11, in our own words where they are clearer.
 int refuse(const CLI::App& app, const CLI::ParseError& error, const std::string& unknown) {
   const bool known = app.get_subcommands().empty() && !unknown.empty() && unknown[0] != '-';
   std::string what = error.what();
@@ -231,8 +231,8 @@ int execute(const CLI::App& app, Request& request) {
   return command_prompt(request.run.limits);
 }
 
-// What was printed and never written makes a success a failure. A reader who has had enough, as
-// head has, hears no complaint.
+// Output that could not be written makes a success a failure. If the reader has closed the pipe, as
+// head does, no error is printed.
 int with_output_checked(int code) {
   const auto reason = lost_output();
   if (!reason) return code;

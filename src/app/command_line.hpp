@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the words of the command line ask for.
+// Parses the command line and runs its command.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace hackle {
 
-// The whole program, given the words after its name. Returns the exit code.
+// Runs the whole program with the words after its name. Returns the exit code.
 int run_program(std::vector<std::string> words);
 
-// "hackle [options] FILE.lua" means "hackle run [options] FILE.lua": puts the word `run` in front
-// when no command is named and a script is. `words` end before "--".
+// Puts the word `run` in front if no command is named and a script is: "hackle [options] FILE.lua"
+// means "hackle run [options] FILE.lua". `words` must end before "--".
 std::vector<std::string> with_command(std::vector<std::string> words);
 
 }  // namespace hackle

@@ -6,8 +6,8 @@
 
 namespace hackle {
 
-// Writes a script to begin with, NAME.lua, here; never over a file that is there. Returns the exit
-// code.
+// Writes a script to start from, NAME.lua, in the current folder; never replaces an existing file.
+// Returns the exit code.
 int command_new(const std::string& name);
 
 }  // namespace hackle

@@ -58,7 +58,7 @@ int command_prompt(const Limits& limits) {
       editor->complete_with(
           [&](const std::string& before) { return console.complete(prompt.begun() + before); });
     const int first_error = prompt.run();
-    // A person has seen the errors; a program that feeds lines reads them from the code.
+    // A person has seen the errors; a program that feeds lines needs the exit code.
     if (!person && !asked_to_leave()) console.finish_work();
     int code = person ? console.exit_code().value_or(0) : first_error;
     if (asked_to_leave()) code = static_cast<int>(ErrorKind::interrupted);

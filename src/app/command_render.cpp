@@ -33,7 +33,7 @@ bool is_option(const std::string& word) {
   return equals != std::string::npos && equals > 0 && !std::filesystem::exists(word, ignored);
 }
 
-// As Lua reads it, whatever it holds.
+// Returns the text as a Lua literal, whatever it contains.
 std::string quoted(const std::string& text) {
   std::string all = "\"";
   for (const char c : text) {
@@ -65,7 +65,7 @@ void check_out(const std::string& name) {
               "one of " + comma_list(endings));
 }
 
-// The function that makes what is asked for.
+// Returns the function that makes the requested output.
 const FunctionDoc& function_for(const RenderJob& job) {
   const auto has = [&](std::string_view name) {
     return std::ranges::any_of(job.options, [&](const auto& given) { return given.first == name; });
@@ -118,11 +118,11 @@ ConsoleSettings settings_of(const RenderRequest& request) {
   settings.output_folder = ".";
   settings.execution = request.execution;
   settings.talk = talk(request.quiet);
-  settings.trust = true;  // the script is made of what was typed
+  settings.trust = true;  // the script consists of the user's own words
   return settings;
 }
 
-// Each by itself, so that a message names it.
+// Checks each value separately, so that a message can name it.
 void check_values(Console& console, const RenderJob& job) {
   const FunctionDoc& doc = function_for(job);
   for (const auto& [name, value] : job.options) {
@@ -137,14 +137,14 @@ void check_values(Console& console, const RenderJob& job) {
   }
 }
 
-// What a file says, for a terminal.
+// Makes a text from a file safe to print on a terminal.
 std::string printable(std::string text) {
   const auto controls = [](unsigned char c) { return std::iscntrl(c) != 0; };
   std::ranges::replace_if(text, controls, '?');
   return text;
 }
 
-// What is in a file, and what can be made of it.
+// Describes a run file, and what can be made of it.
 void tell_of(Console& console, const std::string& run) {
   print_out("{}: {}\n", run, printable(console.evaluate("recording " + quoted(run)).at(0)));
   const std::string script = printable(console.evaluate("_.script").at(0));

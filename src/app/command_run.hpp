@@ -27,12 +27,12 @@ struct RunRequest {
 
 ConsoleSettings settings_of(const RunRequest& request);
 
-// Returns the exit code. On stdout: what the script prints; with --json nothing but the one object,
-// and that only when the script came to its end or was interrupted.
+// Returns the exit code. Stdout gets the output of the script; with --json only the one object, and
+// only if the script ended normally or was interrupted.
 int command_run(const RunRequest& request);
 
-// The object of --json: the last simulation, with all of them under "simulations" if there are more
-// than one; {"schema":1,"script":...,"simulations":[]} if there is none.
+// Returns the object of --json: the last simulation, with all of them under "simulations" if there
+// are several; {"schema":1,"script":...,"simulations":[]} if there is none.
 nlohmann::ordered_json json_of(const std::vector<Summary>& simulations, const std::string& script);
 
 }  // namespace hackle

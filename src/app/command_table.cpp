@@ -6,7 +6,7 @@
 namespace hackle {
 namespace {
 
-// What a check with choices adds to the name of the type: "NAME:{auto,lammps,none}".
+// Returns the choices that a check has added to the type name: "NAME:{auto,lammps,none}".
 std::vector<std::string> choices_of(const std::string& type) {
   const std::size_t open = type.find(":{"), close = type.rfind('}');
   if (open == std::string::npos || close == std::string::npos) return {};

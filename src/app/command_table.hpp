@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line as data, read from its parser: what the manual and the shells need to know.
+// The command line as data, taken from its parser, for the manual and the shell completions.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ class App;
 namespace hackle {
 
 struct CommandOption {
-  std::vector<std::string> names;    // "-o", "--output"; the one word of a value without a name
+  std::vector<std::string> names;    // "-o", "--output"; one word for a positional value
   std::string value;                 // "DIR", or "" for a flag
-  std::vector<std::string> choices;  // every value, where they are known
+  std::vector<std::string> choices;  // all values, if they are known
   std::string sentence;
-  bool nameless = false;  // a value that stands by itself, as FILE does
+  bool nameless = false;  // a positional value, such as FILE
 };
 
 struct Command {
@@ -26,12 +26,12 @@ struct Command {
   std::vector<CommandOption> options;
 };
 
-// hackle itself, then its commands.
+// Returns hackle itself, then its commands.
 std::vector<Command> command_table(const CLI::App& app);
 
-// "hackle run [options] FILE"
+// Returns "hackle run [options] FILE".
 std::string synopsis(const Command& command);
-// "-o, --output DIR"
+// Returns "-o, --output DIR".
 std::string usage(const CommandOption& option);
 
 }  // namespace hackle

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the program ends: 0 ok, 1 run failed, 2 usage, 3 script error, 4 refused input, 5 files,
-// 130 interrupted.
+// The exit codes of the program: 0 ok, 1 run failed, 2 usage, 3 script error, 4 refused input, 5
+// files, 130 interrupted.
 #pragma once
 
 #include <functional>
@@ -14,11 +14,11 @@ struct ExitCode {
   std::string_view meaning;
 };
 
-// All of them, in order.
+// Returns all of them, in order.
 std::span<const ExitCode> exit_codes();
 
-// The result of `work`, or the code of the Error it threw, which is told on stderr. Any other
-// exception counts as a failed run.
+// Returns the result of `work`, or the code of the Error it threw, which is printed on stderr. Any
+// other exception counts as a failed run.
 int exit_code_of(const std::function<int()>& work);
 
 }  // namespace hackle

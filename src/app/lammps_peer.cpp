@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder that goes when it is no longer needed.
+// A temporary folder, removed with this object.
 class ScratchFolder {
  public:
   ScratchFolder() : path_(fs::temp_directory_path() / fmt::format("hackle_bench_{}", getpid())) {
@@ -93,7 +93,7 @@ run {steps}
       fmt::arg("dx", dx), fmt::arg("right", lattice.grid.nx - 0.5),
       fmt::arg("top", lattice.grid.ny - 0.5), fmt::arg("below_top", lattice.grid.ny - 1.5),
       fmt::arg("rho", rho), fmt::arg("volume", dx * dx), fmt::arg("c", lattice.calibration.c),
-      // Rounded places must not decide whether a neighbour at exactly the horizon is one.
+      // Rounded positions must not decide whether a neighbour exactly at the horizon counts.
       fmt::arg("horizon", (1.0 + 1e-6) * lattice.family.m() * dx),
       fmt::arg("s0", lattice.calibration.s0), fmt::arg("alpha", alpha), fmt::arg("skin", 0.1 * dx),
       fmt::arg("load", load), fmt::arg("steps", steps),
@@ -119,7 +119,7 @@ LammpsRun run_lammps(const BenchDeck& deck, double alpha, int steps) {
       fmt::format("cd {} && OMP_NUM_THREADS=1 lmp -in plate.in -log log -screen none > said 2>&1",
                   shell_word(folder.path().string()));
   const int status = std::system(command.c_str());
-  // The shell keeps Ctrl-C from us while it waits.
+  // The shell hides Ctrl-C from us while it waits.
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT)
     throw Error(ErrorKind::interrupted, "interrupted, nothing was measured");
   if (status != 0)

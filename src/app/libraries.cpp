@@ -13,7 +13,7 @@
 namespace hackle {
 namespace {
 
-// "HDF5 1.10.8" without "HDF5 ".
+// Returns "HDF5 1.10.8" without "HDF5 ".
 std::string without(const std::string& name, const std::string& text) {
   return text.starts_with(name + " ") ? text.substr(name.size() + 1) : text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The libraries the program was built with, or runs with where they say so themselves.
+// The libraries the program was built with, or runs with if they tell their version.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Library {
 
 std::vector<Library> libraries();
 
-// "Lua 5.4.4, HDF5 1.10.8, ..."
+// Returns "Lua 5.4.4, HDF5 1.10.8, ...".
 std::string libraries_line();
 
 }  // namespace hackle

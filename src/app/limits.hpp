@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a script may do to this machine, as the command line says it.
+// Limits on what a script may do to this machine, from the command line.
 #pragma once
 
 #include "console/session.hpp"

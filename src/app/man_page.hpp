@@ -9,11 +9,11 @@
 
 namespace hackle {
 
-// Command line and, in short, scene language, in roff with the macros of man(7).
+// Returns the command line and a short scene language, in roff with the macros of man(7).
 std::string man_page(const std::vector<Command>& commands);
 
-// Everything: command line and scene language. Throws Error (files) when the library of materials
-// cannot be read.
+// Returns the complete command line and scene language. Throws Error (files) if the library of
+// materials cannot be read.
 std::string markdown_page(const std::vector<Command>& commands);
 
 }  // namespace hackle

@@ -12,7 +12,7 @@ std::string spaced(const std::vector<std::string>& words) {
   return text;
 }
 
-// In single quotes, for any of the shells.
+// Quotes a text with single quotes, for any of the shells.
 std::string in_quotes(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -33,7 +33,7 @@ std::vector<std::string> command_names(const std::vector<Command>& commands) {
   return names;
 }
 
-// What bash offers for the value of an option.
+// Returns bash code that offers values of an option.
 std::string bash_values(const CommandOption& option) {
   if (!option.choices.empty()) return fmt::format("-W {}", in_quotes(spaced(option.choices)));
   return option.value == "DIR" ? "-d" : "-W ''";
@@ -85,7 +85,7 @@ std::string bash(const std::vector<Command>& commands) {
   return text.append(bash_tail);
 }
 
-// "--peer[Compare with it]:NAME:(lammps none)"
+// Returns "--peer[Compare with it]:NAME:(lammps none)".
 std::string zsh_option(const CommandOption& option, const std::string& name) {
   std::string text = name + "[" + option.sentence + "]";
   if (option.value.empty()) return in_quotes(text);

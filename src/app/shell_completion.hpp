@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripts by which a shell completes the command line.
+// Scripts with which a shell completes the command line.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace hackle {
 
 inline constexpr std::array<std::string_view, 3> shell_names{"bash", "zsh", "fish"};
 
-// For one of shell_names.
+// Returns the script for one of shell_names.
 std::string shell_completion(const std::vector<Command>& commands, std::string_view shell);
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program says to a person, on stderr.
+// Messages of the program to the user, on stderr.
 #pragma once
 
 #include <filesystem>
@@ -12,21 +12,21 @@
 
 namespace hackle {
 
-// "error: what (remedy)" for each problem, every line with its "error:". In colour "error:" is red,
-// what is wrong bold and the remedy faint.
+// Returns "error: what (remedy)" for each problem, with "error:" on every line. In colour "error:"
+// is red, the problem bold and the remedy faint.
 std::string error_text(const Error& error, bool colour);
 
-// The same on stderr, in colour on a terminal unless NO_COLOR is set.
+// Prints the same on stderr, in colour on a terminal unless NO_COLOR is set.
 void tell(const Error& error);
 
-// "wrote a.png (16.3 kB)" on stderr.
+// Prints "wrote a.png (16.3 kB)" on stderr.
 void tell_file(const std::filesystem::path& file);
 
-// "wrote out/a.mp4 (1.2 MB)" for each file of the simulations, each once, and what can be done with
-// a recording.
+// Prints "wrote out/a.mp4 (1.2 MB)" once for each file of the simulations, and what can be done
+// with a recording.
 void tell_files(const std::vector<Summary>& simulations);
 
-// How much to say, as the terminal and the user want it.
+// Returns how much to report, given the terminal and the user's wish.
 Talk talk(bool quiet);
 
 }  // namespace hackle

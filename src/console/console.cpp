@@ -32,25 +32,26 @@
 namespace hackle {
 namespace {
 
-// Keeps the numbers of the lines.
+// Removes a first line that begins with #, but keeps its end, so that line numbers stay right.
 std::string_view without_shebang(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.starts_with('#')) text.remove_prefix(std::min(text.find('\n'), text.size()));
   return text;
 }
 
-// [-0, +1] Compiles, or pushes the message. Only source text is taken.
+// [-0, +1] Compiles the text, or pushes the message. Accepts source text only.
 bool load(lua_State* L, std::string_view text, const std::string& chunk) {
   return luaL_loadbufferx(L, text.data(), text.size(), chunk.c_str(), "t") == LUA_OK;
 }
 
-// What lua shows for `=x` is what it shows for `x`.
+// `=x` shows the same values as `x`, as in lua.
 Transcript::Chunk chunk_of(std::string_view text) {
   if (text.starts_with('=')) text.remove_prefix(1);
   return {.text = std::string(text)};
 }
 
-// [-0, +1] The text as an expression if it is one, or else as statements. False with the message.
+// [-0, +1] Compiles the text as an expression if possible, else as statements. Returns false with
+// the message pushed.
 bool load_line(lua_State* L, Transcript::Chunk& chunk) {
   chunk.is_expression = load(L, "return " + chunk.text, prompt_chunk);
   chunk.is_statement = load(L, chunk.text, prompt_chunk);
@@ -92,7 +93,7 @@ int complete_job(lua_State* L) {
   return 0;
 }
 
-// out/<name of the script>, which nothing that came with a script may lead to another place.
+// Returns out/<name of the script>. Files delivered with a script must not redirect it elsewhere.
 std::filesystem::path default_output_folder(const std::filesystem::path& script, bool trust) {
   std::filesystem::path folder = "out" / script.stem();
   if (trust || real_path(folder) == real_path(".") / folder) return folder;
@@ -102,7 +103,7 @@ std::filesystem::path default_output_folder(const std::filesystem::path& script,
               "say with -o that files may be written there");
 }
 
-// [-0, +0] The value at 1 is `_` from now on, without asking a metatable of _G.
+// [-0, +0] Sets `_` to the value at 1, without calling a metamethod of _G.
 void keep_last_value(lua_State* L) {
   lua_pushcfunction(L, [](lua_State* inner) {
     lua_pushglobaltable(inner);
@@ -116,7 +117,7 @@ void keep_last_value(lua_State* L) {
   protected_call(L, 1, 0);
 }
 
-// As long as it lives, what is printed makes room first.
+// While it lives, printing clears the prompt's line first.
 class Interlude {
  public:
   Interlude(Session& session, const MakeRoom& make_room) : session_(session) {
@@ -130,7 +131,7 @@ class Interlude {
   Session& session_;
 };
 
-// What `work` threw, or nothing.
+// Returns the Error that `work` threw, or nothing.
 std::optional<Error> failure_of(const std::function<void()>& work) {
   try {
     work();
@@ -176,7 +177,7 @@ struct Console::Parts {
     open_print(L);
   }
 
-  // Runs the function under `arguments` values on the stack; os.exit is not a failure.
+  // Calls the function below `arguments` values on the stack; os.exit is not a failure.
   void call(int arguments, int results) {
     const auto failure = failure_of([&] {
       const InterruptWatch watch(L);
@@ -185,7 +186,7 @@ struct Console::Parts {
     if (failure && !session.exit_code) throw Error(*failure);
   }
 
-  // What load_line has pushed.
+  // Runs the chunk that load_line has pushed.
   void carry_out(const Transcript::Chunk& chunk) {
     using Outcome = Transcript::Outcome;
     session.begin_line(chunk);
@@ -214,7 +215,7 @@ struct Console::Parts {
   }
 
   Session session;
-  LuaState L;  // after the session, which its objects use when they are destroyed
+  LuaState L;  // after the session, which its objects use in their destructors
 };
 
 Console::Console(ConsoleSettings settings) : parts_(std::make_unique<Parts>(std::move(settings))) {

@@ -22,40 +22,40 @@ class Console {
 
   // Runs a script with `arguments` in `arg` and `...`. However it ends, every simulation it made is
   // closed, so that its files are complete. Throws Error: files (it cannot be read), script (syntax
-  // or run-time error of Lua), or the kind of what a function of ours has thrown; the problems of
-  // closing come after it.
+  // or run-time error of Lua), or the kind of the error that a bound function threw; problems of
+  // closing are added to it.
   void run_file(const std::filesystem::path& path, const std::vector<std::string>& arguments = {});
-  // The same with the text of a script.
+  // Runs the text of a script likewise.
   void run_text(const std::string& text, const std::string& name,
                 const std::vector<std::string>& arguments = {});
 
-  // For the prompt. Whether more lines are needed to make sense of the text.
+  // For the prompt: returns whether the text needs more lines to be complete.
   bool is_incomplete(const std::string& text) const;
-  // What may come next, see completion.hpp. Nothing of the script runs. Throws Error.
+  // Completes the text, see completion.hpp. Runs nothing of the script. Throws Error.
   Completion complete(const std::string& text) const;
-  // Runs an expression or statements; the values it gives, as text (see value_text.hpp). The first
-  // of them, if it is not nil, is then `_`. Closes nothing. Throws Error.
+  // Runs an expression or statements and returns the values as text (see value_text.hpp). The first
+  // value, if not nil, is stored in `_`. Closes nothing. Throws Error.
   std::vector<std::string> evaluate(const std::string& text);
 
-  // Whether a run that was started in the background wants to go on; lets it do so for about so
-  // many seconds. What a script prints meanwhile comes after make_room(). Returns what a person
-  // should know: which have arrived. Throws the Error of one that has failed.
+  // Returns whether a background run has work left; work() lets it run for about that many seconds.
+  // Output of a script comes after make_room(). Returns messages for the user: which runs have
+  // finished. Throws the Error of a failed run.
   bool is_working() const;
   std::vector<std::string> work(double seconds, const MakeRoom& make_room);
-  // What was started stands still; or arrives, with its progress shown.
+  // Pauses background runs, or finishes them with their progress shown.
   void pause_work();
   void finish_work();
 
-  // Closes every simulation. Throws Error when a file could not be completed.
+  // Closes every simulation. Throws Error if a file could not be completed.
   void close_all();
 
-  // Of every simulation so far, in the order they were made.
+  // Returns the summaries of all simulations so far, in the order they were made.
   std::vector<Summary> simulations() const;
-  // The same, of a script that is checked.
+  // Returns the same for a script that is only checked.
   std::vector<Rehearsal> rehearsals() const;
-  // Name and default of what the script has declared with options { ... } so far.
+  // Returns names and defaults that the script has declared with options { ... } so far.
   const std::map<std::string, std::string>& options() const;
-  // What the script gave to os.exit.
+  // Returns the exit code that the script gave to os.exit.
   std::optional<int> exit_code() const;
 
  private:

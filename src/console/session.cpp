@@ -134,7 +134,7 @@ bool Session::is_working() const {
   return std::ranges::any_of(entries_, works, &Entry::run);
 }
 
-// Functions of a script that are called meanwhile may make simulations and let go of them.
+// Returns a copy: functions of a script called meanwhile may make and release simulations.
 std::vector<std::shared_ptr<Run>> Session::open_runs() const {
   std::vector<std::shared_ptr<Run>> runs;
   for (const Entry& entry : entries_)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the functions of a script share: how it was called, and the simulations it made.
+// The state shared by the functions of a script: how it was called, and the simulations it made.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +27,8 @@ struct lua_State;
 
 namespace hackle {
 
-// What a script is run for: its results, to see whether it makes sense and what it would take, or
-// to learn which options it has.
+// The purpose of running a script: its results, a check of its validity and cost, or a list of its
+// options.
 enum class Purpose { results, check, options };
 
 struct ConsoleSettings {
@@ -37,11 +37,12 @@ struct ConsoleSettings {
   std::map<std::string, std::string> overrides;  // --set key=value
   Execution execution;
   Talk talk = Talk::plain;
-  bool print_to_stderr = false;   // what the script prints: stdout is for something else
-  bool show_in_terminal = false;  // what show(s) draws: stdout is a terminal; else in files
+  bool print_to_stderr = false;   // output of the script: stdout serves another purpose
+  bool show_in_terminal = false;  // output of show(s): stdout is a terminal; else to files
   bool trust = false;             // all of Lua's library, files everywhere
-  std::size_t lua_memory = default_lua_memory;  // bytes, of the values of Lua
-  double output_limit = default_output_limit;   // bytes, of movies and records of one simulation
+  std::size_t lua_memory = default_lua_memory;  // bytes, limit of Lua values
+  // bytes, limit of movies and records of one simulation
+  double output_limit = default_output_limit;
 };
 
 class Session {
@@ -49,94 +50,95 @@ class Session {
   explicit Session(ConsoleSettings settings);
   ~Session();
 
-  // Where a file that the script names goes: below the output folder unless the name is absolute.
-  // Throws Error (refused), saying `who` asks, unless a script may write there; see Sandbox.
+  // Returns the path of an output file that the script names: below the output folder unless the
+  // name is absolute. Throws Error (refused), naming `who`, unless a script may write there; see
+  // Sandbox.
   std::filesystem::path output_path(const std::string& who,
                                     const std::filesystem::path& name) const;
-  // Where one is read: a file that the command line names is meant from the current folder; any
-  // other lies beside the script or, if there is none, in the output folder. Throws Error (refused)
-  // unless a script may read it.
+  // Returns the path of an input file: a file named on the command line is relative to the current
+  // folder; any other lies beside the script or, if it does not exist there, in the output folder.
+  // Throws Error (refused) unless a script may read it.
   std::filesystem::path input_path(const std::string& who, const std::filesystem::path& name) const;
-  // The same for a file that the script has written before: in the output folder.
+  // Returns the same for a file written earlier by the script: in the output folder.
   std::filesystem::path written_path(const std::string& who,
                                      const std::filesystem::path& name) const;
-  // The same as output_path(), for a file that `who` is going to write now: refuses a wrong ending,
-  // what cannot be written, and what somebody else writes.
+  // Returns output_path() for a file that `who` is about to write: refuses a wrong extension, a
+  // path that cannot be written, and a file that somebody else is writing.
   std::filesystem::path claim(const std::string& who, const std::filesystem::path& name,
                               FileKind kind);
-  // Writes a picture that is made last, unless the script is only checked. Returns where.
+  // Writes a picture, which is made only then, unless the script is only checked. Returns its path.
   std::filesystem::path write_picture(const std::string& who, const std::filesystem::path& name,
                                       const std::function<Image()>& make);
-  // Of the script, or "" at the prompt: the current one.
+  // Returns the folder of the script; at the prompt "", the current folder.
   std::filesystem::path script_folder() const;
   Sandbox sandbox() const;
 
   // Throws what Run throws.
   std::shared_ptr<Run> simulate(Plate plate, Numerics numerics);
-  // Takes on a run made from another.
+  // Adds a run that was made from another.
   std::shared_ptr<Run> adopt(std::shared_ptr<Run> run);
   // Opens a run file. Throws what Recording throws.
   std::shared_ptr<Recording> open_recording(const std::filesystem::path& path);
-  // Bytes that one more simulation may take: those that were available when the session began less
-  // what its simulations and recordings hold, whether they have touched it yet or not.
+  // Returns the bytes that one more simulation may take: those available at the start of the
+  // session minus those of its simulations and recordings, whether touched yet or not.
   std::uint64_t memory_left() const;
-  // Throws Error (run_failed), which `who` begins, unless so many are left.
+  // Throws Error (run_failed), whose message begins with `who`, unless that many bytes are left.
   void check_memory(const std::string& who, std::uint64_t bytes) const;
-  // Simulations count from 1 in the order they were made.
+  // Simulations are numbered from 1 in the order they were made.
   int number_of(const Run& run) const;
-  // Closes a run that nobody can reach any more and keeps its summary alone. A failure is kept for
+  // Closes a run that can no longer be reached and keeps only its summary. A failure is kept for
   // close_all().
   void retire(const Run* run) noexcept;
-  // Closes every run. Throws Error with every problem there was in closing any of them.
+  // Closes every run. Throws Error with every problem of closing them.
   void close_all();
-  // Of every simulation, in the order they were made.
+  // Returns the summaries of all simulations, in the order they were made.
   std::vector<Summary> summaries() const;
-  // The same for a script that is checked.
+  // Returns the same for a script that is only checked.
   std::vector<Rehearsal> rehearsals() const;
 
-  // Whether anything that runs beside the prompt is under way and not paused.
+  // Returns whether a background run is unfinished and not paused.
   bool is_working() const;
-  // Lets it go on for about so many seconds of wall time. Returns the numbers of those that have
-  // arrived. Throws the Error of one that has failed.
+  // Lets it run for about this many seconds of wall time. Returns the numbers of the runs that have
+  // finished. Throws the Error of a failed run.
   std::vector<int> work(double seconds);
-  // Lets everything arrive, paused or not; shows progress.
+  // Finishes all background runs, paused or not; shows progress.
   void finish_work();
   void pause_work();
 
-  // Before and after a line of the prompt is carried out, for the transcript.
+  // Called before and after a line of the prompt is run, for the transcript.
   void begin_line(const Transcript::Chunk& chunk);
   void end_line(const Transcript::Chunk& chunk, Transcript::Outcome outcome);
-  // What was typed so far, to be typed no more; of a script that runs, the script.
+  // Returns everything typed so far, as a script; for a running script, that script.
   std::string script() const;
 
-  // The library, read when first asked for. Throws Error (files).
+  // Returns the library, which is read on first use. Throws Error (files).
   const Materials& materials();
 
-  // Ends the script, which is no failure: throws.
+  // Ends the script without failure, by throwing.
   [[noreturn]] void leave(int code);
 
-  // Throws Error (refused) when --set was given and no options { ... } took it.
+  // Throws Error (refused) if --set was given but no options { ... } used it.
   void check_overrides_used() const;
 
   ConsoleSettings settings;
   Origin origin;
   std::vector<std::string> arguments;                   // of the command line, for the script
-  std::map<std::string, std::string> declared_options;  // and their defaults, by options { ... }
-  std::optional<int> exit_code;                         // asked for with os.exit
-  MakeRoom make_room;                                   // before anything is printed, or none
-  std::function<std::string(lua_State*)> help_on;       // see help.hpp, set by the console
-  std::shared_ptr<OutputNames> names = std::make_shared<OutputNames>();  // of what is written
-  std::int64_t said = 0;   // lines of the prompt and of the script so far
-  int pictures_shown = 0;  // in files, by show(s)
-  std::unordered_map<const Plate*, PlateMemory> plates;  // what those of the script take
+  std::map<std::string, std::string> declared_options;  // with their defaults, from options { ... }
+  std::optional<int> exit_code;                         // from os.exit
+  MakeRoom make_room;  // called before anything is printed; may be empty
+  std::function<std::string(lua_State*)> help_on;  // see help.hpp, set by the console
+  std::shared_ptr<OutputNames> names = std::make_shared<OutputNames>();  // of output files
+  std::int64_t said = 0;   // lines printed by the prompt and the script so far
+  int pictures_shown = 0;  // as files, by show(s)
+  std::unordered_map<const Plate*, PlateMemory> plates;  // memory of the script's plates
 
  private:
   struct Entry {
     std::shared_ptr<Run> run;  // null once retired
     std::optional<Summary> summary;
     std::optional<Rehearsal> rehearsal;
-    std::int64_t noted_step = 0;  // the transcript has come this far
-    bool has_failed = false;      // since then, beside the prompt
+    std::int64_t noted_step = 0;  // last step in the transcript
+    bool has_failed = false;      // since then, in the background
   };
   void close(Run& run) noexcept;
   std::vector<std::shared_ptr<Run>> open_runs() const;

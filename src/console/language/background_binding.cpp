@@ -110,7 +110,7 @@ Run& checked_run(lua_State* L) {
   return scripted.run();
 }
 
-// [-0, +1] A table of the registry, made when it is first asked for.
+// [-0, +1] Pushes a table of the registry, made on first use.
 void push_kept(lua_State* L, const char* key, bool weak) {
   if (luaL_getsubtable(L, LUA_REGISTRYINDEX, key) != 0 || !weak) return;
   lua_createtable(L, 0, 1);
@@ -128,7 +128,7 @@ void keep(lua_State* L, int index, const char* key, bool weak) {
   lua_pop(L, 1);
 }
 
-// Lets go of those that have arrived.
+// Releases the runs that have finished.
 void release_arrived(lua_State* L) {
   push_kept(L, held_key, false);
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs that go on while the prompt waits for the next line. One thread does both: a run is only
-// ever seen between two steps, functions of a script are called between them, and a script that
-// starts a run gives the same bits whenever it is asked for.
+// Runs that continue while the prompt waits for the next line. One thread does both: a run is only
+// seen between two steps, functions of a script are called between steps, and a script that starts
+// a run gives the same bits whenever it queries it.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@ namespace hackle {
 std::span<const Function> background_methods();
 std::span<const Function> background_functions();
 
-// [-0, +0] The simulation at `index` is in simulations() as long as somebody holds it.
+// [-0, +0] Lists the simulation at `index` in simulations() for as long as something holds it.
 void remember_simulation(lua_State* L, int index);
-// Simulations that the script has let go of give back their memory; what is under way is held until
-// it has arrived.
+// Frees the memory of simulations that the script no longer holds; an unfinished run is held until
+// it has finished.
 void collect_simulations(lua_State* L);
 
 }  // namespace hackle

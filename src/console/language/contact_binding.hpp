@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// p:contact{}: faces of cracks and fragments that push each other away.
+// p:contact{}: repulsion between faces of cracks and fragments.
 #pragma once
 
 #include <span>

@@ -18,7 +18,7 @@
 namespace hackle {
 namespace {
 
-constexpr int min_width = 320;  // px, of a picture that is painted
+constexpr int min_width = 320;  // px, of a painted picture
 
 constexpr auto sheet_options = joined(
     std::array{
@@ -73,7 +73,7 @@ constexpr FunctionDoc contact_sheet_doc{
         "-- contact_sheet { \"all.png\", pictures = { \"one.png\", \"two.png\" }, columns = "
         "2 }"};
 
-// The files and what stands below them.
+// Returns the files with their captions.
 std::vector<SheetPicture> pictures_of(const Session& session, Arguments& arguments) {
   const std::vector<std::string> titles = arguments.texts("titles");
   std::vector<SheetPicture> pictures;
@@ -90,7 +90,7 @@ std::vector<SheetPicture> pictures_of(const Session& session, Arguments& argumen
   return pictures;
 }
 
-// Pictures that exist are as they are.
+// Existing pictures take no options of painting.
 void check_kind(Arguments& arguments) {
   const bool recorded = arguments.has("recordings");
   if (arguments.good({"pictures", "recordings"}) && arguments.has("pictures") == recorded)
@@ -107,7 +107,7 @@ void check_kind(Arguments& arguments) {
     arguments.problems.add("contact_sheet: times is given without recordings");
 }
 
-// Painted no smaller than a picture can be.
+// Paints each picture at least as large as the smallest allowed.
 Image sheet_of_recordings(const Arguments& arguments, const Tiles& tiles,
                           const SheetLayout& layout) {
   PictureOptions options = picture_of(arguments);

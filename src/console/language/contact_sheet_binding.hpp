@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact_sheet { ... }: many pictures on one.
+// contact_sheet { ... }: many pictures on one sheet.
 #pragma once
 
 #include <span>

@@ -17,11 +17,11 @@ LiveView::LiveView(Session& session, const PictureOptions& options, double every
     : session_(session), options_(options), schedule_("watch", every, simulation) {
 }
 
-// Over the last one unless something else has been said since.
+// Draws over the last picture unless something was printed since.
 void LiveView::observe(const Simulation& simulation) {
   schedule_.advance(simulation);
   Terminal terminal = terminal_of(STDOUT_FILENO);
-  terminal.graphics = Graphics::symbols;  // whose lines can be counted
+  terminal.graphics = Graphics::symbols;  // their lines can be counted
   std::string text = picture_text(simulation, options_, terminal);
   const long lines = std::ranges::count(text, '\n');
   if (session_.make_room) session_.make_room();

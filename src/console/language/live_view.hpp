@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run in the terminal: its picture, drawn anew in the same place.
+// Shows the picture of a run in the terminal, redrawn in the same place.
 #pragma once
 
 #include "console/session.hpp"
@@ -9,7 +9,7 @@ namespace hackle {
 
 class LiveView : public Observer {
  public:
-  // Every `every` simulated seconds, the present included. Throws what Schedule throws.
+  // Draws every `every` simulated seconds, including the present. Throws what Schedule throws.
   LiveView(Session& session, const PictureOptions& options, double every,
            const Simulation& simulation);
 

@@ -15,7 +15,7 @@
 namespace hackle {
 namespace {
 
-// A region that must be given.
+// Returns a region that must be given.
 Region required_region(Arguments& arguments, const Plate& plate, std::string_view who) {
   Region region = region_of(arguments, plate, who);
   if (!region && arguments.problems.empty())
@@ -30,7 +30,7 @@ void set_axes(const Arguments& arguments, Support& support) {
   support.along_y = axis != "x";
 }
 
-// What the options of a load leave to be said: an area, axes, another word for a member.
+// Sets what a description cannot say: regions, axes, members with another option name.
 
 void complete(Traction&, Arguments&, const Plate&, const FunctionDoc&) {
 }
@@ -45,7 +45,7 @@ void complete(ThermalLoad& load, Arguments& arguments, const Plate& plate, const
   load.region = region_of(arguments, plate, doc.name);
 }
 
-// A clamp is a velocity of 0: it stays where it is, also in the middle of a run.
+// A clamp prescribes velocity 0: the nodes stay where they are, even in the middle of a run.
 void complete(Support& support, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
   support.region = required_region(arguments, plate, doc.name);
   set_axes(arguments, support);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loads and supports: on a plate before it is solved, on a simulation between two runs.
+// Loads and supports of a plate, or of a simulation between two runs.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 namespace hackle {
 
 std::span<const Function> load_methods_of_plate();
-// They replace the like load at the same place.
+// A new load replaces the old one at the same place.
 std::span<const Function> load_methods_of_simulation();
-// Amplitudes in time: ramp, pulse, step_at.
+// Amplitudes: ramp, pulse, step_at.
 std::span<const Function> amplitude_functions();
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the functions take that load and hold a plate, or a simulation between two runs.
+// The options of functions that load or support a plate, or a simulation between two runs.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ inline constexpr auto impactor_options = joined(
                       .fallback = "7850",
                       .sentence = "Density of the disc, instead of a mass; 7850 is steel."}});
 
-// The one number of the loads that is not a list; p:damping calls it a rate.
+// The only number of Loads that is not a list; p:damping calls it rate.
 inline constexpr auto damping_options = [] {
   auto options = options_of<Loads>;
   static_assert(options.size() == 1);
@@ -107,7 +107,8 @@ inline constexpr FunctionDoc plate_start_doc{
     .options = start_options,
     .example = "p:initial { velocity = function(x, y) return 0, 3*(y - 20*mm)/(20*mm) end }"};
 
-// The same of a simulation: from now on, instead of the like load at the same place.
+// Returns the doc of the same method of a simulation: from then on, the load replaces the old one
+// at the same place.
 constexpr FunctionDoc of_simulation(FunctionDoc doc, std::string_view example) {
   doc.owner = "s";
   doc.example = example;

@@ -13,7 +13,7 @@
 namespace hackle {
 namespace {
 
-// Whatever is not given may come from another material.
+// Nothing is required: missing values may come from another material.
 constexpr auto material_options = [] {
   auto own = options_of<Material>;
   for (Option& option : own) {
@@ -34,7 +34,8 @@ constexpr FunctionDoc material_doc{
     .options = material_options,
     .example = "material { name = \"PMMA\", E = 3.09*GPa, rho = 1180, nu = 0.35, G0 = 300 }"};
 
-// What a material needs that is not like another. Exactly one of G0 and s0, anyway.
+// Requires the values of a material that is not `like` another. Exactly one of G0 and s0 is needed
+// in any case.
 void require_all_values(Arguments& arguments) {
   if (!arguments.good({"E", "rho", "G0", "s0", "like"})) return;
   if (arguments.has("G0") && arguments.has("s0"))

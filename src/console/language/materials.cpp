@@ -27,7 +27,7 @@ double number_field(lua_State* L, const char* name) {
   return value;
 }
 
-// The table of one material is on top of the stack.
+// Reads a material from the table on top of the stack.
 KnownMaterial read_material(lua_State* L, const std::string& key) {
   if (lua_type(L, -1) != LUA_TTABLE)
     throw Error(ErrorKind::files, fmt::format("material '{}' is not a table", key));
@@ -61,7 +61,7 @@ void run_library(lua_State* L, const std::filesystem::path& file) {
 }  // namespace
 
 Materials::Materials(const std::filesystem::path& file) {
-  // A state of its own: nothing a script did can reach the library.
+  // A separate state: a script cannot affect the library.
   const LuaState state;
   open_errors(state);
   open_units(state);

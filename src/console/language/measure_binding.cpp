@@ -71,7 +71,7 @@ void push_cracks(lua_State* L, const Cracks& found) {
   set_number(L, "top", found.box.most.y());
 }
 
-// The area that was given, or all there is.
+// Returns the given area, or everything.
 Box area_of(Arguments& arguments) {
   if (arguments.has("from") != arguments.has("to"))
     arguments.problems.add("cracks: from and to are given together or not at all");
@@ -103,7 +103,7 @@ int fragments(lua_State* L) {
   return 1;
 }
 
-// The column or row of the node nearest to `x` spacings from the lower left corner.
+// Returns the column or row of the node nearest to `x` spacings from the lower left corner.
 int nearest(double x, int count, const char* axis) {
   if (!(x >= 0.0 && x <= count))
     throw Error(ErrorKind::refused,

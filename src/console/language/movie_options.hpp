@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a movie takes, of a run or of a recording.
+// The options of a movie, of a run or of a recording.
 #pragma once
 
 #include <array>
@@ -55,7 +55,7 @@ inline constexpr auto movie_options = joined(
     },
     picture_options);
 
-// What these say, all but `every`.
+// Reads these options, except `every`.
 MovieOptions movie_of(const Arguments& arguments);
 
 }  // namespace hackle

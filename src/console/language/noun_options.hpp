@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of a function that makes a noun: those that its description says.
+// The options of a function that makes a noun, derived from the noun's description.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace hackle {
 
-// How a member is given in a script; nothing for what a function of its own adds.
+// Returns how a script gives a member; nothing for a member that the function reads itself.
 template <class T>
 constexpr std::optional<OptionType> option_type() {
   if constexpr (std::is_same_v<T, bool>) return OptionType::flag;
@@ -79,7 +79,7 @@ constexpr auto options_of = [] {
   return options;
 }();
 
-// Sets the members that were given.
+// Sets the given members.
 template <Described Noun>
 void read_options(const Arguments& arguments, Noun& noun) {
   const auto given = [&](std::string_view name) {

@@ -27,7 +27,7 @@ constexpr FunctionDoc options_doc{
     .sentence = "Returns these defaults, overridden by --set name=value on the command line.",
     .example = "o = options { load = 12*MPa, film = true, name = \"crack\" }"};
 
-// Names must be text; defaults numbers, text, true or false.
+// Checks that names are text, and defaults numbers, text, true or false.
 void check_defaults(lua_State* L, Problems& problems) {
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) {
@@ -42,7 +42,7 @@ void check_defaults(lua_State* L, Problems& problems) {
   }
 }
 
-// Ordered: the order of a Lua table changes from process to process.
+// Returns the names sorted: the order of a Lua table differs from process to process.
 std::set<std::string> declare(lua_State* L, Session& session) {
   std::set<std::string> names;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
@@ -62,8 +62,8 @@ void check_known(const Session& session, Problems& problems) {
                    known.empty() ? "it has none" : "it has " + comma_list(known));
 }
 
-// [-0, +0] The value of a Lua expression that knows the unit constants and `math` alone, or nothing
-// when it gives no finite number.
+// [-0, +0] Evaluates a Lua expression that knows only the unit constants and `math`; returns
+// nothing if it gives no finite number.
 std::optional<double> evaluate(lua_State* L, const std::string& expression) {
   const int top = lua_gettop(L);
   const std::string chunk = "return " + expression;
@@ -84,7 +84,8 @@ std::optional<double> evaluate(lua_State* L, const std::string& expression) {
   return std::nullopt;
 }
 
-// [-0, +1] The override as a value of the type of the default at -1; nil when it cannot be one.
+// [-0, +1] Pushes the override as a value of the type of the default at -1; nil if it cannot be
+// one.
 void push_override(lua_State* L, const std::string& key, const std::string& text,
                    Problems& problems) {
   const std::string given = fmt::format("--set {}={}: ", key, text);
@@ -99,7 +100,7 @@ void push_override(lua_State* L, const std::string& key, const std::string& text
                  type == LUA_TNUMBER ? "units may be used, as in " + key + "=0.5*mm" : "");
     return lua_pushnil(L);
   }
-  // A whole number stays one, so that a loop to it counts in whole numbers.
+  // An integer stays an integer, so that a loop up to it counts in integers.
   lua_Integer whole = 0;
   if (lua_isinteger(L, -1) && lua_numbertointeger(*value, &whole))
     if (static_cast<double>(whole) == *value) return lua_pushinteger(L, whole);

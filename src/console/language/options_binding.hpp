@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// options { name = default, ... }: what a script lets its user set with --set name=value.
+// options { name = default, ... }: declares what the user may set with --set name=value.
 #pragma once
 
 #include "console/schema/object_type.hpp"

@@ -10,7 +10,7 @@
 namespace hackle {
 namespace {
 
-// {x, y, "label"}, or nothing when it is anything else.
+// Reads {x, y, "label"}; returns nothing for any other value.
 std::optional<Marker> marker_at(lua_State* L, int index) {
   if (lua_type(L, index) != LUA_TTABLE || entries(L, index) != 3) return std::nullopt;
   const bool typed = lua_rawgeti(L, index, 1) == LUA_TNUMBER &&

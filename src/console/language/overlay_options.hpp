@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands around a plate and on it, as every picture takes it.
+// The options of every picture for texts and marks around and on the plate.
 #pragma once
 
 #include "console/schema/arguments.hpp"
@@ -7,7 +7,7 @@
 
 namespace hackle {
 
-// A list of Marker: {x, y, "label"}.
+// Reads a list of Marker: {x, y, "label"}.
 std::any read_markers(const GivenValue& given);
 
 inline constexpr std::array overlay_options{

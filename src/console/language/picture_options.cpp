@@ -24,7 +24,7 @@ PictureOptions picture_of(const Arguments& arguments) {
   }
   if (arguments.has("percentile")) picture.percentile = arguments.number("percentile");
   if (arguments.has("scale")) picture.logarithmic = arguments.text_of_choice("scale", "") == "log";
-  // Its first choice is none.
+  // Its first choice means none.
   if (const auto follow = arguments.choice<std::size_t>("follow", 0); follow > 0)
     picture.follow = static_cast<Toward>(follow - 1);
   picture.rotation = arguments.number("rotate", picture.rotation);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture shows and how large it is, as several functions take it.
+// The options for content and size of a picture, shared by several functions.
 #pragma once
 
 #include "console/language/overlay_options.hpp"
@@ -10,12 +10,12 @@
 namespace hackle {
 
 inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
-// The default of what each field has for itself.
+// The default where each field has its own.
 inline constexpr std::string_view suits_the_field = "what suits the field";
 
 inline constexpr std::string_view not_chosen = "none";
 
-// The choices of an option that may be nothing.
+// Returns the choices of an option that may be empty.
 template <std::size_t N>
 constexpr std::array<std::string_view, N + 1> or_none(
     const std::array<std::string_view, N>& names) {
@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, N + 1> or_none(
 inline constexpr auto second_names = or_none(scalar_names);
 inline constexpr auto follow_names = or_none(toward_names);
 
-// What of the plate a picture shows, and how.
+// The visible part of the plate and its appearance.
 inline constexpr std::array view_options{
     Option{.name = "field",
            .type = OptionType::choice,
@@ -110,7 +110,7 @@ inline constexpr std::array view_options{
            .choices = background_names,
            .sentence = "Background around the plate; transparent only in a PNG."},
 };
-// What every picture takes.
+// The options of every picture.
 inline constexpr auto picture_options = joined(view_options, overlay_options);
 inline constexpr Option width_option{.name = "width",
                                      .type = OptionType::integer,
@@ -122,10 +122,10 @@ inline constexpr Option scale_option{.name = "px_per_mm",
                                      .range = above(0.0),
                                      .alternative = true,
                                      .sentence = "Instead of the width: px per mm."};
-// All but the width.
+// Reads all options except the width.
 PictureOptions picture_of(const Arguments& arguments);
 
-// The width too.
+// Reads all options, including the width.
 PictureOptions sized_picture_of(const Arguments& arguments);
 
 }  // namespace hackle

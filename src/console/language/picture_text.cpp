@@ -10,7 +10,7 @@
 namespace hackle {
 namespace {
 
-// With texts where there are pixels enough to read them.
+// Includes texts if there are enough pixels to read them.
 Image paint_for(const Terminal& terminal, const Simulation& simulation, PictureOptions options) {
   if (terminal.graphics != Graphics::symbols)
     options.width = widest_picture(options, simulation, room_for_picture(terminal));

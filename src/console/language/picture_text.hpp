@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulation as a terminal can show it.
+// Renders a simulation as text for a terminal.
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@
 
 namespace hackle {
 
-// "damage at 22.5 us, 1 234 bonds broken, 20 mm wide"
+// Returns "damage at 22.5 us, 1 234 bonds broken, 20 mm wide".
 std::string caption(const Simulation& simulation, const PictureOptions& options);
 
-// The picture with the caption beneath, for write_picture. The options have been checked.
+// Returns the picture with its caption below, for write_picture. The options must have been
+// checked.
 std::string picture_text(const Simulation& simulation, const PictureOptions& options,
                          const Terminal& terminal);
 

@@ -70,7 +70,7 @@ constexpr std::array fields{
     Property{"height", "m", "Size along y.", push_value<&Plate::height>},
 };
 
-// Of all files that bind methods of a plate.
+// Collects the methods from all files that bind some.
 std::vector<Function> all_methods_of_plate() {
   std::vector<Function> all;
   for (const std::span<const Function> part :

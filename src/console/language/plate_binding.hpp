@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// plate { ... } and what can be put on it.
+// plate { ... } and everything that can be added to it.
 #pragma once
 
 #include <span>

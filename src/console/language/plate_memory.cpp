@@ -20,7 +20,7 @@ struct BytesOfShape {
   }
 };
 
-// What a part takes beyond its own size.
+// Returns the memory of a part beyond its own size.
 std::size_t beyond(const Shape& shape) {
   return std::visit(BytesOfShape{}, shape);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The memory that a plate takes beside its object in Lua: it counts towards the script's.
+// The memory of a plate outside its Lua object: it counts towards the script's limit.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace hackle {
 
-// Parts are only ever added to a plate, so each is looked at once.
+// A plate only ever grows, so each part is counted once.
 class PlateMemory {
  public:
-  // Bytes that were added since the last call.
+  // Returns the bytes added since the last call.
   std::size_t grown(const Plate& plate);
-  // Bytes that were added so far.
+  // Returns the bytes added so far.
   std::size_t total() const { return total_; }
 
  private:

@@ -18,10 +18,10 @@
 namespace hackle {
 namespace {
 
-constexpr int symbol_size = 4;   // px a side: a crack finer than a quarter of a symbol fades
-constexpr int lines_kept = 3;    // for the call, the line beneath, the prompt
+constexpr int symbol_size = 4;   // px per side: a crack finer than a quarter of a symbol fades
+constexpr int lines_kept = 3;    // for the call, the line below, the prompt
 constexpr int max_width = 1600;  // px: larger pictures take seconds over a slow line
-constexpr std::size_t piece_size = 4096;  // bytes between two looks at Ctrl-C
+constexpr std::size_t piece_size = 4096;  // bytes between two checks for Ctrl-C
 
 struct Release {
   void operator()(ChafaSymbolMap* map) const { chafa_symbol_map_unref(map); }
@@ -53,8 +53,8 @@ Colours colours_of(const Terminal& terminal, char** environment) {
   return Colours::sixteen;
 }
 
-// Inside of a multiplexer the variables still praise the terminal outside, but no picture gets
-// there.
+// Inside a multiplexer the variables still describe the terminal outside, but pictures do not get
+// through to it.
 bool is_multiplexed(char** environment) {
   const std::string_view term = variable(environment, "TERM");
   return term.starts_with("screen") || term.starts_with("tmux") ||
@@ -68,7 +68,7 @@ Graphics graphics_of(const Terminal& terminal, char** environment) {
   return Graphics::symbols;
 }
 
-// Some terminals tell sizes that cannot be.
+// Some terminals report impossible sizes.
 Extent cell_of(const TerminalSize& size, Extent usual) {
   const Extent cell{size.width / std::max(size.columns, 1), size.height / std::max(size.rows, 1)};
   const bool likely = cell.width >= 4 && cell.width <= 64 && cell.height >= cell.width &&
@@ -89,7 +89,7 @@ int quotient_above(int dividend, int divisor) {
   return (dividend + divisor - 1) / divisor;
 }
 
-// Without alpha, and with background to the right and below; row by row, blue, green, red.
+// Removes alpha and adds background at the right and below; row by row, blue, green, red.
 std::vector<guint8> padded(const Image& picture, int width, int height) {
   const Colour ground = background_colour;
   std::vector<guint8> pixels;
@@ -143,7 +143,7 @@ Owned<ChafaSymbolMap> symbols() {
 Owned<ChafaCanvas> canvas_for(const Terminal& terminal, int columns, int rows) {
   const Owned<ChafaCanvasConfig> config(chafa_canvas_config_new());
   const Extent cell = cell_size(terminal);
-  // Means of bright and dark pixels are colours that the colour map does not have.
+  // The mean of bright and dark pixels would be a colour that is not in the colour map.
   chafa_canvas_config_set_color_extractor(config.get(), CHAFA_COLOR_EXTRACTOR_MEDIAN);
   chafa_canvas_config_set_geometry(config.get(), columns, rows);
   chafa_canvas_config_set_cell_geometry(config.get(), cell.width, cell.height);
@@ -152,18 +152,18 @@ Owned<ChafaCanvas> canvas_for(const Terminal& terminal, int columns, int rows) {
                                                         : CHAFA_CANVAS_MODE_TRUECOLOR);
   chafa_canvas_config_set_pixel_mode(config.get(), pixel_mode(terminal.graphics));
   chafa_canvas_config_set_symbol_map(config.get(), symbols().get());
-  // It would stretch the contrast of every picture by itself.
+  // Preprocessing would stretch the contrast of every picture separately.
   chafa_canvas_config_set_preprocessing_enabled(config.get(), FALSE);
   return Owned<ChafaCanvas>(chafa_canvas_new(config.get()));
 }
 
-// What ends a picture that was cut off.
+// Returns the sequence that ends a picture cut off in the middle.
 std::string_view ending(const Terminal& terminal) {
   if (terminal.graphics != Graphics::symbols) return "\033\\\n";
   return terminal.colours == Colours::none ? "\n" : "\033[0m\n";
 }
 
-// False when the file takes no more.
+// Returns false if the file accepts no more.
 bool write_all(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = write(file, text.data(), text.size());

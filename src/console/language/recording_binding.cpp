@@ -22,7 +22,7 @@
 namespace hackle {
 namespace {
 
-// A script that is only checked may want to open what it would have written by then.
+// A script that is only checked may open a file that a real run would have written by then.
 void check_is_there(const Session& session, const std::filesystem::path& path) {
   std::error_code ignored;
   if (session.settings.purpose == Purpose::check && !std::filesystem::exists(path, ignored))
@@ -65,13 +65,13 @@ Moments moments_of(const Arguments& arguments) {
           optional_number(arguments, "every")};
 }
 
-// Under the ending that it is going to have.
+// Claims the movie's name with its final extension.
 std::filesystem::path claim_movie(Session& session, const char* who, const Arguments& arguments) {
   const bool fallback = arguments.flag("fallback");
   return session.claim(who, makeable(arguments.text("file"), fallback).path, FileKind::movie);
 }
 
-// Films what is claimed. A call that is refused, or breaks off, has no name any more.
+// Makes the movie at a claimed name. A call that is refused or fails releases the name.
 void make_claimed(OutputNames& names, const std::filesystem::path& path, const auto& make) {
   try {
     make();
@@ -170,7 +170,7 @@ Tiles tiles_of(Arguments& arguments, const char* who) {
   Tiles tiles;
   for (const auto& recording : arguments.get<Recordings>("recordings", {}))
     tiles.push_back({recording, recording->path().stem().string()});
-  if (tiles.size() == 1) tiles.front().title.clear();  // its pictures say enough
+  if (tiles.size() == 1) tiles.front().title.clear();  // its pictures need no title
   const std::vector<std::string> titles = arguments.texts("titles");
   if (tiles.empty() || titles.empty()) return tiles;
   if (titles.size() != tiles.size())

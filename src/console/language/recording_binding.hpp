@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// recording "run.h5" and what can be done with a recorded run.
+// recording "run.h5" and the methods of a recorded run.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace hackle {
 
 class Arguments;
 
-// The runs of the option `recordings` with their titles; `who` names the call.
+// Returns the runs of the option `recordings` with their titles; `who` names the calling function.
 Tiles tiles_of(Arguments& arguments, const char* who);
 
 const TypeDoc& recording_type();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What recording, the methods of a recording and side_by_side take.
+// The options of recording, the methods of a recording, and side_by_side.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ inline constexpr FunctionDoc recording_doc{
         "s:record { \"crack.h5\", every = 1*us } s:run(2*us) s:close()\n"
         "r = recording \"crack.h5\""};
 
-// The record that is nearest.
+// Selects the nearest record.
 inline constexpr Option time_option{
     .name = "time", .unit = "s", .fallback = "the end", .sentence = "Time of the record to show."};
 
@@ -41,7 +41,7 @@ inline constexpr FunctionDoc recorded_frame_doc{
     .options = recorded_frame_options,
     .example = "r:frame { \"crack.png\", time = 1*us, field = \"stress_1\" }"};
 
-// When a movie of what was recorded is filmed.
+// The times of a movie made from records.
 inline constexpr std::array moment_options{
     Option{.name = "every",
            .unit = "s",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where something acts, as several functions take it: a strip along an edge, a rectangle or a disc.
+// The options for a region, shared by several functions: a strip along an edge, a rectangle or a
+// disc.
 #pragma once
 
 #include <array>
@@ -43,8 +44,8 @@ inline constexpr std::array region_options{
            .sentence = "Radius of the disc."},
 };
 
-// What the arguments of a function with region_options say; nothing when they give none of them.
-// Adds a problem when they mix the ways or give half of one.
+// Returns the region given by the arguments of a function with region_options; nothing if none of
+// them is given. Adds a problem if they mix the forms or give only half of one.
 Region region_of(Arguments& arguments, const Plate& plate, std::string_view who);
 
 }  // namespace hackle

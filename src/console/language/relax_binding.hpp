@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What brings a simulation to rest: s:relax and s:quasistatic.
+// Static equilibrium of a simulation: s:relax and s:quasistatic.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A material as scripts hold and give it.
+// A material as a value of scripts.
 #pragma once
 
 #include <any>
@@ -13,7 +13,7 @@ namespace hackle {
 template <>
 inline constexpr const char* type_name<Material> = "hackle.material";
 
-// A Material: the object itself, or the one of the library that a text names.
+// Reads a Material: the object itself, or the one that a text names in the library.
 std::any read_material(const GivenValue& given);
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plate as scripts hold it.
+// A plate as a value of scripts.
 #pragma once
 
 #include "console/lua/object.hpp"
@@ -10,11 +10,11 @@ namespace hackle {
 template <>
 inline constexpr const char* type_name<Plate> = "hackle.plate";
 
-// How every method of a plate ends: [-all, +1] its stack holds the plate alone, so that calls can
-// be chained. Throws Error (script) when the script has no memory left for what was added.
+// Ends every method of a plate: [-all, +1] leaves only the plate on the stack, so that calls can be
+// chained. Throws Error (script) if the script has no memory left for the addition.
 int return_plate(lua_State* L);
 
-// As destroy_object<Plate>; gives its memory back.
+// Works like destroy_object<Plate>, and releases the plate's memory.
 int destroy_plate(lua_State* L);
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recorded run as scripts hold and give it.
+// A recorded run as a value of scripts.
 #pragma once
 
 #include <any>
@@ -20,7 +20,7 @@ template <>
 inline constexpr const char* type_name<ScriptedRecording> = "hackle.recording";
 
 using Recordings = std::vector<std::shared_ptr<Recording>>;
-// A list of them.
+// Reads a list of recordings.
 std::any read_recordings(const GivenValue& given);
 
 }  // namespace hackle

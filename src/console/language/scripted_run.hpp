@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulation as scripts hold it.
+// A simulation as a value of scripts.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace hackle {
 
-// When the collector takes it, the run is closed.
+// Closes the run when the collector destroys it.
 class ScriptedRun {
  public:
   ScriptedRun(std::shared_ptr<Run> run, Session& session)
@@ -25,16 +25,16 @@ class ScriptedRun {
 
   Run& run() const { return *run_; }
   const Simulation& simulation() const { return run_->simulation(); }
-  // The same, to read what was computed.
+  // Returns the simulation for reading its results.
   const Simulation& results() const {
     run_->look();
     return run_->simulation();
   }
 
-  std::shared_ptr<LiveView> view;  // in the terminal, or none
+  std::shared_ptr<LiveView> view;  // in the terminal; may be null
   // Files that movie() and record() will write.
   std::vector<std::filesystem::path> promised;
-  // Throws Error (files) when one of them cannot be written any more.
+  // Throws Error (files) if one of them can no longer be written.
   void check_still_writable() const;
 
  private:

@@ -76,7 +76,8 @@ int add_crack(lua_State* L) {
   return return_plate(L);
 }
 
-// The rectangle from `from` to `to`; the plate when neither is given. Adds a problem for one alone.
+// Returns the rectangle from `from` to `to`, or the plate if neither is given. Adds a problem if
+// only one is given.
 Box area_of(Arguments& arguments, const Plate& plate, std::string_view who) {
   const bool good = arguments.good({"from", "to"});
   if (good && arguments.has("from") != arguments.has("to"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is cut out of a plate, or is of another material: methods of a plate.
+// Cut-outs, inclusions and cracks: methods of a plate.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the functions of shape_binding.cpp take.
+// The options of the functions in shape_binding.cpp.
 #pragma once
 
 #include <array>

@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-// One form of a shape, and how the arguments of that form make it.
+// One form of a shape, and the function that makes it from the arguments.
 struct ShapeForm {
   Form form;
   Shape (*make)(const Arguments& arguments);
@@ -77,7 +77,7 @@ std::set<std::string_view> names_in(std::span<const Form> forms) {
   return names;
 }
 
-// "give centre, radius; or centre, radii and maybe angle; or points"
+// Returns "give centre, radius; or centre, radii and maybe angle; or points".
 std::string ways(std::span<const Form> forms) {
   std::string text;
   for (const Form& form : forms) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An area as several functions take it: a circle, an ellipse, a polygon, a slot or a star.
+// The options for a shape, shared by several functions: a circle, an ellipse, a polygon, a slot or
+// a star.
 #pragma once
 
 #include <array>
@@ -69,19 +70,19 @@ inline constexpr std::array shape_options{
            .sentence = "Radius of the slot: half its width."},
 };
 
-// One way to say something: the options it needs, and those it may have besides.
+// One way to describe a thing: the options it needs, and optional further ones.
 struct Form {
   std::span<const std::string_view> needed;
   std::span<const std::string_view> allowed{};
 };
 
-// Which of the forms the options given make; nothing when it is none, after adding a problem that
-// names all forms, or when some of their options were wrong. `what` is "the shape".
+// Returns which form the given options make. If they make none, adds a problem that names all
+// forms; returns nothing then, and also if some of their options were wrong. `what` is "the shape".
 std::optional<std::size_t> form_of(Arguments& arguments, std::span<const Form> forms,
                                    std::string_view who, std::string_view what);
 
-// The shape that the arguments of a function with shape_options say. Nothing, and a problem, when
-// they do not make one.
+// Returns the shape given by the arguments of a function with shape_options. Adds a problem and
+// returns nothing if they do not make one.
 std::optional<Shape> shape_of(Arguments& arguments, std::string_view who);
 
 }  // namespace hackle

@@ -55,8 +55,8 @@ constexpr FunctionDoc watch_doc{.name = "watch",
                                 .options = watch_options,
                                 .example = "s:watch { every = 0.5*us } s:run(2*us) s:watch()"};
 
-// show { s, zoom = ... } means show(s, { zoom = ... }): what stands in the braces is copied, the
-// simulation aside.
+// show { s, zoom = ... } means show(s, { zoom = ... }): copies the options in the braces, without
+// the simulation.
 void open_braces(lua_State* L) {
   if (lua_type(L, 1) != LUA_TTABLE) return;
   lua_settop(L, 1);
@@ -80,7 +80,8 @@ void check_is_shown(lua_State* L, int index) {
               fmt::format("as in {}", show_doc.example));
 }
 
-// What is shown: a simulation as it is, or a recording at the time that is asked for.
+// Returns the simulation to show: in its present state, or that of a recording at the requested
+// time.
 const Simulation& simulation_at(lua_State* L, int index, const Arguments& arguments) {
   if (const ScriptedRun* scripted = object_at<ScriptedRun>(L, index)) {
     if (arguments.has("time"))
@@ -97,13 +98,13 @@ void show_in_terminal(const Session& session, const Simulation& simulation,
                       const PictureOptions& options) {
   const Terminal terminal = terminal_of(STDOUT_FILENO);
   std::string text = picture_text(simulation, options, terminal);
-  // A function called in the middle of a run finds its progress bar here.
+  // During a run, the progress bar is on this line.
   if (session.settings.talk == Talk::animated) text.insert(0, "\r\033[K");
   flush(stdout);
   write_picture(text, terminal, STDOUT_FILENO);
 }
 
-// A run keeps account of the pictures that were made of it; a recording has none.
+// A run counts its pictures; a recording does not.
 void show_in_file(Session& session, Run* run, const Simulation& simulation,
                   const PictureOptions& options) {
   const std::string name = fmt::format("show_{}.png", ++session.pictures_shown);

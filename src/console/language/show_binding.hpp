@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// show(s): the picture of a simulation, in the terminal.
+// show(s): shows the picture of a simulation in the terminal.
 #pragma once
 
 #include <span>

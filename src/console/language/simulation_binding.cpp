@@ -35,8 +35,8 @@ const Plate& plate_at(lua_State* L, int index) {
               fmt::format("as in {}", simulate_doc.example));
 }
 
-// Options that were wrong read as their defaults; the limit of the step is then not that of what
-// was meant.
+// Wrong options were read as their defaults; the step limit is then not that of the intended
+// lattice.
 void check_numerics(const Plate& plate, Numerics numerics, std::uint64_t memory,
                     Arguments& arguments) {
   if (!arguments.has("spacing")) return;
@@ -47,7 +47,7 @@ void check_numerics(const Plate& plate, Numerics numerics, std::uint64_t memory,
 
 int simulate(lua_State* L) {
   Session& session = session_of(L);
-  if (session.settings.purpose == Purpose::options) session.leave(0);  // it has none
+  if (session.settings.purpose == Purpose::options) session.leave(0);  // it declares none
   session.check_overrides_used();
   const Plate& plate = plate_at(L, 1);
   Arguments arguments = Arguments::from_table(L, 2, simulate_doc);
@@ -131,7 +131,7 @@ constexpr std::array own_methods_of_simulation{
     Function{&record_doc, guarded<record>}, Function{&report_doc, guarded<report>},
     Function{&close_doc, guarded<close>}};
 
-// 371 234 is "371 k": what a person takes in at a glance.
+// Returns 371 234 as "371 k", for reading at a glance.
 std::string rounded_count(std::int64_t count) {
   constexpr std::int64_t exact_below = 100000;
   if (count < exact_below) return grouped(count);
@@ -241,7 +241,7 @@ constexpr std::array fields{
     Property{"hash", "", "Hash of the state; equal only if every bit is.", push_hash},
 };
 
-// Of all files that bind methods of a simulation.
+// Collects the methods from all files that bind some.
 std::vector<Function> all_methods_of_simulation() {
   std::vector<Function> all;
   for (const std::span<const Function> part :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// simulate(p, { ... }) and what can be done with a simulation.
+// simulate(p, { ... }) and the methods of a simulation.
 #pragma once
 
 #include <span>

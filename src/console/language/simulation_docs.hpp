@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What simulate and the methods of a simulation take.
+// The options of simulate and of the methods of a simulation.
 #pragma once
 
 #include <array>

@@ -75,7 +75,7 @@ constexpr FunctionDoc rewind_doc{
         "Returns to, or takes over, the state and loads of another simulation of the same plate.",
     .example = "t = s:fork() s:run(1*us) s:rewind(t)"};
 
-// The options that go with one event and not with another.
+// Checks the options that belong to one event only.
 void check_event(const Arguments& arguments, Event event, Problems& problems) {
   if (!arguments.good({"event"})) return;
   if (event == Event::every && !arguments.has("every") && arguments.good({"every"}))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// s:on, s:stop, s:fork, s:rewind: what a person does with a run besides letting it go on.
+// s:on, s:stop, s:fork, s:rewind: control of a run.
 #pragma once
 
 #include <span>

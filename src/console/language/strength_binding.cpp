@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-// The distribution says which of the two ways to give its spread is needed.
+// Neither spread is required here: the distribution decides which one is needed.
 constexpr auto strength_options = [] {
   auto options = options_of<Scatter>;
   for (Option& option : options) option.required = false;
@@ -27,7 +27,7 @@ constexpr FunctionDoc strength_doc{
     .example =
         "p:strength { distribution = \"weibull\", modulus = 10, correlation = 2*mm, seed = 7 }"};
 
-// The spread goes by another name for each distribution.
+// The spread has another name for each distribution.
 void check_spread(Arguments& arguments, Scatter::Kind kind) {
   const bool weibull = kind == Scatter::Kind::weibull;
   const char* const wanted = weibull ? "modulus" : "deviation";

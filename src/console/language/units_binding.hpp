@@ -5,10 +5,10 @@
 
 namespace hackle {
 
-// The unit constants (mm, us, MPa, ...) as globals.
+// Defines the unit constants (mm, us, MPa, ...) as globals.
 void open_units(lua_State* L);
 
-// [-1, +1] The unit constants as fields of the table on top of the stack.
+// [-1, +1] Adds the unit constants as fields of the table on top of the stack.
 void add_units(lua_State* L);
 
 }  // namespace hackle

@@ -27,7 +27,7 @@ bool DamageAlarm::is_damaged(const Simulation& simulation, int i, int j) const {
   return area_[simulation.lattice().grid.index(i, j)] != 0 && damage_of(simulation, i, j) > above_;
 }
 
-// After the first look only nodes that have just lost a bond can have come above the value.
+// After the first check only nodes that have just lost a bond can newly exceed the value.
 bool DamageAlarm::due(const Simulation& simulation) {
   if (rung_) return false;
   const Lattice& lattice = simulation.lattice();
@@ -51,7 +51,7 @@ bool DamageAlarm::due(const Simulation& simulation) {
   return due;
 }
 
-// What broke in the last step of an earlier run is not news.
+// A bond broken in the last step of an earlier run does not count.
 bool BreakAlarm::due(const Simulation& simulation) {
   if (!start_) start_ = simulation.time();
   return !rung_ && simulation.time() > *start_ && !simulation.broken_bonds().empty();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A function of a script that is called between the steps of a run.
+// Calls a function of a script between the steps of a run.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class Watcher : public Observer {
   LuaFunction function_;
 };
 
-// Every so much simulated time, the present included.
+// Calls at equal intervals of simulated time, including the present.
 class Ticker : public Watcher {
  public:
   Ticker(LuaFunction function, double every, const Simulation& simulation)
@@ -39,8 +39,8 @@ class Ticker : public Watcher {
   Schedule schedule_;
 };
 
-// Once: when the damage of a node of the area first exceeds a value, which is at once when it does
-// so already.
+// Calls once, when the damage of a node in the area first exceeds a value; at once if it already
+// does.
 class DamageAlarm : public Watcher {
  public:
   DamageAlarm(LuaFunction function, const Region& area, double above, const Simulation& simulation);
@@ -57,10 +57,10 @@ class DamageAlarm : public Watcher {
   std::vector<std::uint8_t> area_;  // by Grid::index
   double above_;
   bool rung_ = false;
-  bool at_start_ = true;  // nothing has been looked at
+  bool at_start_ = true;  // no state has been examined
 };
 
-// Once: when the first bond breaks from now on.
+// Calls once, when the next bond breaks.
 class BreakAlarm : public Watcher {
  public:
   using Watcher::Watcher;

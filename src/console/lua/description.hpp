@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a script gave, in the words of a message.
+// Describes values of a script for messages.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace hackle {
 
-// [-0, +0] What is at `index`: "the text 'abc'", "3.5", "a table", "nothing".
+// [-0, +0] Describes the value at `index`: "the text 'abc'", "3.5", "a table", "nothing".
 std::string description(lua_State* L, int index);
 
-// The first of a text, which may be long.
+// Returns the beginning of a text, which may be long, in quotes.
 std::string in_quotes(std::string_view text);
-// "nan" or the shortest text that gives the same number.
+// Returns "nan" or the shortest text that reads back as the same number.
 std::string number_text(double value);
 
-// [-0, +0] Of what is a text.
+// [-0, +0] Returns a text; the value must be one.
 std::string_view text_at(lua_State* L, int index);
 
 }  // namespace hackle

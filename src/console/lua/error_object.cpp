@@ -50,7 +50,8 @@ int error_index(lua_State* L) {
   return 1;
 }
 
-// Gives every error value a text while the protected call still holds. Keeps strings and ours.
+// Gives every error value a text while the protected call is still active. Keeps strings and error
+// objects.
 int with_text(lua_State* L) {
   if (lua_type(L, 1) == LUA_TSTRING || object_at<Error>(L, 1) != nullptr) return 1;
   if (luaL_callmeta(L, 1, "__tostring") && lua_type(L, -1) == LUA_TSTRING) return 1;

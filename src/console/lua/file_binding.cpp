@@ -11,7 +11,7 @@
 namespace hackle {
 namespace {
 
-// The file name at 1. For C it would end at a zero byte.
+// Returns the file name at 1. In C it would end at a zero byte.
 std::string name_at_1(lua_State* L, const std::string& who) {
   std::size_t size = 0;
   const char* text = luaL_checklstring(L, 1, &size);
@@ -30,7 +30,7 @@ void replace_by_input(lua_State* L, const char* who) {
   replace_name(L, session_of(L).input_path(who, name_at_1(L, who)));
 }
 
-// What a script that is only looked at writes goes nowhere.
+// Discards the output of a script that is only checked.
 void replace_by_output(lua_State* L, const char* who) {
   Session& session = session_of(L);
   const auto path = session.output_path(who, name_at_1(L, who));
@@ -40,7 +40,7 @@ void replace_by_output(lua_State* L, const char* who) {
   replace_name(L, path);
 }
 
-// Lua's own function, with the arguments as they now are.
+// Calls Lua's own function with the present arguments.
 int call_original(lua_State* L) {
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
@@ -73,7 +73,7 @@ int set_output(lua_State* L) {
   return call_original(L);
 }
 
-// [-0, +1] Compiles the file whose name stands at 1, or pushes the message.
+// [-0, +1] Compiles the file named at 1, or pushes the message.
 bool load_file_at_1(lua_State* L, const char* who, const char* mode) {
   replace_by_input(L, who);
   return luaL_loadfilex(L, lua_tostring(L, 1), mode) == LUA_OK;
@@ -102,7 +102,8 @@ int do_file(lua_State* L) {
   return lua_gettop(L) - 1;
 }
 
-// Of the table on top of the stack; the original is kept for it.
+// Replaces a function of the table on top of the stack, and stores the original for the
+// replacement.
 void replace_function(lua_State* L, const char* name, lua_CFunction function) {
   lua_getfield(L, -1, name);
   lua_pushcclosure(L, function, 1);

@@ -9,7 +9,8 @@
 namespace hackle {
 namespace {
 
-// What the function threw, or nothing; then its number of results is in `results`.
+// Returns the Error that the function threw. Otherwise returns nothing and sets `results` to its
+// number of results.
 std::optional<Error> attempt(lua_State* L, Binding function, int& results) {
   try {
     if (auto reason = reason_to_stop(L)) return reason;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int instructions_between_looks = 10000;
 
-// What runs just now; a signal handler reads it. Lua allows that it sets a hook.
+// The state or coroutine that runs; the signal handler reads it. Lua allows a handler to set a
+// hook.
 std::atomic<lua_State*> running{nullptr};
 static_assert(std::atomic<lua_State*>::is_always_lock_free);
 
@@ -22,8 +23,8 @@ void look_now_and_then(lua_State* L) {
   lua_sethook(L, look, LUA_MASKCOUNT, instructions_between_looks);
 }
 
-// Calls of Lua's library may take long: counting instructions alone would not hear a signal between
-// them for minutes.
+// Calls of Lua's library may take long: counting instructions alone might not notice a signal for
+// minutes.
 void look_soon() {
   if (lua_State* L = running.load()) lua_sethook(L, look, LUA_MASKCOUNT, 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How Ctrl-C stops a script, whatever it does.
+// Makes Ctrl-C stop any script.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace hackle {
 
-// Why nothing of this state may go on: it is interrupted, or the script called os.exit. An error of
+// Returns why this state must stop: an interrupt, or os.exit called by the script. The error has
 // kind `interrupted`.
 std::optional<Error> reason_to_stop(lua_State* L);
 
-// While an object of this class lives, a signal that asks to stop is looked for at the next
-// instruction of this state, or of the coroutine that runs in it, and every 10 000 instructions;
-// it is raised as an error. Every bound function looks for one too (guard.hpp).
+// While an object of this class lives, a signal that asks to stop is noticed at the next
+// instruction of this state, or of the coroutine that runs in it, and checked every 10 000
+// instructions; it raises an error. Every bound function checks too (guard.hpp).
 class InterruptWatch {
  public:
   explicit InterruptWatch(lua_State* L);
@@ -27,8 +27,8 @@ class InterruptWatch {
   lua_State* before_;
 };
 
-// While an object of this class lives, a signal reaches this coroutine of the state that is
-// watched. Null changes nothing.
+// While an object of this class lives, a signal reaches this coroutine of the watched state. Null
+// changes nothing.
 class InterruptTarget {
  public:
   explicit InterruptTarget(lua_State* coroutine);
@@ -40,8 +40,8 @@ class InterruptTarget {
   lua_State* before_;
 };
 
-// From now on looks at every instruction: a script that catches the first error with pcall is
-// stopped at its next step.
+// Checks at every instruction from now on: a script that catches the first error with pcall stops
+// at its next step.
 void insist_on_interrupt(lua_State* L);
 
 }  // namespace hackle

@@ -12,7 +12,7 @@ bool is_interrupt(lua_State* L, int index) {
   return error != nullptr && error->kind() == ErrorKind::interrupted;
 }
 
-// The handler of a script, which is the first upvalue, for all other errors.
+// Calls the script's handler, the first upvalue, for all other errors.
 int handle(lua_State* L) {
   if (is_interrupt(L, 1)) return 1;
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -25,7 +25,7 @@ int all_results(lua_State* L, int, lua_KContext) {
   return lua_gettop(L);
 }
 
-// Lua's own is the first upvalue. What it calls may yield.
+// Lua's own function is the first upvalue. The called function may yield.
 int protected_call_with_handler(lua_State* L) {
   luaL_checktype(L, 2, LUA_TFUNCTION);
   lua_pushvalue(L, 2);
@@ -37,11 +37,11 @@ int protected_call_with_handler(lua_State* L) {
   return all_results(L, LUA_OK, 0);
 }
 
-// Upvalues of what coroutine.wrap returns.
+// The upvalues of a function from coroutine.wrap.
 constexpr int coroutine_itself = 1, resume_function = 2, close_function = 3;
 
-// The error on top of the stack comes from the coroutine: closes it, which may replace the error,
-// and says where it was called.
+// Raises the error on top of the stack, which comes from the coroutine: closes the coroutine, which
+// may replace the error, and adds the place of the call.
 int raise_from_coroutine(lua_State* L) {
   lua_State* coroutine = lua_tothread(L, lua_upvalueindex(coroutine_itself));
   const int status = lua_status(coroutine);
@@ -49,7 +49,7 @@ int raise_from_coroutine(lua_State* L) {
     lua_pushvalue(L, lua_upvalueindex(close_function));
     lua_pushvalue(L, lua_upvalueindex(coroutine_itself));
     lua_call(L, 1, 2);
-    if (lua_isnil(L, -1)) lua_pop(L, 2);  // no error that replaces it
+    if (lua_isnil(L, -1)) lua_pop(L, 2);  // no error replaces it
   }
   if (status != LUA_ERRMEM && lua_type(L, -1) == LUA_TSTRING) {
     luaL_where(L, 1);
@@ -69,7 +69,7 @@ int go_on_with_coroutine(lua_State* L) {
   return lua_gettop(L) - 1;
 }
 
-// Lua's create, resume and close are the upvalues.
+// The upvalues are Lua's create, resume and close.
 int wrap(lua_State* L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   lua_pushvalue(L, lua_upvalueindex(1));

@@ -17,11 +17,11 @@ namespace {
 
 enum class Rank : std::uint8_t { index, number, text, truth, of_program, made };
 
-// A key as it is compared. Its text stays with Lua.
+// A key in comparable form. Its text belongs to Lua.
 struct TableKey {
   Rank rank = Rank::number;
-  lua_Integer whole = 0;  // of a number, rounded down; of others what orders them
-  double rest = 0.0;      // what a number is above it
+  lua_Integer whole = 0;  // a number rounded down; for others their rank
+  double rest = 0.0;      // fractional part of a number
   std::string_view text;
   lua_Integer place = 0;  // in the list of keys
 
@@ -31,7 +31,7 @@ struct TableKey {
   }
 };
 
-// Integers and floats in one order. A float that is no integer of Lua has a fraction, or lies
+// Puts integers and floats in one order. A float that is no Lua integer has a fraction, or lies
 // beyond all integers.
 TableKey key_of_number(lua_State* L, int index) {
   if (lua_isinteger(L, index)) {
@@ -45,8 +45,8 @@ TableKey key_of_number(lua_State* L, int index) {
   return {Rank::number, static_cast<lua_Integer>(whole), value - whole};
 }
 
-// What has no memory of its own has no birth either: functions of C without upvalues, and light
-// userdata. One program has them at the same distances from each other in every process.
+// Values without memory of their own have no creation number: C functions without upvalues, and
+// light userdata. Their distances are the same in every process of one program.
 TableKey key_of_object(lua_State* L, int index) {
   const bool of_program = lua_islightuserdata(L, index) ||
                           (lua_iscfunction(L, index) && lua_getupvalue(L, index, 1) == nullptr);
@@ -74,7 +74,7 @@ TableKey table_key_at(lua_State* L, int index) {
   }
 }
 
-// Large tables take a while.
+// Checks for interrupts now and then: large tables take a while.
 class Patience {
  public:
   void wait() {
@@ -87,7 +87,7 @@ class Patience {
   int count_ = 0;
 };
 
-// The largest n with entries 1..n.
+// Returns the largest n with entries 1..n.
 lua_Integer run_length(lua_State* L, int table) {
   lua_Integer n = 0;
   Patience patience;
@@ -100,7 +100,7 @@ lua_Integer run_length(lua_State* L, int table) {
   return n;
 }
 
-// [-0, +1] A list of the keys beyond 1..n, as they come. Returns their number.
+// [-0, +1] Pushes an unsorted list of the keys beyond 1..n. Returns their number.
 lua_Integer push_other_keys(lua_State* L, int table, lua_Integer n) {
   lua_newtable(L);
   lua_Integer count = 0;
@@ -115,7 +115,7 @@ lua_Integer push_other_keys(lua_State* L, int table, lua_Integer n) {
   return count;
 }
 
-// [-1, +1] The list of so many keys on top, in order. The memory it takes is Lua's, and counted.
+// [-1, +1] Sorts the list of `count` keys on top. It uses Lua's memory, which is counted.
 void sort_keys(lua_State* L, lua_Integer count) {
   const int list = lua_gettop(L);
   const auto size = static_cast<std::size_t>(count);
@@ -142,10 +142,10 @@ void sort_keys(lua_State* L, lua_Integer count) {
   lua_settop(L, list);
 }
 
-// A walk through a table, itself a table: {n, list of the other keys, number of keys visited}.
+// A traversal is itself a table: {n, list of the other keys, number of keys visited}.
 enum WalkEntry : lua_Integer { entry_run = 1, entry_keys, entry_visited };
 
-// [-0, +1] Of the table at the absolute index.
+// [-0, +1] Starts a traversal of the table at the absolute index.
 void push_walk(lua_State* L, int table) {
   lua_createtable(L, 3, 0);
   const lua_Integer n = run_length(L, table);
@@ -169,7 +169,7 @@ void set_visited(lua_State* L, int walk, lua_Integer visited) {
   lua_rawseti(L, walk, entry_visited);
 }
 
-// [-0, +1] Key number `place`, nil beyond the last.
+// [-0, +1] Pushes key number `place`, nil beyond the last.
 void push_key_of_walk(lua_State* L, int walk, lua_Integer n, lua_Integer place) {
   if (place <= n) return lua_pushinteger(L, place);
   lua_rawgeti(L, walk, entry_keys);
@@ -177,7 +177,7 @@ void push_key_of_walk(lua_State* L, int walk, lua_Integer n, lua_Integer place) 
   lua_remove(L, -2);
 }
 
-// [-0, +2 or +1] The next key that is still there, and its value; or nil.
+// [-0, +2 or +1] Pushes the next existing key and its value; or nil.
 int advance_walk(lua_State* L, int table, int walk) {
   const lua_Integer n = entry_of(L, walk, entry_run);
   for (lua_Integer place = entry_of(L, walk, entry_visited) + 1;; ++place) {
@@ -192,7 +192,7 @@ int advance_walk(lua_State* L, int table, int walk) {
   }
 }
 
-// What pairs returns; with nil for a key it begins again.
+// The iterator returned by pairs; with key nil it starts again.
 int visit_next(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);
@@ -216,7 +216,8 @@ int ordered_pairs(lua_State* L) {
   return 3;
 }
 
-constexpr int walks = lua_upvalueindex(1);  // of next: table to walk, as long as the table lives
+// of next: from table to traversal, while the table lives
+constexpr int walks = lua_upvalueindex(1);
 
 void keep_walk(lua_State* L, int table, int walk) {
   lua_pushvalue(L, table);
@@ -224,8 +225,8 @@ void keep_walk(lua_State* L, int table, int walk) {
   lua_rawset(L, walks);
 }
 
-// Where a walk is once it has visited the key at the index, which may have vanished since; as a
-// rule it is where it was.
+// Returns the position of a traversal after the key at the index, which may have been removed
+// since; usually that is where it stands.
 lua_Integer place_of(lua_State* L, int walk, int key) {
   const lua_Integer n = entry_of(L, walk, entry_run), visited = entry_of(L, walk, entry_visited);
   push_key_of_walk(L, walk, n, visited);
@@ -244,12 +245,12 @@ lua_Integer place_of(lua_State* L, int walk, int key) {
   }
 }
 
-// [-0, +2 or +1] The first key and its value, found without an order of all.
+// [-0, +2 or +1] Pushes the first key and its value, without sorting all keys.
 int first_entry(lua_State* L, int table) {
   lua_pushinteger(L, 1);
   if (lua_rawgeti(L, table, 1) != LUA_TNIL) return 2;
   lua_settop(L, 2);
-  lua_pushnil(L);  // the least key so far
+  lua_pushnil(L);  // smallest key so far
   Patience patience;
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
     patience.wait();
@@ -264,7 +265,7 @@ int first_entry(lua_State* L, int table) {
   return 2;
 }
 
-// The walk through a table is kept until it has come to its end or begins again.
+// Keeps the traversal of a table until it ends or starts again.
 int ordered_next(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);

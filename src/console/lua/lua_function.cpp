@@ -11,7 +11,7 @@
 
 namespace hackle {
 
-// Lives as long as the state does.
+// Lives as long as the state.
 using Life = std::shared_ptr<const bool>;
 template <>
 inline constexpr const char* type_name<Life> = "hackle.life";

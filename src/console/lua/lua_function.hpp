@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A function of a script that C++ keeps and calls.
+// A function of a script that C++ stores and calls.
 #pragma once
 
 #include <memory>
@@ -10,19 +10,19 @@
 
 namespace hackle {
 
-// Copies share one function. It may outlive the state it came from; it must not be called then.
+// Copies share one function. It may outlive its Lua state, but must not be called then.
 class LuaFunction {
  public:
-  // [-0, +0] The function at `index`; `who` names it in messages: "traction: stress".
+  // [-0, +0] Takes the function at `index`; `who` names it in messages: "traction: stress".
   LuaFunction(lua_State* L, int index, std::string who);
 
-  // Calls it with numbers and reads as many numbers as `results` has room for. Throws what the
-  // function throws, and Error (refused) when it returns anything else; messages end in `where`:
+  // Calls the function with numbers and reads as many results as fit into `results`. Throws what
+  // the function throws, and Error (refused) if it returns anything else; messages end in `where`:
   // "at t = 2 us".
   void call(std::span<const double> arguments, std::span<double> results,
             const std::string& where) const;
 
-  // "function at script.lua:12"
+  // Returns "function at script.lua:12".
   const std::string& text() const { return text_; }
 
  private:
@@ -32,7 +32,7 @@ class LuaFunction {
   std::string text_;
 };
 
-// To be called once for a state whose functions are kept.
+// Call this once for a state whose functions are stored.
 void open_kept_functions(lua_State* L);
 
 }  // namespace hackle

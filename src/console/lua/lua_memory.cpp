@@ -8,7 +8,7 @@ namespace hackle {
 
 namespace {
 
-// Before each block its birth; what Lua and we keep in one is aligned to no more.
+// Stored before each block: its creation number. Lua and our objects need no larger alignment.
 using Birth = std::uint64_t;
 
 void* with_birth(void* block) {
@@ -25,13 +25,13 @@ bool LuaMemory::hold(std::size_t bytes) {
 
 void* LuaMemory::allocate(void* memory, void* block, std::size_t old_size, std::size_t size) {
   LuaMemory& self = *static_cast<LuaMemory*>(memory);
-  if (block == nullptr) old_size = 0;  // it was the kind of the object
+  if (block == nullptr) old_size = 0;  // Lua then passes the kind of the object
   if (size == 0) {
     std::free(with_birth(block));
     self.used_ -= old_size;
     return nullptr;
   }
-  // Lua relies on it that shrinking never fails.
+  // Lua relies on shrinking never to fail.
   const bool grows = size > old_size;
   if (grows && size - old_size > self.limit_ - self.used_) return nullptr;
   void* moved = std::realloc(with_birth(block), sizeof(Birth) + size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The memory that the values of a Lua state take, with an upper limit.
+// The memory of the values in a Lua state, with an upper limit.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@ namespace hackle {
 
 inline constexpr std::size_t default_lua_memory = std::size_t{1024} << 20U;  // bytes
 
-// Counts what Lua asks for. Beyond the limit Lua is told that there is none left: it collects its
-// garbage, asks once more, and then raises "not enough memory", which a script may catch. What our
-// own objects hold outside of Lua counts where they say so with hold().
+// Counts Lua's allocations. Beyond the limit they fail: Lua collects its garbage, tries again, and
+// then raises "not enough memory", which a script may catch. Memory of our objects outside of Lua
+// counts if they report it with hold().
 class LuaMemory {
  public:
   explicit LuaMemory(std::size_t limit) : limit_(limit) {}  // bytes
@@ -21,16 +21,16 @@ class LuaMemory {
   std::size_t limit() const { return limit_; }
   std::size_t used() const { return used_; }
 
-  // Memory outside of Lua that an object in it takes, and gives back when it is collected. False
-  // when there is no room for it.
+  // Counts memory outside of Lua that an object in Lua takes and releases when it is collected.
+  // Returns false if there is no room for it.
   bool hold(std::size_t bytes);
   void release(std::size_t bytes) { used_ -= bytes; }
 
   // A lua_Alloc; `memory` is a LuaMemory.
   static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t size);
 
-  // How many blocks had been made before this one. Addresses differ from process to process, the
-  // order in which a script makes things does not.
+  // Returns how many blocks had been allocated before this one. Addresses differ from process to
+  // process; the order of creation does not.
   static std::uint64_t birth_of(const void* block);
   const void* newest() const { return newest_; }
 
@@ -38,7 +38,7 @@ class LuaMemory {
   std::size_t limit_;
   std::size_t used_ = 0;
   std::uint64_t births_ = 0;
-  const void* newest_ = nullptr;  // block that was made last
+  const void* newest_ = nullptr;  // last allocated block
 };
 
 }  // namespace hackle

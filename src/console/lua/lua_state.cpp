@@ -12,7 +12,7 @@ namespace hackle {
 
 namespace {
 
-// An error of Lua that nothing catches must not abort the program.
+// An uncaught Lua error must not abort the program.
 int panic(lua_State* L) {
   const bool text = lua_type(L, -1) == LUA_TSTRING;
   throw Error(ErrorKind::script, text ? lua_tostring(L, -1) : "(error without a text)");
@@ -24,7 +24,7 @@ LuaMemory& memory_of(lua_State* L) {
   return *static_cast<LuaMemory*>(memory);
 }
 
-// Bytes between the block of a userdata without user values and what it holds.
+// Returns the bytes between the block of a userdata without user values and its content.
 std::ptrdiff_t head_of_userdata(lua_State* L) {
   const bool collects = lua_gc(L, LUA_GCISRUNNING) != 0;
   lua_gc(L, LUA_GCSTOP);
@@ -87,8 +87,8 @@ std::uint64_t birth_of(lua_State* L, int index) {
   return LuaMemory::birth_of(object);
 }
 
-// Lua keeps the size of a pointer for its host in every state; a new coroutine gets a copy of the
-// main one's.
+// Lua reserves the size of a pointer for its host in every state; a new coroutine gets a copy of
+// the main state's.
 void set_session(lua_State* L, Session* session) {
   std::memcpy(lua_getextraspace(L), &session, LUA_EXTRASPACE);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Lua 5.4 state in its C++ build: errors of Lua are C++ exceptions, so destructors run when one
+// A Lua 5.4 state in its C++ build: Lua errors are C++ exceptions, so destructors run when one
 // passes. They are not std::exception; catch (...) around a call of Lua would swallow them.
 #pragma once
 
@@ -15,8 +15,8 @@ namespace hackle {
 
 class LuaState {
  public:
-  // Without any library. Its values may take so many bytes. Throws Error (run_failed) when there is
-  // no memory for it.
+  // Opens no library. The values may take `max_memory` bytes. Throws Error (run_failed) if there is
+  // no memory for the state.
   explicit LuaState(std::size_t max_memory = default_lua_memory);
   ~LuaState();
   LuaState(const LuaState&) = delete;
@@ -30,30 +30,30 @@ class LuaState {
   lua_State* state_;
 };
 
-// What is said of a state that has asked for more than its limit.
+// Returns the error for a state that has exceeded its memory limit.
 Error out_of_memory(lua_State* L);
 
-// See LuaMemory::hold; collects garbage where there is no room. Throws what out_of_memory says.
+// See LuaMemory::hold; collects garbage if there is no room. Throws out_of_memory().
 void hold_memory(lua_State* L, std::size_t bytes);
 void release_memory(lua_State* L, std::size_t bytes);
 
 // [-0, +1]
 void push_text(lua_State* L, std::string_view text);
-// [-0, +0] Into the table on top.
+// [-0, +0] Sets a field of the table on top.
 void set_number(lua_State* L, const char* name, double value);
 void set_integer(lua_State* L, const char* name, std::int64_t value);
 
-// Says which of two tables, functions, coroutines or full userdata was made first: it has the
-// lesser number. Not of functions of C without upvalues, which are not made.
+// Tells which of two tables, functions, coroutines or full userdata was made first: it has the
+// smaller number. Not for C functions without upvalues, which are not allocated.
 std::uint64_t birth_of(lua_State* L, int index);
 
 class Session;
 
-// The session that the bound functions of a state and of all its coroutines work for. Null in a
-// state that has none.
+// The session for which the bound functions of a state and all its coroutines work. Null if a state
+// has none.
 void set_session(lua_State* L, Session* session);
 Session* find_session(lua_State* L);
-// Of a state that has one.
+// Requires a state with a session.
 Session& session_of(lua_State* L);
 
 }  // namespace hackle

@@ -28,8 +28,8 @@ std::string checked_text(lua_State* L, int index) {
   return {text, size};
 }
 
-// The first file of a path of templates such as "lib/?.lua;lib/?/init.lua" that there is. What was
-// looked for is added to `tried`. Throws Error (refused) for one that a script may not read.
+// Returns the first existing file on a path of templates such as "lib/?.lua;lib/?/init.lua". Adds
+// the files it tried to `tried`. Throws Error (refused) for a file that a script may not read.
 std::optional<std::string> find_module(const Session& session, const std::string& name,
                                        std::string_view path, std::string& tried) {
   const Sandbox sandbox = session.sandbox();
@@ -55,7 +55,7 @@ int search_path(lua_State* L) {
   return file ? 1 : 2;
 }
 
-// A searcher: gives the loader and the name of the file, or what it has tried.
+// A searcher: returns the loader and the file name, or the files it has tried.
 int search_module(lua_State* L) {
   lua_getfield(L, lua_upvalueindex(1), "path");
   std::string tried;

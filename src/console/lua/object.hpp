@@ -10,7 +10,8 @@
 
 namespace hackle {
 
-// The registry name of a type, "hackle.plate". Specialised beside each bound type.
+// The registry name of a type, "hackle.plate". Each bound type specialises it beside its
+// definition.
 template <class T>
 inline constexpr const char* type_name = nullptr;
 
@@ -25,13 +26,14 @@ T& push_object(lua_State* L, T value) {
   return *object;
 }
 
-// [-0, +0] The object at `index`, or null when something else is there.
+// [-0, +0] Returns the object at `index`, or null for any other value.
 template <class T>
 T* object_at(lua_State* L, int index) {
   return static_cast<T*>(luaL_testudata(L, index, type_name<T>));
 }
 
-// What still holds on to the object, such as a finalizer of a script, finds nothing there.
+// Destroys the value; anything that still holds the object, such as a finalizer of a script, then
+// finds no value.
 template <class T>
 int destroy_object(lua_State* L) {
   T* object = object_at<T>(L, 1);

@@ -27,7 +27,7 @@ bool has_own_text(lua_State* L, int index) {
   return true;
 }
 
-// [-0, +1] Table from object to number, as long as the object lives; under 0 that of all so far.
+// [-0, +1] Pushes the table from object to number, while objects live; entry 0 is the count so far.
 void push_numbers(lua_State* L) {
   if (luaL_getsubtable(L, LUA_REGISTRYINDEX, "hackle.names") != 0) return;
   lua_createtable(L, 0, 1);
@@ -54,7 +54,7 @@ lua_Integer number_of_object(lua_State* L, int index) {
   return number;
 }
 
-// [-0, +1] The name that Lua would write before the address.
+// [-0, +1] Pushes the name that Lua would write before the address.
 void push_kind(lua_State* L, int index) {
   const int kind = luaL_getmetafield(L, index, "__name");
   if (kind == LUA_TSTRING) return;
@@ -68,7 +68,7 @@ int name_to_text(lua_State* L) {
   return 1;
 }
 
-// As Lua's, of an open file and of a closed one.
+// Like Lua's, for open and closed files.
 int file_to_text(lua_State* L) {
   lua_settop(L, 1);
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -79,12 +79,12 @@ int file_to_text(lua_State* L) {
   return 1;
 }
 
-// What follows the flags, the width and the precision of a conversion that begins at `at`.
+// Returns the end of the conversion at `at`, after flags, width and precision.
 std::size_t end_of_conversion(std::string_view format, std::size_t at) {
   return std::min(format.find_first_not_of("-+ #0123456789.", at), format.size());
 }
 
-// [-1, +1] What Lua raises in a function that stands behind another lacks its name and place.
+// [-1, +1] Adds name and place to a Lua error, which lacks them in a wrapped function.
 int say_place(lua_State* L) {
   if (lua_type(L, -1) != LUA_TSTRING) return lua_error(L);
   luaL_where(L, 1);
@@ -93,7 +93,7 @@ int say_place(lua_State* L) {
   return lua_error(L);
 }
 
-// As Lua's, whose conversions s and p get the names of objects.
+// Like Lua's, but conversions s and p get the names of objects.
 int format_names(lua_State* L) {
   std::size_t size = 0;
   const char* given = luaL_checklstring(L, 1, &size);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* trust_hint = "hackle --trust lifts this for a script you trust";
 
-// Both without links.
+// Both must be free of links.
 bool lies_below(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
          folder.end();
@@ -24,7 +24,7 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 void refuse_unless_plain(const std::string& who, const fs::path& path, const fs::path& real) {
   std::error_code ignored;
   const fs::file_type type = fs::status(real, ignored).type();
-  // Folders are refused by whoever opens them.
+  // Folders are refused by the function that opens them.
   if (type == fs::file_type::regular || type == fs::file_type::not_found ||
       type == fs::file_type::directory)
     return;

@@ -61,7 +61,7 @@ const std::array libraries{
     Library{LUA_LOADLIBNAME, in_package}, Library{LUA_STRLIBNAME, in_string},
     Library{LUA_TABLIBNAME, in_table},    Library{LUA_UTF8LIBNAME, in_utf8}};
 
-// Of the table on top of the stack.
+// Removes all other functions from the table on top of the stack.
 void keep_only(lua_State* L, NameList names) {
   for (lua_pushnil(L); lua_next(L, -2) != 0;) {
     lua_pop(L, 1);
@@ -72,7 +72,7 @@ void keep_only(lua_State* L, NameList names) {
   }
 }
 
-// As Lua's load, whose mode is "t" whatever the caller says.
+// Like Lua's load, but the mode is always "t".
 int load_text(lua_State* L) {
   if (lua_gettop(L) < 3) lua_settop(L, 3);
   lua_pushliteral(L, "t");
@@ -83,7 +83,7 @@ int load_text(lua_State* L) {
   return lua_gettop(L);
 }
 
-// As Lua's setmetatable, without finalizers.
+// Like Lua's setmetatable, but without finalizers.
 int set_metatable(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   luaL_argexpected(L, lua_isnil(L, 2) || lua_istable(L, 2), 2, "nil or table");
@@ -99,7 +99,7 @@ int set_metatable(lua_State* L) {
   return 1;
 }
 
-// As Lua's math.randomseed, which begins anywhere when it is given no number; here with 0.
+// Like Lua's math.randomseed, which without a number starts at random; here it starts at 0.
 int seed_random(lua_State* L) {
   if (lua_gettop(L) == 0)
     lua_pushinteger(L, 0);
@@ -111,7 +111,7 @@ int seed_random(lua_State* L) {
   return lua_gettop(L);
 }
 
-// Lua 5.4 begins anywhere, and then a script does not do the same twice.
+// Lua 5.4 seeds at random, so that a script would never do the same twice.
 void open_random(lua_State* L) {
   lua_getglobal(L, "math");
   lua_getfield(L, -1, "randomseed");
@@ -122,7 +122,7 @@ void open_random(lua_State* L) {
   lua_pop(L, 1);
 }
 
-// What differs from process to process in Lua itself.
+// Fixes everything in Lua that differs from process to process.
 void fix_order(lua_State* L) {
   open_random(L);
   open_key_order(L);
@@ -140,7 +140,7 @@ void guard_globals(lua_State* L) {
   lua_pop(L, 1);
 }
 
-// Its finalizer could be replaced.
+// Otherwise a script could replace the finalizer of files.
 void hide_metatable_of_files(lua_State* L) {
   luaL_getmetatable(L, LUA_FILEHANDLE);
   lua_pushliteral(L, "file");
@@ -174,8 +174,8 @@ void replace(lua_State* L, const char* library, const char* name, lua_CFunction 
   lua_pop(L, 1);
 }
 
-// What a trusted script can do to the world, while it is only looked at. Files that it opens for
-// writing are held back where they are opened (file_binding.hpp).
+// Disables everything by which a trusted script that is only checked could have an effect outside.
+// Files opened for writing are handled where they are opened (file_binding.hpp).
 void hold_back(lua_State* L) {
   for (const char* name : {"remove", "rename"}) replace(L, "os", name, pretend);
   for (const char* name : {"execute", "tmpname"}) replace(L, "os", name, guarded<refuse_to_act>);

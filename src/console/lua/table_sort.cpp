@@ -12,16 +12,16 @@
 namespace hackle {
 namespace {
 
-// Where things are on the stack.
+// Stack indices.
 constexpr int sorted_table = 1, order_function = 2, first_list = 3, second_list = 4;
 
 constexpr lua_Integer between_looks = 1 << 14;
 
 struct Runs {
-  lua_Integer begin, middle, end;  // two sorted runs: begin <= k < middle and middle <= k < end
+  lua_Integer begin, middle, end;  // two sorted runs: [begin, middle) and [middle, end)
 };
 
-// Whether element b of the list comes before element a of it.
+// Returns whether element b of the list comes before element a.
 bool is_less(lua_State* L, int list, lua_Integer b, lua_Integer a) {
   const bool by_function = !lua_isnil(L, order_function);
   if (by_function) lua_pushvalue(L, order_function);
@@ -50,7 +50,7 @@ void merge(lua_State* L, int from, int to, const Runs& range) {
   }
 }
 
-// Runs of 1, 2, 4, ... elements are merged from one list into the other and back.
+// Merges runs of 1, 2, 4, ... elements from one list into the other and back.
 int merge_all(lua_State* L, lua_Integer count) {
   int from = first_list, to = second_list;
   for (lua_Integer width = 1; width < count; width *= 2) {

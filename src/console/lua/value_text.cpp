@@ -27,7 +27,7 @@ std::string shown_text(lua_State* L, int index) {
   return copy;
 }
 
-// As it would be written in a script.
+// Returns the text as a literal of a script.
 std::string as_literal(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -57,7 +57,7 @@ std::string key_text(lua_State* L, int index) {
   return is_name(text) ? text : fmt::format("[{}]", as_literal(text));
 }
 
-// Whether it says itself what it is.
+// Returns whether the value has its own text.
 bool has_text(lua_State* L, int index) {
   for (const char* field : {"__tostring", "__name"}) {
     if (luaL_getmetafield(L, index, field) == LUA_TNIL) continue;
@@ -72,7 +72,7 @@ struct Others {
   std::size_t count = 0;
 };
 
-// The entries that are not of the list 1..listed; of very many the first that come.
+// Returns the entries outside the list 1..listed; if there are very many, the first ones found.
 Others others(lua_State* L, int index, lua_Integer listed, int depth) {
   constexpr std::size_t max_sorted = 1000;
   Others found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A value of Lua as a person at the prompt wants to see it.
+// Formats a Lua value for a person at the prompt.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace hackle {
 
-// [-0, +0] A text as it is; a table with what it holds, `{1, 2, x = "a", ...}`, its list first and
-// its keys in order, to a depth of three and forty entries each; anything else as tostring has it.
-// May call __tostring and throw what that throws, so it wants to be called from within Lua.
+// [-0, +0] Returns a text unchanged; a table with its contents, `{1, 2, x = "a", ...}`, list part
+// first and keys in order, to a depth of three and forty entries each; any other value as by
+// tostring. May call __tostring and throw its errors, so call it from within Lua.
 std::string value_text(lua_State* L, int index);
 
 }  // namespace hackle

@@ -20,7 +20,7 @@ namespace {
 
 using Candidates = std::vector<Candidate>;
 
-// What is typed behind the name of a function before its first argument.
+// Returns the text typed after the name of a function before its first argument.
 std::string call_form(const FunctionDoc& doc) {
   if (doc.call == Call::values && doc.options.empty() && doc.leading.empty()) return "()";
   const bool table = doc.call == Call::options && doc.leading.empty();
@@ -32,7 +32,7 @@ void add_methods(const TypeDoc& type, Candidates& list) {
     list.push_back({std::string(method.doc->name), call_form(*method.doc)});
 }
 
-// Behind a dot: fields, or else methods, as in help(p.crack).
+// After a dot: adds fields, or if there are none methods, as in help(p.crack).
 void add_fields(const TypeDoc& type, std::string_view word, Candidates& list) {
   for (const Property& field : type.fields)
     if (field.name.starts_with(word)) list.push_back({std::string(field.name), ""});
@@ -54,7 +54,7 @@ Candidates members(lua_State* L, const Cursor& cursor) {
   if (value.table != 0) add_keys(L, value.table, cursor.access, list);
   if (value.field != nullptr)
     for (const std::string_view key : value.field->keys) list.push_back({std::string(key), ""});
-  // A local, or what a call returns: it could be any of ours.
+  // A local, or the result of a call, may be any of our objects.
   const std::string_view root = cursor.object.names.front();
   const bool unknown = root.empty() || std::ranges::count(cursor.locals, root) > 0;
   if (!value.known() && unknown && cursor.access == ':')
@@ -62,7 +62,7 @@ Candidates members(lua_State* L, const Cursor& cursor) {
   return list;
 }
 
-// Whether a global, on top of the stack, is still the unit constant that bears its name.
+// Returns whether a global, on top of the stack, is still the unit constant of its name.
 bool is_unit(lua_State* L, std::string_view name) {
   return std::ranges::any_of(units(), [&](const Unit& unit) {
     return unit.name == name && lua_type(L, -1) == LUA_TNUMBER &&
@@ -70,7 +70,7 @@ bool is_unit(lua_State* L, std::string_view name) {
   });
 }
 
-// Of an unfinished word; what a person made and what is ours alone when there is none.
+// Returns the globals for an unfinished word; without a word, only those of the user and of Hackle.
 Candidates globals(lua_State* L, const Cursor& cursor) {
   Candidates list;
   lua_pushglobaltable(L);
@@ -90,7 +90,7 @@ Candidates globals(lua_State* L, const Cursor& cursor) {
   return list;
 }
 
-// What may stand in quotes.
+// The candidates inside quotes.
 struct Quoted {
   const Option* option = nullptr;
   bool material = false;
@@ -123,8 +123,8 @@ std::vector<std::string> values_of(lua_State* L, const Quoted& quoted) {
   return values;
 }
 
-// A picture for a mask is looked for where the script lies, which is here; all else is written to
-// and read from the output folder.
+// Returns the folder in which completion looks for files: for a mask picture that of the script,
+// which is the current one; for all others the output folder.
 std::filesystem::path folder_of_files(lua_State* L, const FunctionDoc* doc) {
   const bool reads = doc == nullptr || doc->owner == "p";
   return reads ? std::filesystem::path() : session_of(L).settings.output_folder;
@@ -146,7 +146,7 @@ Completion in_quotes(lua_State* L, const Cursor& cursor) {
   return completion;
 }
 
-// Names of options that are not yet given.
+// Returns the names of options that are not yet given.
 Candidates option_names(const FunctionDoc& doc, const OpenCall& call) {
   Candidates list;
   for (const Option& option : doc.options) {
@@ -157,7 +157,7 @@ Candidates option_names(const FunctionDoc& doc, const OpenCall& call) {
   return list;
 }
 
-// Where a call asks for something in particular; else nothing.
+// Returns candidates if a call expects something specific; otherwise nothing.
 Candidates in_call(lua_State* L, const Cursor& cursor) {
   if (!cursor.call) return {};
   const FunctionDoc* doc = doc_of(L, cursor.call->callee);
@@ -174,7 +174,7 @@ bool fits(const Candidate& candidate, std::string_view word) {
   return candidate.text.starts_with(word);
 }
 
-// Those that begin with the word, in order, each once.
+// Keeps the candidates that begin with the word, sorted, without duplicates.
 void keep_fitting(Candidates& list, std::string_view word) {
   std::erase_if(list, [&](const Candidate& candidate) { return !fits(candidate, word); });
   std::ranges::sort(list, {}, &Candidate::text);
@@ -191,7 +191,7 @@ Completion of_word(lua_State* L, const Cursor& cursor) {
   return completion;
 }
 
-// How many bytes two texts have in common, cutting no character of UTF-8 in two.
+// Returns the number of bytes that two texts have in common, without splitting a UTF-8 character.
 std::size_t common_size(std::string_view one, std::string_view other) {
   const auto differ = std::ranges::mismatch(one, other);
   auto size = static_cast<std::size_t>(differ.in1 - one.begin());

@@ -24,7 +24,7 @@ bool closes(const Token& token) {
   return is_any(token, {")", "}", "]", "end", "until"});
 }
 
-// The path that ends with the last token, which is a name.
+// Returns the path that ends with the last token, which is a name.
 NamePath path_at_end(List list) {
   NamePath path{{list.back().word}, false};
   list = list.first(list.size() - 1);
@@ -39,7 +39,7 @@ NamePath path_at_end(List list) {
   return path;
 }
 
-// The places of the brackets and blocks that are open at the end.
+// Returns the positions of the brackets and blocks that are open at the end.
 std::vector<std::size_t> open_places(List list) {
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < list.size(); ++k) {
@@ -49,7 +49,7 @@ std::vector<std::size_t> open_places(List list) {
   return places;
 }
 
-// The parts of what follows an open bracket, between commas that stand in no other bracket.
+// Splits the tokens after an open bracket at commas outside other brackets.
 std::vector<List> entries(List list) {
   std::vector<List> parts;
   std::size_t begin = 0;
@@ -68,7 +68,7 @@ bool has_name(List entry) {
   return entry.size() > 1 && entry[0].kind == Kind::name && entry[1].is("=");
 }
 
-// Whether what stands before a bracket or a quote makes it the argument of a call.
+// Returns whether the tokens before a bracket or a quote make it the argument of a call.
 bool is_callee(List before) {
   return !before.empty() && before.back().kind == Kind::name &&
          !(before.size() > 1 && before[before.size() - 2].is("function"));
@@ -88,7 +88,7 @@ void read_entries(OpenCall& call, List inside) {
   if (has_name(last) && last.size() == 2) call.option = last[0].word;
 }
 
-// The call that the innermost open bracket belongs to.
+// Returns the call of the innermost open bracket.
 std::optional<OpenCall> innermost_call(List list, std::span<const std::size_t> places) {
   if (places.empty()) return std::nullopt;
   const std::size_t at = places.back();
@@ -105,7 +105,7 @@ std::optional<OpenCall> innermost_call(List list, std::span<const std::size_t> p
   return call;
 }
 
-// Of braces after `before`: a table of options, or a list that is the value of an option of one.
+// For braces after `before`: a table of options, or a list that is the value of an option.
 std::optional<OpenCall> call_of_braces(List before, std::span<const std::size_t> places) {
   if (is_callee(before)) return OpenCall{.callee = path_at_end(before), .in_braces = true};
   auto outer = innermost_call(before, places);
@@ -114,7 +114,7 @@ std::optional<OpenCall> call_of_braces(List before, std::span<const std::size_t>
   return OpenCall{.callee = outer->callee, .in_braces = true};
 }
 
-// f "text": a call without any bracket.
+// For f "text", a call without brackets.
 std::optional<OpenCall> call_of_quotes(List list) {
   if (is_callee(list)) return OpenCall{.callee = path_at_end(list)};
   return innermost_call(list, open_places(list));
@@ -128,7 +128,7 @@ std::vector<std::string_view> declared(List list) {
   return names;
 }
 
-// Takes the word that is being typed off the list.
+// Moves the word being typed from the list to the cursor.
 void read_word(Cursor& cursor, List& list, std::string_view text) {
   const bool typing = !list.empty() && list.back().word.end() == text.end();
   if (typing && list.back().kind == Kind::number) cursor.silent = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files as a person names them in a script.
+// Lists files for the completion of paths.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace hackle {
 
 struct FileNames {
   std::size_t typed = 0;           // bytes of the last part of the path
-  std::vector<std::string> names;  // of what lies in its folder; folders end in "/"
+  std::vector<std::string> names;  // entries of its folder; folders end in "/"
 };
 
-// What a path that is being typed may go on with; a relative one begins in `folder`. Hidden files
-// only when a dot is typed. A folder that cannot be read holds nothing.
+// Returns the possible continuations of a path; a relative path begins in `folder`. Hidden files
+// are listed only after a dot. An unreadable folder counts as empty.
 FileNames file_names(std::string_view path, const std::filesystem::path& folder);
 
 }  // namespace hackle

@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-constexpr int moment = 200;  // ms; a signal that comes just before poll() is seen after it
+constexpr int moment = 200;  // ms; a signal just before poll() is noticed after it
 
 bool has_input(int milliseconds) {
   pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};

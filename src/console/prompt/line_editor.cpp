@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // While a line is edited the terminal sends no signals: Ctrl-C and Ctrl-Z arrive as keys. So no
-// signal handler ever has to reach into libedit.
+// signal handler ever interferes with libedit.
 #include "console/prompt/line_editor.hpp"
 
 #include <cerrno>
@@ -21,14 +21,14 @@ namespace hackle {
 namespace {
 
 constexpr int longest_history = 2000;
-constexpr std::size_t longest_list = 100;  // of candidates
+constexpr std::size_t longest_list = 100;  // candidates
 
 std::size_t terminal_width() {
   winsize size{};
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-// Text that is pasted comes faster than a person presses Tab twice.
+// Returns whether text is being pasted: it arrives faster than a person presses Tab twice.
 bool is_pasted() {
   int waiting = 0;
   return ioctl(STDIN_FILENO, FIONREAD, &waiting) == 0 && waiting > 1;
@@ -48,7 +48,7 @@ struct LineEditor::Parts {
     el_set(editor, EL_HIST, history, lines);
     el_set(editor, EL_GETCFN, next_key);
     bind_keys();
-    el_source(editor, nullptr);  // ~/.editrc of the user
+    el_source(editor, nullptr);  // the user's ~/.editrc
     el_set(editor, EL_SETTY, "-d", "-isig", nullptr);
   }
   ~Parts() {
@@ -59,7 +59,7 @@ struct LineEditor::Parts {
   Parts& operator=(const Parts&) = delete;
 
   static EditLine* begin() {
-    std::setlocale(LC_CTYPE, "");  // letters beyond ASCII; numbers stay as they are
+    std::setlocale(LC_CTYPE, "");  // for letters beyond ASCII; numbers keep their form
     return el_init("hackle", stdin, stdout, stderr);
   }
 
@@ -78,7 +78,7 @@ struct LineEditor::Parts {
     el_get(editor, EL_CLIENTDATA, &parts);
     return *parts;
   }
-  // What libedit, which is C, calls throws nothing.
+  // libedit is C, so its callbacks must not throw.
   static char* show_prompt(EditLine* editor) noexcept { return of(editor).prompt.data(); }
   static unsigned char clear(EditLine* editor, int) noexcept {
     const LineInfo* typed = el_line(editor);
@@ -93,8 +93,8 @@ struct LineEditor::Parts {
     return CC_REDISPLAY;
   }
 
-  // libedit's own, but that others have their turn before a key is pressed. What they throw ends
-  // the line, and read() throws it.
+  // Replaces libedit's function, and lets others work before a key is pressed. Their exceptions end
+  // the line, and read() rethrows them.
   static int next_key(EditLine* editor, wchar_t* key) noexcept {
     try {
       return give_others_their_turn(editor) ? read_character(key) : 0;
@@ -104,7 +104,7 @@ struct LineEditor::Parts {
     }
   }
 
-  // False when the program is asked to leave.
+  // Returns false if the program is asked to leave.
   static bool give_others_their_turn(EditLine* editor) {
     const Parts& parts = of(editor);
     bool has_spoken = false;
@@ -121,7 +121,7 @@ struct LineEditor::Parts {
     return wait_for_input(idle, make_room);
   }
 
-  // 1, or 0 at the end of the input.
+  // Returns 1, or 0 at the end of the input.
   static int read_character(wchar_t* character) {
     std::mbstate_t state{};
     char byte = 0;
@@ -132,7 +132,7 @@ struct LineEditor::Parts {
       const std::size_t length = std::mbrtowc(character, &byte, 1, &state);
       constexpr auto incomplete = static_cast<std::size_t>(-2);
       if (length <= 1) return 1;
-      if (length != incomplete) state = {};  // no character: dropped
+      if (length != incomplete) state = {};  // not a character: dropped
     }
   }
 
@@ -149,7 +149,8 @@ struct LineEditor::Parts {
       return CC_ERROR;
     }
   }
-  // One Tab adds what is certain; a second one, when nothing is, shows the choices.
+  // The first Tab inserts the unambiguous part; a second one, with nothing to insert, shows the
+  // choices.
   unsigned char complete() {
     const Completion completion = completer(before_cursor());
     const std::string added = completion.insertion();
@@ -174,7 +175,7 @@ struct LineEditor::Parts {
   std::string prompt;
   std::string dropped;
   Completer completer;
-  std::string tried = "\t";  // the line behind the last Tab
+  std::string tried = "\t";  // the line after the last Tab
   bool cleared = false;
   Idle idle;
   std::exception_ptr failure;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines from a person at a terminal: editing and history with libedit.
+// Reads lines from a person at a terminal, with editing and history by libedit.
 #pragma once
 
 #include <filesystem>
@@ -16,19 +16,18 @@ enum class LineEnd { entered, cleared, end_of_input };
 
 class LineEditor {
  public:
-  // The history is read from and kept in `history`; a file that cannot be is no error.
+  // Reads the history from `history` and keeps it there; failure to do so is no error.
   explicit LineEditor(std::filesystem::path history);
   ~LineEditor();
 
-  // What Tab offers, given the line before the cursor; without it nothing. An Error that it throws
-  // is a beep.
+  // Offers completions for Tab, given the line before the cursor; without it there are none. If it
+  // throws Error, the terminal beeps.
   using Completer = std::function<Completion(const std::string& before)>;
   void complete_with(Completer complete);
 
-  // One line without its end. `cleared`: Ctrl-C was pressed on what `line` then has;
-  // `end_of_input`: Ctrl-D on an empty line, or the terminal is gone. Between keys `idle` has its
-  // turn; what
-  // it throws comes out here, the line being lost.
+  // Reads one line without its end. `cleared`: Ctrl-C was pressed on the content of `line`;
+  // `end_of_input`: Ctrl-D on an empty line, or the terminal is gone. Calls `idle` between keys;
+  // its exceptions pass through, and the line is lost.
   LineEnd read(const std::string& prompt, std::string& line, const Idle& idle);
 
  private:
@@ -36,7 +35,8 @@ class LineEditor {
   std::unique_ptr<Parts> parts_;
 };
 
-// $XDG_STATE_HOME/hackle/history, by default below ~/.local/state; "" without a home.
+// Returns $XDG_STATE_HOME/hackle/history, by default below ~/.local/state; "" without a home
+// folder.
 std::filesystem::path history_file();
 
 }  // namespace hackle

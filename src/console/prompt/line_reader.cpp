@@ -23,7 +23,7 @@ LineEnd LineReader::read(std::string& line, const Idle& idle) {
   return LineEnd::entered;
 }
 
-// False at the end.
+// Returns false at the end.
 bool LineReader::fill() {
   std::array<char, 4096> some{};
   ssize_t count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of stdin without any prompt: of a file or of another program.
+// Reads lines of stdin without a prompt, from a file or another program.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace hackle {
 
 class LineReader {
  public:
-  // Does what is to be done while no line is there.
+  // Calls `idle` while no line is available.
   LineEnd read(std::string& line, const Idle& idle);
 
  private:
   bool fill();
 
-  // Not a stream's: what a stream has read ahead would look as if nothing were there.
+  // Not that of a stream: lines that a stream has read ahead would seem not to be there.
   std::string buffer_;
 };
 

@@ -23,7 +23,7 @@ bool is_space(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-// The number of = signs of a long bracket that opens at the beginning of the text, or -1.
+// Returns the number of = signs of a long bracket that opens the text, or -1.
 int long_bracket(std::string_view text) {
   if (!text.starts_with('[')) return -1;
   const std::size_t second = std::min(text.find_first_not_of('=', 1), text.size());
@@ -47,7 +47,7 @@ class Reader {
     rest_.remove_prefix(std::min(size, rest_.size()));
   }
 
-  // Blanks and comments; false at the end.
+  // Skips blanks and comments; returns false at the end.
   bool skip_blank() {
     for (;;) {
       while (!rest_.empty() && is_space(rest_.front())) rest_.remove_prefix(1);
@@ -58,7 +58,7 @@ class Reader {
     }
   }
 
-  // To behind the text; false, and silence, when it never comes.
+  // Skips past the text; returns false, and sets silence, if it never comes.
   bool skip_to(const std::string& text) {
     const std::size_t at = rest_.find(text);
     if (at == std::string_view::npos) found_.end = SourceEnd::silence;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of Lua text that may end anywhere, as a line at the prompt does while it is typed.
+// Splits Lua text into tokens. The text may end anywhere, like a line being typed at the prompt.
 #pragma once
 
 #include <string_view>
@@ -10,28 +10,28 @@ namespace hackle {
 struct Token {
   enum class Kind { name, keyword, number, text, symbol };
   Kind kind = Kind::symbol;
-  std::string_view word;  // as it stands in the source
+  std::string_view word;  // as in the source
 
   bool is(std::string_view other) const { return word == other && kind != Kind::text; }
 };
 
-// Where the source ends: between or behind words, in quotes, or where there is nothing to say: in
-// a comment or a text of long brackets.
+// Where the source ends: between or after words, in quotes, or in a comment or long-bracket text,
+// where nothing can be completed.
 enum class SourceEnd { code, quotes, silence };
 
-// Views of the source.
+// Holds views of the source.
 struct Tokens {
   std::vector<Token> list;
   SourceEnd end = SourceEnd::code;
-  std::string_view open_text;  // in quotes: from the quote on that was opened last
+  std::string_view open_text;  // in quotes: from the last opening quote on
 };
 
 Tokens tokens_of(std::string_view source);
 
-// The reserved words of Lua 5.4, in order.
+// Returns the reserved words of Lua 5.4, sorted.
 const std::vector<std::string_view>& lua_keywords();
 
-// Whether the text could name a variable.
+// Returns whether the text is a valid name of a variable.
 bool is_lua_name(std::string_view text);
 
 }  // namespace hackle

@@ -24,7 +24,7 @@ int Prompt::run() {
   return console_.exit_code().value_or(first_code_);
 }
 
-// Lines until they make sense together; false at the end of the input.
+// Reads lines until they form a chunk; returns false at the end of the input.
 bool Prompt::read_chunk(std::string& chunk) {
   chunk.clear();
   std::string line;
@@ -37,7 +37,7 @@ bool Prompt::read_chunk(std::string& chunk) {
       chunk.clear();
       continue;
     }
-    // What was begun and never finished is still run, for its error.
+    // An unfinished chunk is still run, for its error.
     if (end == LineEnd::end_of_input) return !chunk.empty();
     chunk += chunk.empty() ? line : "\n" + line;
     if (!console_.is_incomplete(chunk)) return true;
@@ -61,7 +61,7 @@ void Prompt::tell(const Error& error) {
   if (first_code_ == 0) first_code_ = static_cast<int>(error.kind());
 }
 
-// Short enough that a person who types notices nothing. Returns whether there is more to do.
+// Works so briefly that a typing person notices nothing. Returns whether there is more to do.
 bool Prompt::work(const MakeRoom& make_room) {
   constexpr double moment = 0.02;  // s
   try {
@@ -82,7 +82,7 @@ void Prompt::pause_work() {
   voice_.note("paused; s:resume() goes on");
 }
 
-// What everybody stumbles over once who pastes a line of a script.
+// Explains that a local ends with its line, a common surprise when lines of a script are pasted.
 void Prompt::explain_local(const std::string& chunk) {
   if (local_is_explained_ || !chunk.starts_with("local ")) return;
   local_is_explained_ = true;

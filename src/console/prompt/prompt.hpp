@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The prompt: reads what a person types, runs it and shows what it gives, as lua does.
+// The prompt: reads typed lines, runs them and shows their values, like lua does.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,10 @@ namespace hackle {
 
 class Prompt {
  public:
-  // Where lines come from: shows the prompt and has `idle` work while it waits.
+  // The source of lines: shows the prompt and calls `idle` while it waits.
   using Reader =
       std::function<LineEnd(const std::string& prompt, std::string& line, const Idle& idle)>;
-  // What becomes of values, errors and advice.
+  // The outlets for values, errors and advice.
   struct Voice {
     std::function<void(const std::string&)> value;
     std::function<void(const Error&)> error;
@@ -25,10 +25,10 @@ class Prompt {
 
   Prompt(Console& console, Reader reader, Voice voice);
 
-  // Until the input ends or a line calls os.exit. Returns the code of os.exit, or else that of the
-  // first error, or 0.
+  // Runs until the input ends or a line calls os.exit. Returns the code of os.exit, else that of
+  // the first error, or 0.
   int run();
-  // The lines before the one that is being read, of the same chunk; each with its end.
+  // Returns the earlier lines of the present chunk, each with its end.
   const std::string& begun() const { return begun_; }
 
  private:

@@ -13,14 +13,15 @@
 namespace hackle {
 namespace {
 
-// What ends with its line at the prompt, and would not in a script.
+// Returns whether the chunk may have a word whose effect ends with its line at the prompt, but
+// would not in a script.
 bool needs_a_scope(std::string_view text) {
   constexpr std::array words{"local", "return", "goto"};
   return std::ranges::any_of(words, [&](const char* w) { return text.find(w) != text.npos; });
 }
 
-// A line that begins with a bracket would otherwise be taken as a call of what the one before
-// gives.
+// Separates a line that begins with a bracket, which would otherwise call the value of the line
+// before.
 std::string apart(std::string text) {
   return (text.starts_with('(') ? ";" : "") + std::move(text);
 }

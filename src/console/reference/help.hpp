@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What help() tells about what it is given.
+// The answers of help().
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace hackle {
 
-// [-0, +0] About the first value of the stack: nothing, a function, a text or an object. Throws
-// Error (refused) when nothing is known of it.
+// [-0, +0] Explains the first value on the stack: nothing, a function, a text or an object. Throws
+// Error (refused) if nothing is known about it.
 std::string help_on(lua_State* L);
 
 }  // namespace hackle

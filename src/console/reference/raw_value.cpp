@@ -8,9 +8,9 @@
 namespace hackle {
 namespace {
 
-constexpr int longest_chain = 8;  // of tables behind __index; a chain may be a ring
+constexpr int longest_chain = 8;  // of tables behind __index; a chain may be circular
 
-// [-0, +0 or +1] The table behind __index of what lies on top, or nothing.
+// [-0, +0 or +1] Pushes the table behind __index of the value on top, if there is one.
 bool push_behind(lua_State* L) {
   luaL_checkstack(L, 4, "tables too deep");
   if (luaL_getmetafield(L, -1, "__index") == LUA_TNIL) return false;
@@ -19,7 +19,7 @@ bool push_behind(lua_State* L) {
   return false;
 }
 
-// [-0, +some] The value of a key of what lies on top ends there.
+// [-0, +some] Leaves on top the value of a key of the value on top.
 void push_key(lua_State* L, std::string_view name) {
   for (int chain = 0; chain < longest_chain; ++chain) {
     if (lua_type(L, -1) == LUA_TTABLE) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a path of names leads to, found without running anything of the script.
+// Finds the value of a path of names without running anything of the script.
 #pragma once
 
 #include "console/prompt/cursor.hpp"
@@ -7,30 +7,30 @@
 
 namespace hackle {
 
-// At most one of the three is there; all are empty when nothing is known.
+// At most one of the three is set; none if nothing is known.
 struct RawValue {
-  int table = 0;                    // its place on the stack
+  int table = 0;                    // its stack index
   const TypeDoc* type = nullptr;    // of an object
-  const Property* field = nullptr;  // a table that an object would make
+  const Property* field = nullptr;  // a field whose value would be a table
 
   bool known() const { return table != 0 || type != nullptr || field != nullptr; }
 };
 
-// [-0, +some] Tables are read raw; what __index holds counts when it is a table. A text has the
-// functions of `string`.
+// [-0, +some] Reads tables raw; __index counts if it is a table. A text has the functions of
+// `string`.
 RawValue raw_value(lua_State* L, const NamePath& path);
 
-// The doc of one of our functions that the path names; of a method of an object that is not known
-// yet, as in plate{...}:crack, the first of that name. Null when it is none.
+// Returns the doc of the bound function that the path names; for a method of an unknown object, as
+// in plate{...}:crack, the first of that name. Null if there is none.
 const FunctionDoc* doc_of(lua_State* L, const NamePath& path);
 
-// The type of an object of ours on the stack, or null.
+// Returns the type of a bound object on the stack, or null.
 const TypeDoc* type_at(lua_State* L, int index);
 
-// The function of ours that a global C function is, or null.
+// Returns the doc of the bound function that a global C function is, or null.
 const FunctionDoc* doc_of_global(lua_State* L, int index);
 
-// The names among the keys of the table, and of the tables behind its __index.
+// Names among the keys of a table, and of the tables behind its __index.
 struct Key {
   std::string_view name;  // lives as long as its table
   bool is_function = false;

@@ -18,7 +18,7 @@
 namespace hackle {
 namespace {
 
-// "  name   text", the text in lines of its own below each other.
+// Formats "  name   text", with the text in its own column.
 std::string entry(std::string_view name, std::size_t column, std::string_view text) {
   return fmt::format("  {:<{}}  {}\n", name, column, hanging(text, column + 4, reference_width));
 }
@@ -38,7 +38,7 @@ std::string function_lines(std::span<const Function> functions) {
   return text;
 }
 
-// How an object of the type is called in examples: "p".
+// Returns the name of an object of the type in examples: "p".
 std::string_view object_name(const TypeDoc& type) {
   return type.methods.empty() ? type.name : type.methods.front().doc->owner;
 }
@@ -58,12 +58,12 @@ std::string field_lines(const TypeDoc& type) {
   return text;
 }
 
-// A line that begins with a word and goes on below itself.
+// Formats a line that begins with a word and continues indented.
 std::string line_of(std::string_view word, const std::string& text) {
   return fmt::format("\n{}: {}", word, hanging(text, word.size() + 2, reference_width));
 }
 
-// What an object of the type that a function makes can do and has.
+// Lists methods and fields of the type that a function makes.
 std::string lines_of_members(const TypeDoc& type) {
   std::vector<std::string> methods, fields;
   for (const Function& method : type.methods) methods.emplace_back(method.doc->name);
@@ -79,7 +79,7 @@ std::string example_lines(std::string_view example) {
   return text;
 }
 
-// Functions that take an option of this name, by what they say about it.
+// Returns the functions that take an option of this name, grouped by their sentence about it.
 std::map<std::string, std::vector<std::string>> takers_of(std::string_view option) {
   std::map<std::string, std::vector<std::string>> takers;
   for (const FunctionDoc* doc : all_docs())
@@ -106,7 +106,7 @@ std::string takers_line(std::string_view name) {
   return all.empty() ? "" : line_of("an option of", comma_text(all));
 }
 
-// Every function of this name: a plate and a simulation share some.
+// Explains every function of this name: plates and simulations share some.
 std::string page_of_function(std::string_view name) {
   const FunctionDoc* first = nullptr;
   std::vector<std::string> others;
@@ -173,13 +173,13 @@ std::string page_of_list(std::string_view name) {
   return name == "units" ? list_of_units() : "";
 }
 
-// "[m/s] How fast a node moves."
+// Returns "[m/s] How fast a node moves."
 std::string meaning(const Scalar& scalar) {
   const std::string unit = scalar.unit.empty() ? "" : fmt::format("[{}] ", scalar.unit);
   return unit + std::string(scalar.sentence);
 }
 
-// The line that tells of a field of pictures, if there is one of this name.
+// Returns the line about a field of pictures, if there is one of this name.
 std::string picture_line(std::string_view name) {
   for (const Scalar& scalar : scalars())
     if (scalar.name == name) return line_of("a field of pictures", meaning(scalar));

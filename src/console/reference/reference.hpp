@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What help() tells about everything that the scene language knows.
+// The texts of help() about everything in the scene language.
 #pragma once
 
 #include <span>
@@ -11,24 +11,24 @@
 
 namespace hackle {
 
-// Texts are laid out for a terminal this wide.
+// The width of terminal for which texts are laid out.
 inline constexpr std::size_t reference_width = 80;
 
-// Functions and methods, a sentence each.
+// Lists functions and methods with a sentence each.
 std::string list_of_functions();
-// The unit constants by dimension.
+// Lists the unit constants by dimension.
 std::string list_of_units();
-// What pictures can show, a sentence each.
+// Lists the fields of pictures with a sentence each.
 std::string list_of_fields();
 
-// Signature, sentence, table of options, example, what else to read.
+// Returns signature, sentence, table of options, example and related functions.
 std::string reference_of(const FunctionDoc& doc);
-// Methods and fields.
+// Returns methods and fields.
 std::string reference_of(const TypeDoc& type);
-// Of a function, a method, a type, a field, an option, a unit or a list; throws Error (refused)
-// with the nearest name.
+// Explains a function, a method, a type, a field, an option, a unit or a list; throws Error
+// (refused) with the nearest name.
 std::string reference_of(std::string_view name);
-// Every name that it knows, each once, in order.
+// Returns every name that it knows, sorted, without duplicates.
 std::vector<std::string> topics();
 
 }  // namespace hackle

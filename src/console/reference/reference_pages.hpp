@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The scene language as a part of a page: all of it in Markdown, in short in roff.
+// The scene language as part of a page: complete in Markdown, short in roff.
 #pragma once
 
 #include <string>
 
 namespace hackle {
 
-// Sections of the second level and below: functions, types with their methods and fields, units,
-// materials. Throws Error (files) when the library of materials cannot be read.
+// Returns sections of the second level and below: functions, types with their methods and fields,
+// units, materials. Throws Error (files) if the library of materials cannot be read.
 std::string markdown_reference();
 
-// Sections of a man page: what each function does and how it is called, fields, units.
+// Returns sections of a man page: purpose and signature of each function, fields, units.
 std::string roff_reference();
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which functions of the scene language belong together.
+// Related functions of the scene language.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace hackle {
 
-// What a reader of this function may want to know next.
+// Returns the functions that a reader of this one may need next.
 std::vector<std::string_view> see_also(std::string_view function);
 
 }  // namespace hackle

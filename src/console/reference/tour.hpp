@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What help() shows a newcomer: a first plate in a few lines, and where to read on.
+// The tour by help() for a newcomer: a first plate in a few lines, and where to read on.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace hackle {
 
 std::string tour();
 
-// The lines of it that are typed, in order; they run.
+// Returns the typed lines of the tour, in order; they run.
 std::vector<std::string_view> tour_lines();
 
 }  // namespace hackle

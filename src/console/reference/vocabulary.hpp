@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything the scene language knows.
+// All types and functions of the scene language.
 #pragma once
 
 #include <string_view>
@@ -9,12 +9,12 @@
 
 namespace hackle {
 
-// Every type, and every global function in the order in which a script needs them.
+// All types, and all global functions in the order in which a script needs them.
 std::vector<const TypeDoc*> all_types();
 std::vector<Function> all_functions();
-// All functions and all methods.
+// Returns all functions and all methods.
 std::vector<const FunctionDoc*> all_docs();
-// The type of this name, or null.
+// Returns the type of this name, or null.
 const TypeDoc* find_type(std::string_view name);
 
 }  // namespace hackle

@@ -61,8 +61,8 @@ void Arguments::report_more(lua_State* L, int index) {
                fmt::format("it is called as {}", signature(*doc_)));
 }
 
-// In the order of the options, then what is none of them by name: Lua orders its tables anew in
-// every process, and messages must not change with it.
+// Reads known options in their order, then reports unknown ones by name: the order of a Lua table
+// differs from process to process, and messages must not.
 void Arguments::read_table(lua_State* L, int index) {
   for (const Option& option : doc_->options) {
     lua_pushlstring(L, option.name.data(), option.name.size());

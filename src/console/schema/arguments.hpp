@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The arguments of one call, checked against the schema of the function.
+// The arguments of one call, checked against the schema of its function.
 #pragma once
 
 #include <any>
@@ -19,21 +19,20 @@
 
 namespace hackle {
 
-// Collects every problem of a call; the function adds those of its own to `problems` and then
-// throws them all with problems.throw_if_any(). Until then, a value that was missing or wrong reads
-// as its fallback.
+// Collects every problem of a call; the function adds its own to `problems` and then calls
+// problems.throw_if_any(). Until then, a missing or wrong value reads as its fallback.
 class Arguments {
  public:
-  // From the table at `index`. Also takes a text there for the option marked positional, and
-  // nothing when nothing is required.
+  // Reads the table at `index`. Also accepts a text there for the positional option, and nothing if
+  // no option is required.
   static Arguments from_table(lua_State* L, int index, const FunctionDoc& doc);
-  // From the values at `index` and after it, in the order of the options.
+  // Reads the values from `index` on, in the order of the options.
   static Arguments from_values(lua_State* L, int index, const FunctionDoc& doc);
 
-  // Whether the function takes it at all.
+  // Returns whether the function has this option.
   bool takes(std::string_view name) const { return find_option(*doc_, name) != nullptr; }
   bool has(std::string_view name) const { return at(name).value.has_value(); }
-  // Whether none of these was missing or wrong.
+  // Returns whether none of these was missing or wrong.
   bool good(std::initializer_list<std::string_view> names) const;
 
   double number(std::string_view name, double fallback = 0.0) const;
@@ -46,11 +45,11 @@ class Arguments {
   Eigen::Vector3d window(std::string_view name) const;  // x, y and half the width
   std::vector<Vec2> points(std::string_view name) const;
   std::vector<double> numbers(std::string_view name) const;
-  // Of an option that has() one.
+  // Requires has(name).
   LuaFunction function(std::string_view name) const;
-  // The text itself of a choice.
+  // Returns the text of a choice.
   std::string text_of_choice(std::string_view name, std::string_view fallback) const;
-  // Of any type, also of those that an option's own reader makes.
+  // Returns a value of any type, also of a type that an option's own reader makes.
   template <class T>
   T get(std::string_view name, const T& fallback) const {
     if constexpr (std::is_enum_v<T>)
@@ -62,7 +61,7 @@ class Arguments {
     else
       return value_or(name, fallback);
   }
-  // The enumerator whose place in its type is that of the text among the choices.
+  // Returns the enumerator whose index is that of the text among the choices.
   template <class Enum>
   Enum choice(std::string_view name, Enum fallback = {}) const {
     return static_cast<Enum>(value_or(name, Choice{static_cast<std::size_t>(fallback)}).index);
@@ -72,7 +71,7 @@ class Arguments {
 
  private:
   struct Slot {
-    std::any value;  // what read_value() says
+    std::any value;  // from read_value()
     bool bad = false;
   };
 
@@ -88,13 +87,13 @@ class Arguments {
   void read_table(lua_State* L, int index);
   void read_positional(lua_State* L, int index, const Option& option);
   void report_others(lua_State* L, int index, bool first_is_known);
-  void report_more(lua_State* L, int index);  // what stands there or beyond
+  void report_more(lua_State* L, int index);  // a value there or beyond
   void take(lua_State* L, int index, const Option& option);
   void require_all();
   void unknown_name(std::string_view name);
 
   const FunctionDoc* doc_;
-  std::vector<Slot> slots_;  // one an option
+  std::vector<Slot> slots_;  // one per option
 };
 
 }  // namespace hackle

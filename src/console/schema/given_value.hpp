@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a script gave for one option of a call, before it is known to be right.
+// The unchecked value that a script gave for one option of a call.
 #pragma once
 
 #include <any>
@@ -11,8 +11,8 @@
 
 namespace hackle {
 
-// Lives as long as the call is checked. Tables are read with raw access only: no metamethod of a
-// script runs in the middle of a check.
+// Lives while the call is being checked. Tables are read with raw access only, so that no
+// metamethod of a script runs during a check.
 struct GivenValue {
   lua_State* L;
   int index;  // on the stack
@@ -20,16 +20,16 @@ struct GivenValue {
   const Option& option;
   Problems& problems;  // of the call
 
-  // "traction: stress"
+  // Returns "traction: stress".
   std::string name() const;
-  // Whether it is a list as long as the option says; adds a problem if not.
+  // Returns whether it is a list with a length in the option's range; adds a problem if not.
   bool is_list() const;
-  // Each adds a problem and returns nothing, which a reader returns.
+  // Each adds a problem and returns nothing, for a reader to return.
   std::any wrong(std::string what, std::string remedy = {}) const;
   std::any wrong_type() const;
 };
 
-// [-0, +0] Of a table, under keys of any kind.
+// [-0, +0] Returns the number of entries of a table, under keys of any kind.
 std::size_t entries(lua_State* L, int index);
 
 }  // namespace hackle

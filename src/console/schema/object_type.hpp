@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How types and functions of the scene language become known to Lua.
+// Makes types and functions of the scene language known to Lua.
 #pragma once
 
 #include <span>
@@ -10,17 +10,17 @@
 
 namespace hackle {
 
-// Makes the metatable of a type: its methods and fields, a suggestion for a name it does not have,
-// its text, and no way to write to it or to reach the metatable from a script.
+// Makes the metatable of a type: its methods and fields, a suggestion for an unknown name, its
+// text, and protection against writing and against access to the metatable from a script.
 void open_type(lua_State* L, const char* registry_name, const TypeDoc& type);
 
-// Makes the functions global.
+// Defines the functions as globals.
 void open_functions(lua_State* L, std::span<const Function> functions);
 
-// Throws the Error for a method that was called without its object, as in p.crack{...}.
+// Throws the Error for a method called without its object, as in p.crack{...}.
 [[noreturn]] void refuse_self(const FunctionDoc& doc);
 
-// The object that a method was called on.
+// Returns the object that a method was called on.
 template <class T>
 T& self(lua_State* L, const FunctionDoc& doc) {
   T* object = object_at<T>(L, 1);

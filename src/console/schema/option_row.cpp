@@ -54,7 +54,7 @@ std::string_view type_word(OptionType type) {
   return "?";
 }
 
-// Of lists the range is that of their length.
+// For lists the range is that of their length.
 std::string values_text(const Option& option) {
   const bool list = option.type == OptionType::points || option.type == OptionType::texts ||
                     option.type == OptionType::markers || option.type == OptionType::numbers ||
@@ -78,7 +78,7 @@ std::size_t widest(const std::vector<OptionRow>& rows, std::string OptionRow::*c
   return width;
 }
 
-// A line with everything, for a wide terminal.
+// Formats one line per option, for a wide terminal.
 std::string wide_table(const std::vector<OptionRow>& rows) {
   const std::size_t name = widest(rows, &OptionRow::name), type = widest(rows, &OptionRow::type);
   const std::size_t values = widest(rows, &OptionRow::values);
@@ -90,7 +90,7 @@ std::string wide_table(const std::vector<OptionRow>& rows) {
   return text;
 }
 
-// Two lines, the sentence below.
+// Formats two lines per option, with the sentence below.
 std::string narrow_table(const std::vector<OptionRow>& rows, std::size_t width) {
   const std::size_t name = widest(rows, &OptionRow::name), type = widest(rows, &OptionRow::type);
   const std::size_t indent = name + 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An option as help() and the reference pages show it.
+// An option as shown by help() and the reference pages.
 #pragma once
 
 #include <string>
@@ -21,8 +21,9 @@ struct OptionRow {
 
 OptionRow row_of(const Option& option);
 
-// The rows as an aligned table, a sentence beside each or, when that is too wide for a terminal of
-// so many columns, below. Lines end in "\n".
+// Formats the rows as an aligned table, with the sentences beside or, if that exceeds `width`
+// columns, below. Lines end in "
+// ".
 std::string table_text(const std::vector<OptionRow>& rows, std::size_t width);
 
 }  // namespace hackle

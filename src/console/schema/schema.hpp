@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a function of the scene language takes, as data. The checker (arguments.hpp), help() and the
-// reference pages all read it.
+// The options of a function of the scene language, as data. The checker (arguments.hpp), help() and
+// the reference pages all read it.
 #pragma once
 
 #include <algorithm>
@@ -20,17 +20,17 @@ enum class OptionType {
   integer,       // whole number
   text,          // not empty
   caption,       // may be empty
-  texts,         // a list of those, as many as the range says
+  texts,         // a list of text; range of its length
   flag,          // true or false
   point,         // {x, y}, two finite numbers; a place or a vector
   pair,          // {a, b}, two finite numbers, each in the range
   window,        // {x, y, half}, the middle of a window and half its width in the range
-  points,        // a list of points, as many as the range says
-  markers,       // a list of {x, y, "label"}, as many as the range says
-  numbers,       // a list of finite numbers, as many as the range says
-  recordings,    // a list of what recording{...} returns, as many as the range says
+  points,        // a list of points; range of its length
+  markers,       // a list of {x, y, "label"}; range of its length
+  numbers,       // a list of finite numbers; range of its length
+  recordings,    // a list of values of recording{...}; range of its length
   choice,        // one of `choices`
-  material,      // the name of one, or what material{...} returns
+  material,      // its name, or a value of material{...}
   vector_field,  // {x, y}, or a function of x and y that returns two numbers
   scalar_field,  // a number, or a function of x and y that returns one
   amplitude,     // {{t, factor}, ...} in time, or a function of t
@@ -38,7 +38,7 @@ enum class OptionType {
 };
 
 struct GivenValue;
-// What it makes of a value, or nothing after adding a problem (value_reader.hpp).
+// Returns the value, or nothing after adding a problem (value_reader.hpp).
 using ValueReader = std::any (*)(const GivenValue& given);
 
 struct Option {
@@ -49,9 +49,9 @@ struct Option {
   Range range{};
   bool required = false;
   bool positional = false;      // may be given as [1], without its name
-  std::string_view fallback{};  // what holds when it is left out, for a reader
+  std::string_view fallback{};  // default as told to the user
   std::span<const std::string_view> choices{};
-  bool alternative = false;  // one of several ways to say something; see its function
+  bool alternative = false;  // the user gives one of several alternatives; its function checks this
   std::string_view sentence{};
 };
 
@@ -59,10 +59,10 @@ struct Option {
 enum class Call {
   options,  // f { name = value, ... }
   values,   // f(value, ...): the options in order
-  free,     // the function looks at its arguments itself
+  free,     // the function checks its arguments itself
 };
 
-// The options of both.
+// Returns the options of both.
 template <std::size_t A, std::size_t B>
 constexpr std::array<Option, A + B> joined(const std::array<Option, A>& first,
                                            const std::array<Option, B>& second) {
@@ -71,7 +71,7 @@ constexpr std::array<Option, A + B> joined(const std::array<Option, A>& first,
   return all;
 }
 
-// All but the one of this name, which must be among them.
+// Returns all except the option of this name, which must exist.
 template <std::size_t N>
 constexpr std::array<Option, N - 1> without(std::string_view name,
                                             const std::array<Option, N>& options) {
@@ -88,22 +88,22 @@ struct FunctionDoc {
   Call call = Call::options;
   std::string_view sentence{};
   std::span<const Option> options{};
-  std::string_view example{};  // runs as it is, p being a plate and s a simulation
+  std::string_view example{};  // runs unchanged, with a plate p and a simulation s
 };
 
-// A function of the scene language: what it takes and what it does.
+// A function of the scene language: its doc and its implementation.
 struct Function {
   const FunctionDoc* doc = nullptr;
   lua_CFunction call = nullptr;
 };
 
-// A value of an object that can only be read.
+// A read-only value of an object.
 struct Property {
   std::string_view name;
   std::string_view unit{};
   std::string_view sentence{};
-  lua_CFunction push = nullptr;              // [-0, +1], the object being at index 1
-  std::span<const std::string_view> keys{};  // of the table that it is, if it is one
+  lua_CFunction push = nullptr;              // [-0, +1], with the object at index 1
+  std::span<const std::string_view> keys{};  // of its value, if that is a table
 };
 
 // A type of the scene language.
@@ -116,22 +116,22 @@ struct TypeDoc {
   lua_CFunction destroy = nullptr;
 };
 
-// "plate", "p:crack"
+// Returns "plate" or "p:crack".
 std::string call_name(const FunctionDoc& doc);
 
-// "p:crack { from, to, born }", "s:run(duration)"
+// Returns "p:crack { from, to, born }" or "s:run(duration)".
 std::string signature(const FunctionDoc& doc);
 
-// "a number in m", "one of left, right": what an option wants to be.
+// Returns the kind of value that an option expects: "a number in m", "one of left, right".
 std::string expectation(const Option& option);
 
-// "above 0 m", "between 320 and 7680 px", or "" for any number.
+// Returns "above 0 m", "between 320 and 7680 px", or "" for an unlimited range.
 std::string range_text(const Option& option);
 
-// The option of this name, or null.
+// Returns the option of this name, or null.
 const Option* find_option(const FunctionDoc& doc, std::string_view name);
 
-// The method or field of this name, or null.
+// Returns the method or field of this name, or null.
 const Function* find_method(const TypeDoc& type, std::string_view name);
 const Property* find_field(const TypeDoc& type, std::string_view name);
 

@@ -26,7 +26,7 @@ std::string at_place(const Vec2& place) {
   return fmt::format("at x = {}, y = {}", quantity(place.x(), "m"), quantity(place.y(), "m"));
 }
 
-// {{a, b}, {c, d}, ...}, or nothing when it is anything else.
+// Reads {{a, b}, {c, d}, ...}; returns nothing for any other value.
 std::optional<std::vector<Vec2>> points_at(lua_State* L, int index) {
   std::vector<Vec2> points;
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
@@ -45,7 +45,7 @@ std::optional<std::vector<Vec2>> points_at(lua_State* L, int index) {
   return points;
 }
 
-// The numbers of the table {a, b, ...}, or nothing when it is something else.
+// Reads the numbers of the table {a, b, ...}; returns nothing for any other value.
 template <class Vector>
 std::optional<Vector> numbers_at(lua_State* L, int index) {
   Vector numbers = Vector::Zero();

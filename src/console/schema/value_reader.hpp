@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a value of each type of option is read. What only some room knows (a material, a marker, a
-// recording) is read by the option's own reader, which stands beside the binding of that noun.
+// Reads the value of an option by its type. Values that only one noun knows (a material, a marker,
+// a recording) are read by the option's own reader, beside the binding of that noun.
 #pragma once
 
 #include <any>
@@ -10,20 +10,21 @@
 
 namespace hackle {
 
-// A value of OptionType::choice: the place of the text among the choices.
+// A value of OptionType::choice: the index of the text among the choices.
 struct Choice {
   std::size_t index = 0;
 };
 
-// [-0, +0] The value, or nothing after adding a problem. It holds
+// [-0, +0] Returns the value, or nothing after adding a problem. It holds
 //   number, integer, flag: double, std::int64_t, bool
 //   text, caption: std::string, and texts a vector of those
 //   point, pair: Vec2, and points a vector of those
 //   window: Eigen::Vector3d
 //   numbers: std::vector<double>
 //   choice: Choice
-//   vector_field, scalar_field, amplitude, function: VectorField, ScalarField, Amplitude,
-//   LuaFunction any other: what the option's own reader says
+//   vector_field, scalar_field, amplitude: VectorField, ScalarField, Amplitude
+//   function: LuaFunction
+//   any other: the type that the option's own reader returns
 std::any read_value(const GivenValue& given);
 
 }  // namespace hackle
