@@ -40,7 +40,7 @@ TEST_F(CheckTest, TellsWhatAScriptTakesAndWritesNothing) {
   EXPECT_FALSE(fs::exists(folder_.path / "out"));
 }
 
-// Loads that were taken off again, slow loading, functions that may change everything.
+// Loads that were removed again, quasi-static loading, functions that may change everything.
 TEST_F(CheckTest, JudgesTheWholeScript) {
   const auto verdict = [&](const std::string& more) {
     const auto ended = run("check", R"(

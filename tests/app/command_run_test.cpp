@@ -31,7 +31,7 @@ TEST(CommandRun, WithoutSimulationsTheListIsEmpty) {
   EXPECT_EQ(json_of({}, "a.lua").dump(), R"({"schema":1,"script":"a.lua","simulations":[]})");
 }
 
-// What the command line has said reaches the console; no two values are alike.
+// Settings from the command line reach the console; all values differ.
 TEST(CommandRun, SettingsHaveEveryMemberOfTheRequest) {
   RunRequest request;
   request.output_folder = "somewhere";

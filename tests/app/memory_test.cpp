@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a process takes for a large plate, set-up and summary included, against what was said.
+// Compares the memory of a process that solves a large plate, including set-up and summary, with
+// the estimate.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +15,7 @@
 namespace hackle {
 namespace {
 
-// Peak of the process that solves `steps` steps of a script, bytes.
+// Returns the peak memory of the process that runs `steps` steps of a script, bytes.
 double peak_of(const std::string& script) {
   const test::Folder folder;
   write_text(folder.path / "a.lua", script);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run says when its step does not resolve what happens, from outside.
+// Notes of a run whose step does not resolve the events, from outside.
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -20,7 +20,7 @@ class NotesTest : public testing::Test {
     return program_.run(words);
   }
 
-  // A clamped plate of 20 x 10 mm that is pulled at its top as `pull` says.
+  // A clamped plate of 20 x 10 mm with the load `pull` at its top.
   std::string pulled(const std::string& pull, const std::string& more = "") {
     return R"(p = plate { width = 20*mm, height = 10*mm, material = "duran50" }
               p:clamp { edge = "bottom", depth = 1*mm }

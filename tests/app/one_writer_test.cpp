@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One writer a file: within a script, and over programs. What a killed program leaves is kept.
+// One writer per file, within a script and between programs. The remains of a killed program are
+// kept.
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -23,7 +24,8 @@ struct Pair {
   const char* second;
 };
 
-// The second of each is refused before anything is written, and the first is named with its line.
+// The second writer is refused before anything is written; the message names the first with its
+// line.
 TEST(OneWriter, WithinAScript) {
   for (const auto& [first, second] : std::vector<Pair>{
            {"s:record { 'a.h5', every = 1*us }", "s:record { 'a.h5', every = 1*us }"},
@@ -84,7 +86,7 @@ TEST(OneWriter, LatestPicturesMayBeWrittenAgain) {
 
 class TwoPrograms : public testing::Test {
  protected:
-  // Goes on until there is a file `done`.
+  // Runs until there is a file `done`.
   static std::string long_run(const std::string& outputs) {
     return test::scene + outputs + R"(
       s:run(3*us)
@@ -93,7 +95,7 @@ class TwoPrograms : public testing::Test {
     )";
   }
 
-  // The first is under way, the second comes; then the first goes on to its end.
+  // Starts the second while the first is running; then the first runs to its end.
   void run_both(const std::string& one, const std::string& other) {
     write_text(folder.path / "one.lua", long_run(one));
     write_text(folder.path / "other.lua", test::scene + other + " s:run(3*us)");
@@ -170,7 +172,7 @@ TEST(AKilledRun, LeavesRunFilesThatTheNextOneKeeps) {
   EXPECT_GE(Recording(folder.path / "out/a/a.cut_off.h5", {1}).times().size(), 4U);
   EXPECT_THAT(read_text(folder.path / "out/a/a.cut_off.xdmf"), HasSubstr(">a.cut_off.h5:/records"));
   EXPECT_GE(Recording(folder.path / "out/a/a.h5", {1}).times().size(), 4U);
-  EXPECT_EQ(test::Program(folder).run({"run", "a.lua"}).code, 0);  // complete: replaced
+  EXPECT_EQ(test::Program(folder).run({"run", "a.lua"}).code, 0);  // complete, hence replaced
   EXPECT_FALSE(fs::exists(folder.path / "out/a/a.cut_off_2.h5"));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program itself, run by a test in a folder of its own.
+// Runs the program itself in a separate folder.
 #pragma once
 
 #include <cerrno>
@@ -19,7 +19,7 @@
 namespace hackle::test {
 
 struct Ended {
-  int code = -1;  // 128 + number when a signal ended it
+  int code = -1;  // 128 + the number of the signal that ended it
   std::string out, err;
 };
 
@@ -83,7 +83,7 @@ class Program {
   std::filesystem::path folder_;
 };
 
-// Whether the boxes of an MP4 fill the file to its end and one of them is the index.
+// Returns whether the boxes of an MP4 fill the file to its end and one of them is the index.
 inline bool is_whole_mp4(const std::filesystem::path& path) {
   const std::string bytes = Program::text_of(path);
   bool index = false;

@@ -136,7 +136,8 @@ TEST_F(ProgramTest, TheHashDoesNotDependOnThreads) {
 }
 
 TEST_F(ProgramTest, CtrlCCompletesTheMovie) {
-  // The movie's file is opened with the first frame, which the run asks for before its first step.
+  // The file of the movie is opened with the first frame, which the run requests before its first
+  // step.
   program_.at_first_word = [this](pid_t process) {
     for (int tries = 0; tries < 600 && !fs::exists(folder_.path / "out/a/.a.partial.mp4"); ++tries)
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -229,7 +230,7 @@ TEST_F(ProgramTest, LuaMemoryAndOutputHaveLimits) {
   EXPECT_EQ(run("", {"--output-limit", "-1"}).code, 2);
 }
 
-// No hook of Lua is called while it looks for a pattern; the second Ctrl-C leaves.
+// Lua calls no hook during a pattern search; the second Ctrl-C ends the program.
 TEST_F(ProgramTest, APatternWithoutEndIsLeftByTheSecondInterrupt) {
   program_.at_first_word = [](pid_t child) {
     for (int k = 0; k < 2; ++k) {

@@ -16,7 +16,7 @@ std::string hash_of(const std::vector<double>& values) {
 }
 
 TEST(Hash, IsThatOfXxh3) {
-  EXPECT_EQ(Hash().hex(), "2d06800538d394c2");  // XXH3_64bits of nothing, as published
+  EXPECT_EQ(Hash().hex(), "2d06800538d394c2");  // published XXH3_64bits of empty input
 }
 
 TEST(Hash, TellsSingleBitsApart) {

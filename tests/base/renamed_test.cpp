@@ -9,7 +9,7 @@ namespace {
 TEST(Renamed, TellsThePresentNameOfTheSameOwner) {
   EXPECT_EQ(renamed("plate", "start"), "initial");
   EXPECT_EQ(renamed("simulation", "pieces"), "fragments");
-  EXPECT_EQ(renamed("simulation", "start"), std::nullopt);  // which it has
+  EXPECT_EQ(renamed("simulation", "start"), std::nullopt);  // a present name
   EXPECT_EQ(renamed("plate", "initial"), std::nullopt);
 }
 

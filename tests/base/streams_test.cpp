@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-// Each runs in a process of its own, as what was lost is remembered.
+// Each test runs in a separate process, because lost output is remembered.
 
 TEST(Streams, NoFileTakesThePlaceOfAClosedOne) {
   const auto all_closed = [] {

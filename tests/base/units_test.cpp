@@ -64,7 +64,7 @@ TEST(Units, HaveDistinctNamesAndPositiveSizes) {
   EXPECT_TRUE(names.contains("mm") && names.contains("us") && names.contains("MPa"));
 }
 
-// What a script may write behind a number.
+// The units that a script may write after a number.
 TEST(Units, AreThoseOfSI) {
   const std::map<std::string_view, double> sizes{{"m", 1.0},
                                                  {"cm", 1e-2},
@@ -89,7 +89,7 @@ TEST(Units, AreThoseOfSI) {
   for (const Unit& unit : units()) EXPECT_DOUBLE_EQ(unit.factor, sizes.at(unit.name)) << unit.name;
 }
 
-// A number and its prefix are the number again.
+// The number times its prefix must equal the original number.
 TEST(Prefixed, IsTheNumberAgain) {
   const std::map<char, double> factors{{'T', 1e12}, {'G', 1e9},  {'M', 1e6},  {'k', 1e3},
                                        {'m', 1e-3}, {'u', 1e-6}, {'n', 1e-9}, {'p', 1e-12}};

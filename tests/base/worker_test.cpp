@@ -29,7 +29,7 @@ TEST(Worker, NeverHoldsMoreThanItsCapacity) {
     most = std::max(most.load(), ++waiting);
   }
   worker.finish();
-  // Two in the queue, one being worked on, and one counted before its push returned.
+  // Two in the queue, one being processed, and one counted before its push returned.
   EXPECT_LE(most, 4);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Running a script in a test.
+// Runs scripts in tests.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ inline ConsoleSettings quiet(const std::filesystem::path& output_folder = "unuse
   return settings;
 }
 
-// As with --trust.
+// With --trust.
 inline ConsoleSettings trusted(const std::filesystem::path& output_folder = "unused") {
   ConsoleSettings settings = quiet(output_folder);
   settings.trust = true;
@@ -37,7 +37,7 @@ p:traction { edge = "bottom", stress = {0, -12*MPa} }
 s = simulate(p, { spacing = 2*mm })
 )";
 
-// Recording r of that simulation, two records; a new s like the first.
+// Recording r of that simulation, with two records; a new s like the first.
 inline const std::string recorded = R"(
 s:record { "r.h5", every = 1*us }
 s:run(1*us)
@@ -46,14 +46,14 @@ r = recording "r.h5"
 s = simulate(p, { spacing = 2*mm })
 )";
 
-// The same once more in a folder that holds it.
+// Opens the same recording again in the folder that holds it.
 inline const std::string reopened = "r = recording \"r.h5\"\n";
 
-// Plate p of 100 x 40 mm, bare.
+// Plate p of 100 x 40 mm, without cracks or loads.
 inline const std::string plate_p =
     "p = plate { width = 100*mm, height = 40*mm, material = 'duran50' }\n";
 
-// What the script throws, or nothing.
+// Returns the error of the script, or nothing.
 inline std::optional<Error> failure_of(const std::string& script, ConsoleSettings settings) {
   try {
     Console console(std::move(settings));
@@ -64,7 +64,7 @@ inline std::optional<Error> failure_of(const std::string& script, ConsoleSetting
   }
 }
 
-// Its text, or "".
+// Returns its text, or "".
 inline std::string message_of(const std::string& script, ConsoleSettings settings = quiet()) {
   const auto failure = failure_of(script, std::move(settings));
   return failure ? failure->what() : "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rooms of src/ see each other in one direction only (src/README.md).
+// The rooms of src/ include each other in one direction only (src/README.md).
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What each room may include, besides itself.
+// The rooms that each room may include, besides itself.
 const std::map<std::string, std::set<std::string>> may_see = {
     {"base", {}},
     {"scene", {"base"}},
@@ -32,7 +32,7 @@ const std::map<std::string, std::set<std::string>> may_see = {
       "base"}},
 };
 
-// Libraries that only their own room, or a file of it, may know.
+// Libraries that only one room, or one file of it, may use.
 const std::map<std::string, std::set<std::string>> rooms_of_library = {
     {"lua.hpp", {"console"}},
     {"lauxlib.h", {"console"}},
@@ -93,7 +93,7 @@ TEST(House, NoIncludeRunsAgainstTheArrows) {
 
 TEST(House, LibrariesStayInTheirRooms) {
   for_each_include([&](const Include& include) {
-    if (include.file == "app/libraries.cpp") return;  // names the version of each
+    if (include.file == "app/libraries.cpp") return;  // reports the version of each
     for (const auto& [library, rooms] : rooms_of_library) {
       if (!include.target.starts_with(library)) continue;
       EXPECT_TRUE(rooms.contains(include.room) || rooms.contains(include.file))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What comments cite stands in the project: a Markdown file, named from the top of the checkout,
-// and an item of it by number or heading, as in src/solver/README.md 4.2 or README.md, "--json".
+// Citations in comments must exist in the project: a Markdown file, named from the top of the
+// checkout, and an item of it by number or heading, as in src/solver/README.md 4.2 or README.md,
+// "--json".
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -23,7 +24,7 @@ namespace {
 
 struct Citation {
   std::string file;
-  std::vector<std::string> items;  // "4.2", or the text of a heading; none: the file as a whole
+  std::vector<std::string> items;  // "4.2", or the text of a heading; empty: the whole file
   std::size_t at = 0;              // in the text
 };
 
@@ -53,8 +54,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// What can be cited of a document: headings without marks of code, their numbers, and numbers at
-// the beginning of a paragraph in bold face.
+// Returns the items of a document that can be cited: headings without code marks, their numbers,
+// and numbers at the beginning of a paragraph in bold face.
 std::set<std::string> items_of(const std::string& document) {
   static const std::regex heading(R"(^#+ +((\d+(?:\.\d+)?)?.*))"),
       paragraph(R"(^\*\*(\d+\.\d+) .*)");
@@ -70,7 +71,7 @@ std::set<std::string> items_of(const std::string& document) {
   return items;
 }
 
-// How a comment begins in a file; nothing in files that have none.
+// Returns the comment mark of a file's language; empty for a language without comments.
 std::string_view mark_of_comments(const fs::path& file) {
   static const std::map<std::string, std::string_view> marks{
       {".cpp", "//"}, {".hpp", "//"}, {".frag", "//"}, {".vert", "//"},
@@ -80,7 +81,7 @@ std::string_view mark_of_comments(const fs::path& file) {
   return found == marks.end() ? std::string_view() : found->second;
 }
 
-// What follows the mark, unless that stands in quotation marks.
+// Returns the text after the mark, unless the mark is in quotation marks.
 std::string_view comment_of(std::string_view line, std::string_view mark) {
   bool quoted = false;
   for (std::size_t k = 0; k < line.size(); ++k) {
@@ -94,7 +95,7 @@ std::string_view comment_of(std::string_view line, std::string_view mark) {
   return {};
 }
 
-// Comments of neighbouring lines, as one text: what is cited may go over the end of a line.
+// Comments of consecutive lines as one text, because a citation may continue on the next line.
 struct CommentBlock {
   std::string text;
   std::vector<std::size_t> begins;  // of each line, in the text
@@ -123,7 +124,7 @@ std::vector<CommentBlock> comments_in(const std::string& source, std::string_vie
   return blocks;
 }
 
-// The citations of a checkout, and those that lead nowhere: "src/a.cpp:3: ...".
+// Collects the citations of a checkout, and those that lead nowhere: "src/a.cpp:3: ...".
 class Survey {
  public:
   explicit Survey(const fs::path& top) : top_(top) {
@@ -206,7 +207,7 @@ TEST(Citations, ThatLeadNowhereAreFoundByFileAndLine) {
                                  "src/room/wrong.cpp:7: src/room/README.md has no item --jason"}));
 }
 
-// Links of documents, "[text](file)", from where the document stands.
+// Links of documents, "[text](file)", relative to the document.
 TEST(Citations, LinksOfDocumentsLeadToFiles) {
   const fs::path top = HACKLE_SOURCE_FOLDER;
   const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units of src/ include each other in no circle (src/README.md). A unit is a .cpp with its .hpp.
+// Includes between units of src/ form no cycle (src/README.md). A unit is a .cpp with its .hpp.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 using Units = std::set<std::string>;
-using UnitGraph = std::map<std::string, Units>;  // from a unit to those that it includes
+using UnitGraph = std::map<std::string, Units>;  // from a unit to the units it includes
 
 std::string without_ending(const fs::path& file) {
   return (file.parent_path() / file.stem()).generic_string();
@@ -47,7 +47,7 @@ UnitGraph unit_graph_of(const fs::path& source) {
   return graph;
 }
 
-// All that is reached by one include or more.
+// Returns all units reached by one include or more.
 Units reached_from(const std::string& unit, const UnitGraph& graph) {
   Units reached;
   std::vector<std::string> open{unit};
@@ -61,7 +61,7 @@ Units reached_from(const std::string& unit, const UnitGraph& graph) {
   return reached;
 }
 
-// Sets of units, each of which reaches every other one of its set.
+// Returns the sets of units that all reach each other.
 std::set<Units> knots_of(const UnitGraph& graph) {
   std::map<std::string, Units> reached;
   for (const auto& [unit, included] : graph) reached[unit] = reached_from(unit, graph);
@@ -75,13 +75,13 @@ std::set<Units> knots_of(const UnitGraph& graph) {
   return knots;
 }
 
-// The kernel is one thing in several headers: its parts call each other inline.
+// The kernel is one unit in several headers: its parts call each other inline.
 bool is_of_kernel(const std::string& unit) {
   static const std::regex kernel("solver/(kernel|simd|tiles|scratch).*");
   return std::regex_match(unit, kernel);
 }
 
-// A folder of small files: each has a name and includes some others.
+// Makes a folder of small files, each with a name and some includes.
 class KnotsOfTree : public testing::Test {
  protected:
   KnotsOfTree() { fs::remove_all(folder_); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the checkout lies must not matter to those who build it.
+// The location of the checkout must not matter to a build.
 #include <cstdlib>
 #include <filesystem>
 
@@ -13,7 +13,7 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
-// What scripts/plain_name.sh calls a checkout of that name.
+// Returns the name that scripts/plain_name.sh gives to a checkout with that name.
 fs::path plain_name_of(const fs::path& folder, const char* name) {
   fs::create_directories(folder / name / "scripts");
   const fs::path script = folder / name / "scripts/plain_name.sh";

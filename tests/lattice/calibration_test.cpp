@@ -18,8 +18,8 @@ Vec2 direction(double degrees) {
   return {-std::sin(angle), std::cos(angle)};
 }
 
-// src/lattice/README.md 3.6: what c = 9E/(pi d^3) and s0 = sqrt(4 pi G0/(9 E d)) amount to. Four
-// digits are printed, so half of the last is the tolerance.
+// src/lattice/README.md 3.6: the results of c = 9E/(pi d^3) and s0 = sqrt(4 pi G0/(9 E d)). Four
+// digits are printed, so the tolerance is half of the last.
 struct Row {
   double m;
   Quadrature quadrature;
@@ -70,9 +70,9 @@ TEST(Calibration, LatticeConstantsGiveTheMaterialExactly) {
         }
 }
 
-// src/lattice/README.md 3.3: on a lattice fine in the horizon the continuum constants give the
-// material, with the Poisson's ratio of the theory. Exact areas leave an error that falls like
-// 1/m^2.
+// src/lattice/README.md 3.3: on a lattice that is fine relative to the horizon the continuum
+// constants give the material, with the Poisson's ratio of the theory. With exact areas the error
+// falls like 1/m^2.
 TEST(Calibration, ContinuumConstantsConvergeToTheMaterial) {
   const Material material = test::duran50();
   for (const auto quadrature : {Quadrature::area, Quadrature::centroid})
@@ -147,7 +147,7 @@ TEST(Calibration, DoesNotDependOnTheUnitOfLength) {
   EXPECT_NEAR(fine.moduli.E / coarse.moduli.E, 1.0, 1e-13);
 }
 
-// There and back: the critical stretch that follows from G0, given, has that G0.
+// Round trip: giving the critical stretch that follows from G0 must result in that G0.
 TEST(Calibration, AGivenCriticalStretchHoldsAndG0FollowsFromIt) {
   const Family family(4, Quadrature::area);
   Material material = test::duran50();

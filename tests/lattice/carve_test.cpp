@@ -18,7 +18,7 @@ Lattice carved(int nx, int ny, const Shape& shape) {
   return Lattice(plate, test::numerics(0.5e-3, 1.5e-3));
 }
 
-// The shape seen in a mirror: x becomes width - x, or y height - y.
+// Mirrors a shape: x becomes width - x, or y becomes height - y.
 struct Mirror {
   int axis;
   double size;
@@ -62,7 +62,7 @@ void expect_mirrored(const Lattice& plain, const Lattice& seen, int axis, const 
     }
 }
 
-// Half of the shapes have their corners and centres on nodes and between them exactly.
+// Half of the shapes have their corners and centres exactly on nodes and midway between them.
 std::vector<Shape> random_shapes(std::mt19937& random, bool snapped) {
   const auto pick = [&](double most) {
     const double value = std::uniform_real_distribution<double>(0.0, most)(random);
@@ -140,7 +140,7 @@ TEST(Carve, InclusionsOfOneMaterialShareAnIndex) {
   EXPECT_EQ(distinct_materials(plate).size(), 2U);
   plate.inclusions.push_back({Ellipse{{1e-3, 2e-3}, {1e-3, 1e-3}, 0}, plate.material});
   plate.inclusions.push_back({Ellipse{{1e-3, 2e-3}, {1e-3, 1e-3}, 0}, other});
-  EXPECT_EQ(distinct_materials(plate).size(), 2U);  // one after the other, too
+  EXPECT_EQ(distinct_materials(plate).size(), 2U);  // also one after the other
   plate.inclusions.resize(300);
   for (std::size_t k = 0; k < 300; ++k) plate.inclusions[k].material.rho += static_cast<double>(k);
   check(plate, problems);

@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-// The same by the midpoint rule: n^2 points, so an error near 1/n at a rim.
+// Computes the same by the midpoint rule: n^2 points, so an error near 1/n at a rim.
 CellPart sampled(int a, int b, double radius) {
   constexpr int n = 800;
   CellPart part;
@@ -41,7 +41,7 @@ TEST(CellArea, IsOneInsideAndNothingOutside) {
   EXPECT_EQ(cell_inside_circle(1, 2, 4.0).area, 1.0);
   EXPECT_EQ(cell_inside_circle(0, 3, 4.0).area, 1.0);
   EXPECT_EQ(cell_inside_circle(4, 4, 4.0).area, 0.0);
-  EXPECT_EQ(cell_inside_circle(5, 0, 4.5).area, 0.0);  // touches
+  EXPECT_EQ(cell_inside_circle(5, 0, 4.5).area, 0.0);  // only touches
 }
 
 TEST(CellArea, OnTheAxisIsThatOfTheTextbooks) {
@@ -52,7 +52,7 @@ TEST(CellArea, OnTheAxisIsThatOfTheTextbooks) {
   const CellPart part = cell_inside_circle(0, 4, R);
   EXPECT_NEAR(part.area, segment + height - 3.5, 1e-14);
   // Moment about the axis: of the segment (2 R sin)^3/12, of the rectangle its area times its
-  // middle.
+  // midpoint.
   const double moment = 1.0 / 12.0 + 0.5 * (height * height - 3.5 * 3.5);
   EXPECT_NEAR(part.centroid.y(), moment / part.area, 1e-13);
   EXPECT_EQ(part.centroid.x(), 0.0);

@@ -21,7 +21,7 @@ Lattice cut_plate(int nx, int ny, const Crack& crack, double m = 3.0) {
   return Lattice(plate, test::numerics(0.5e-3, m * 0.5e-3));
 }
 
-// Place in mm of a 0.5 mm lattice.
+// Positions in mm, on a 0.5 mm lattice.
 Crack crack(double x0, double y0, double x1, double y1) {
   return {{x0 * 1e-3, y0 * 1e-3}, {x1 * 1e-3, y1 * 1e-3}, Born::broken};
 }
@@ -73,7 +73,7 @@ TEST(CrackCut, BrokenCracksCountAsDamageAndAbsentOnesDoNot) {
 }
 
 TEST(CrackCut, AnInnerCornerBelongsToAPolylineAndItsEndsDoNot) {
-  // The corner lies where the diagonals of nodes 9 and 10 meet, at 5 mm.
+  // The corner lies at 5 mm, where the diagonals of nodes 9 and 10 meet.
   const Lattice lattice =
       cut_plate(20, 20, {{{3e-3, 5e-3}, {5e-3, 5e-3}, {5e-3, 7e-3}}, Born::broken});
   EXPECT_FALSE(holds(lattice, 9, 9, 1, 1));
@@ -82,7 +82,7 @@ TEST(CrackCut, AnInnerCornerBelongsToAPolylineAndItsEndsDoNot) {
   EXPECT_FALSE(holds(lattice, 9, 12, 1, 0));
 }
 
-// It begins and ends where the diagonals of nodes 9 and 10 meet.
+// The polyline begins and ends where the diagonals of nodes 9 and 10 meet.
 TEST(CrackCut, WhereAClosedPolylineBeginsIsACornerLikeOthers) {
   std::vector<Vec2> corners{{5e-3, 5e-3}, {8e-3, 5e-3}, {8e-3, 8e-3}, {5e-3, 8e-3}};
   for (std::size_t first = 0; first < corners.size(); ++first) {
@@ -98,7 +98,7 @@ TEST(CrackCut, WhereAClosedPolylineBeginsIsACornerLikeOthers) {
   }
 }
 
-// Two cracks of each kind, in different directions: each cuts what it would cut alone.
+// Two cracks of each kind, in different directions: each must cut what it cuts alone.
 TEST(CrackCut, SeveralCutWhatEachOfThemCuts) {
   const std::vector<Crack> cracks{crack(1, 2, 6, 4),
                                   crack(7, 1, 5, 9),
@@ -151,8 +151,8 @@ TEST(CrackCut, AnArcCutsWhatItsChordWouldNot) {
   EXPECT_TRUE(holds(lattice, 9, 3, 0, 1));    // where the other half would be
 }
 
-// Mirror images of a random crack, about both midlines, cut mirror images of its bonds. Half of the
-// cracks end on nodes and bonds exactly.
+// Mirror images of a random crack, about both midlines, must cut mirror images of its bonds. Half
+// of the cracks end exactly on nodes and bonds.
 TEST(CrackCut, CommutesWithMirrorsForAnyCrack) {
   std::mt19937 random(11);
   const int nx = 13, ny = 12;

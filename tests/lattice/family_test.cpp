@@ -58,7 +58,7 @@ TEST(Family, ListsRowsFromFarToNear) {
 }
 
 TEST(Family, ExactAreasFillTheCircle) {
-  // The cells cover the plane, so their parts add up to the circle, without the node's own cell.
+  // The cells cover the plane, so their parts add up to the circle, minus the node's own cell.
   for (const double m : {2.0, 2.5, 3.0, 4.0, 4.7, 6.0, 8.0, 12.3, 15.5}) {
     const Family family(m, Quadrature::area);
     double sum = 0.0;

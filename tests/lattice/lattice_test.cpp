@@ -12,7 +12,7 @@ namespace hackle {
 namespace {
 
 TEST(Lattice, CountsTheBondsOfARectangle) {
-  // An offset (a, b) fits (nx - |a|)(ny - |b|) times.
+  // An offset (a, b) occurs (nx - |a|)(ny - |b|) times.
   const Lattice lattice(test::bare_plate(200, 80), test::numerics());
   std::int64_t expected = 0;
   lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int) {
@@ -59,7 +59,7 @@ TEST(Lattice, WithoutNoFailZonesNothingIsStoredForThem) {
   EXPECT_TRUE(Lattice(test::bare_plate(20, 20), test::numerics()).unbreakable.empty());
 }
 
-// As a plate of it alone would have it, whatever stands in front of it in the list.
+// As a plate of that material alone would, whatever its position in the list.
 TEST(Lattice, CalibratesEveryMaterialAsAPlateOfIt) {
   for (const Plane plane : {Plane::stress, Plane::strain})
     for (const Constants constants : {Constants::lattice, Constants::continuum}) {
@@ -134,7 +134,7 @@ TEST(Lattice, StrengthScalesTheCriticalStretchOfItsNode) {
   }
 }
 
-// What a crack cuts is damage, or was never there.
+// Bonds cut by a crack are damage, or never existed.
 TEST(Lattice, ACrackIsBornAsItSays) {
   const auto with = [](Born born) {
     Plate plate = test::bare_plate(20, 20);
@@ -149,7 +149,7 @@ TEST(Lattice, ACrackIsBornAsItSays) {
   EXPECT_EQ(absent.initial_bonds(), absent.bonds.count());
 }
 
-// Of the stiffest and the lightest, wherever they stand; contacts stiffen it.
+// The limit combines the stiffest and the lightest material in any position; contacts stiffen it.
 TEST(Lattice, ItsStepLimitIsThatOfTheWorstThatItHas) {
   const auto with = [](std::vector<Material> list, std::optional<Contact> contact = {}) {
     Plate plate = test::bare_plate(30, 20);

@@ -89,7 +89,7 @@ TEST(Pressures, HaveNoResultantOnAClosedRimAndTheRightOneOnHalfOfIt) {
   std::vector<LoadedNode> upper;
   for (const LoadedNode& node : forces)
     if (node.j >= 20) upper.push_back(node);
-  // The projected width of the hole, to a cell on either side.
+  // The projected width of the hole, to one cell on either side.
   EXPECT_NEAR(resultant(upper, lattice).y(), 3e6 * 8e-3, 3e6 * 2 * 0.5e-3);
   EXPECT_GT(resultant(upper, lattice).y(), 0.0);
 }
@@ -184,7 +184,7 @@ TEST(Pressures, ActAtEveryRimOfTheirName) {
   EXPECT_EQ(left, right);
 }
 
-// What a notch lacks is the force on its mouth.
+// The force missing in a notch is the force on its mouth.
 TEST(Pressures, InANotchPushThePlateAwayFromItsMouth) {
   const double pressure = 3e6, depth = 4e-3, width = 2e-3;
   const std::pair<Vec2, Vec2> mouths[] = {{{0.0, 10e-3}, {1, 0}},
@@ -207,14 +207,14 @@ struct Bars {
     plate.inclusions.push_back({rectangle({5e-3, 0.0}, {8e-3, 10e-3}), test::steel()});
     plate.inclusions.push_back({rectangle({11e-3, 0.0}, {13e-3, 10e-3}), test::resin()});
   }
-  // By what was said above, not by what the lattice made of it.
+  // Computed from the numbers above, not from the lattice.
   static double density(double x) {
     return x > 5e-3 && x < 8e-3 ? 7850.0 : x > 11e-3 && x < 13e-3 ? 1200.0 : 2235.0;
   }
   Plate plate = test::bare_plate(30, 20);  // 15 x 10 mm
 };
 
-// Force per volume from the acceleration of every loaded node; all must be `wanted`.
+// Expects the same force per volume, `wanted`, from the acceleration of every loaded node.
 void expect_force(const Plate& plate, const Vec2& wanted, std::size_t nodes) {
   const Lattice lattice(plate, test::numerics());
   const auto forces = forces_of(plate, lattice);
@@ -274,7 +274,7 @@ TEST(Tractions, ActAtTheEdgeOfTheirName) {
   }
 }
 
-// The layer is thinner there, and pulls as hard.
+// The layer is thinner there, but the total force is the same.
 TEST(Tractions, InALayerOverAHoleKeepTheirResultant) {
   for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top}) {
     Plate plate = test::bare_plate(30, 30);  // a hole two rows behind every edge
@@ -287,7 +287,7 @@ TEST(Tractions, InALayerOverAHoleKeepTheirResultant) {
   }
 }
 
-// Along any edge, at the edge and below it, where a function is asked at the node of the edge.
+// Along any edge, at the edge and below it, where a function is evaluated at the node of the edge.
 TEST(Tractions, TakeTheStressOfTheirPlaceAlongEveryEdge) {
   const auto field = [](const Vec2& at) { return Vec2(1e9 * at.x() + 3e9 * at.y(), 2e6); };
   for (const double depth : {0.0, 1.5e-3})

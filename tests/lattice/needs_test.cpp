@@ -60,7 +60,7 @@ TEST(Needs, OfTemperatureAreThoseOfTheAreasThatChange) {
   Plate plate = test::edge_crack(0.0);
   const double plain = kept(plate, numerics);
   plate.loads.thermal_loads.push_back({});
-  // Critical stretch, threshold, strain; of tiles its bound; of nodes all strain and the change.
+  // Critical stretch, threshold, strain; the bound of tiles; per node all strain and the change.
   const double heated = plain + places * 3.0 * 8.0 + tiles * 8.0 + 16000.0 * 16.0;
   EXPECT_EQ(kept(plate, numerics), heated);
   plate.loads.thermal_loads.push_back({rectangle({0.01, 0.01}, {0.02, 0.02}), 10.0, {}});

@@ -39,8 +39,8 @@ double weibull_deviation(double k) {
   return std::sqrt(std::tgamma(1.0 + 2.0 / k) - mean * mean) / mean;
 }
 
-// Five standard errors: of a mean sigma/sqrt(N), of a deviation sigma sqrt((kurtosis - 1)/4N), the
-// kurtosis below 9 (that of k = 1).
+// Five standard errors: sigma/sqrt(N) of a mean, and sigma sqrt((kurtosis - 1)/4N) of a deviation,
+// with the kurtosis below 9 (that of k = 1).
 constexpr int side = 200;
 const double mean_error = 5.0 / side, deviation_error = 5.0 * std::sqrt(2.0) / side;
 
@@ -53,7 +53,7 @@ TEST(Scatter, WeibullHasMeanOneAndTheSpreadOfItsModulus) {
   }
 }
 
-// What is set to 3 deviations takes 0.25 % from the deviation.
+// Moving the values beyond 3 deviations to 3 reduces the deviation by 0.25 %.
 TEST(Scatter, NormalHasMeanOneAndStaysWithinThreeDeviations) {
   const std::vector<float> values = strengths({Scatter::Kind::normal, 0.3, 0.0, 3}, square(side));
   const Moments m = moments(values);
@@ -75,7 +75,7 @@ TEST(Scatter, QuantilesAreThoseOfWeibull) {
   }
 }
 
-// Correlation of nodes n apart along x and y.
+// Returns the correlation of nodes n apart along x and y.
 double correlation(const std::vector<float>& values, int n) {
   const Moments m = moments(values);
   double sum = 0.0, count = 0.0;
@@ -101,7 +101,7 @@ TEST(Scatter, NeighboursAreCorrelatedOverTheLength) {
   EXPECT_NEAR(correlation(values, 12), 0.0, error);
 }
 
-// Nodes of the coarse lattice have a twin among those of one three times as fine.
+// Every node of the coarse lattice coincides with a node of one three times as fine.
 TEST(Scatter, EverySpacingSeesTheSameFlaws) {
   const Scatter scatter{Scatter::Kind::weibull, 10.0, 2e-3, 7};
   const Grid coarse = square(40, 0.6e-3), fine = square(120, 0.2e-3);

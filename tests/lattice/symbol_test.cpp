@@ -77,8 +77,9 @@ TEST(StepLimit, MatchesThePeersTableInDimensionlessForm) {
   }
 }
 
-// The squares of the frequencies of n by n nodes, 2.6 spacings of horizon, all of c = dx = 1. Bonds
-// keep a random share of their stiffness and nodes have random masses of 1 to 2, unless `whole`.
+// Returns the largest squared frequency of n by n nodes, with a horizon of 2.6 spacings and c = dx
+// = 1. Bonds keep a random share of their stiffness and nodes have random masses of 1 to 2, unless
+// `whole`.
 double largest_square(const Family& family, int n, bool whole, std::mt19937& random) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(2 * n * n, 2 * n * n);
@@ -107,7 +108,7 @@ double largest_square(const Family& family, int n, bool whole, std::mt19937& ran
 }
 
 // The stiffness of a plate is a sum of positive semidefinite bonds, none larger than the lattice's,
-// whatever the direction of a bond: no frequency is above the limit.
+// for any direction of a bond: no frequency exceeds the limit.
 TEST(LargestFrequency, BoundsEveryPlateOfWeakerBondsAndHeavierNodes) {
   std::mt19937 random(3);
   for (const auto quadrature :
@@ -117,7 +118,7 @@ TEST(LargestFrequency, BoundsEveryPlateOfWeakerBondsAndHeavierNodes) {
       const double limit = std::pow(largest_frequency(family, 1.0, 1.0, 1.0), 2);
       const double whole = largest_square(family, 7, true, random);
       EXPECT_LE(whole, limit * (1.0 + 1e-9));
-      EXPECT_GT(whole, 0.8 * limit);  // not a bound far away
+      EXPECT_GT(whole, 0.8 * limit);  // the bound is not loose
       for (int trial = 0; trial < 2; ++trial)
         EXPECT_LE(largest_square(family, 7, false, random), limit * (1.0 + 1e-9));
     }
@@ -141,8 +142,8 @@ TEST(LargestFrequency, IsAboveEverySampleAndReached) {
       }
 }
 
-// A long horizon makes the symbol nearly round: its peak is one of many on a ring, of which the
-// highest sample need not be the highest summit.
+// A long horizon makes the symbol nearly round: its peak is one of many on a ring, and the highest
+// sample need not belong to the highest peak.
 TEST(LargestFrequency, IsThatOfTheHighestOfManySummits) {
   const std::pair<double, Quadrature> many[] = {{4.4, Quadrature::ramp},
                                                 {7.3, Quadrature::full},

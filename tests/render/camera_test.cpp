@@ -31,8 +31,8 @@ TEST(Camera, TurnsCounterclockwiseAboutTheMiddleOfTheWindow) {
   EXPECT_EQ(window.ny, 200);
   const Camera camera(lattice_seen, window, std::numbers::pi / 2, {0, 0, 80, 200});
   expect_at(camera.pixel({0.05, 0.02}), 40, 100);
-  expect_at(camera.pixel({0.1, 0.02}), 40, 0);    // what was right is above
-  expect_at(camera.pixel({0.05, 0.04}), 0, 100);  // what was above is left
+  expect_at(camera.pixel({0.1, 0.02}), 40, 0);    // the right goes to the top
+  expect_at(camera.pixel({0.05, 0.04}), 0, 100);  // the top goes to the left
 }
 
 TEST(Camera, AWholeWindowHoldsEveryCornerHoweverThePlateIsTurned) {
@@ -44,7 +44,7 @@ TEST(Camera, AWholeWindowHoldsEveryCornerHoweverThePlateIsTurned) {
     for (const Vec2& corner : {Vec2(0, 0), Vec2(200, 0), Vec2(0, 80), Vec2(200, 80)})
       most = std::max(most, camera.share(corner).cwiseAbs().maxCoeff());
     EXPECT_LE(most, 1.0 + 1e-9) << degree;
-    // At most a cell too large on either side.
+    // At most one cell too large on either side.
     EXPECT_GE(most, 1.0 - 2.0 / std::min(window.nx, window.ny)) << degree;
   }
 }

@@ -10,7 +10,7 @@
 namespace hackle {
 namespace {
 
-// Corner `corner` of a block, in cells from the lower left corner of the lattice.
+// Returns corner `corner` of a block, in cells from the lower left corner of the lattice.
 Vec2 place(const test::DisplacedLattice& of, const Blocks& blocks, const std::vector<float>& list,
            int column, int row, std::size_t corner) {
   const auto at = static_cast<std::size_t>(8 * (row * blocks.columns + column)) + 2 * corner;
@@ -79,7 +79,7 @@ TEST(CellMesh, ThePlateOpensWhereNoBondHolds) {
   }
 }
 
-// One bond is enough: cells that touch at a corner alone hang together there.
+// One bond suffices: cells that touch only at a corner stay joined there.
 TEST(CellMesh, ADiagonalBondHoldsACornerTogether) {
   test::DisplacedLattice lattice(2, 2);
   lattice.links.assign(4, 0);
@@ -114,7 +114,7 @@ TEST(CellMesh, CellsThatAreDisplacedIntoTheWindowAreSeen) {
   EXPECT_GE(inside.left, 4);  // sqrt(2) more, and a cell
   EXPECT_EQ(inside.bottom, 0);
   EXPECT_EQ(inside.ny, 20);
-  // On end, a narrow window sees as much of the rows as it saw of the columns.
+  // A narrow window, turned upright, shows as much of the rows as it showed of the columns.
   lattice.u.assign(lattice.u.size(), 0.0F);
   const Window turned = seen({19, 0, 2, 20}, std::numbers::pi / 2);
   EXPECT_LE(turned.left, 10);

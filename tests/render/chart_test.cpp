@@ -27,7 +27,7 @@ TEST(ChartHistory, AKnownAmplitudeIsWholeFromTheStartAndDoesNotGrow) {
     EXPECT_EQ(history.add(ramp, k).curves[0].points, ramp.curves[0].points);
 }
 
-// Loads exchanged during a run: what was stays, what was foreseen gives way.
+// Loads exchanged during a run: the past stays, the forecast is replaced.
 TEST(ChartHistory, AnExchangedAmplitudeShowsWhatItWas) {
   ChartHistory history;
   history.add(chart({{0.0, 2.0}, {10.0, 2.0}}), 0.0);
@@ -49,7 +49,7 @@ TEST(ChartHistory, TheAxisNeverShrinksAndAnEarlierTimeBeginsAnew) {
   EXPECT_EQ(anew.until, 5.0);
 }
 
-// Pulled at both ends alike, until one is let go.
+// Both ends are pulled alike until one is released.
 TEST(ChartHistory, CurvesPartWhereTheyBeginToDiffer) {
   const auto pulled = [](double top) {
     return Chart{"load",

@@ -13,7 +13,7 @@ namespace {
 
 class Bar : public testing::Test {
  protected:
-  // The middle of each number, px from the left end of the colours, over their length.
+  // Returns the centre of each number, px from the left end of the colours, over their length.
   std::map<std::string, double> numbers(const BarText& text) {
     OverlayText all;
     all.bars = {text};
@@ -29,7 +29,7 @@ class Bar : public testing::Test {
     return places;
   }
 
-  // To two pixels: a text stands on whole ones, and so does its mark.
+  // To two pixels: texts and marks lie on whole pixels.
   void expect_at(const std::map<std::string, double>& places, const std::string& number,
                  double share) {
     ASSERT_TRUE(places.contains(number)) << number;
@@ -55,7 +55,7 @@ TEST_F(Bar, OfALogarithmHasItsDecadesEquallyFarApart) {
   expect_at(places, "1000", 0.75);
 }
 
-// What lies beyond has the colour of the end; only 0 has nothing below it.
+// Values beyond an end have its colour; only below 0 there is nothing.
 TEST_F(Bar, SaysAtItsEndsWhatLiesBeyond) {
   const auto both = numbers({"stress", -10.0, 10.0, false});
   EXPECT_TRUE(both.contains("≤−10") && both.contains("≥10"));

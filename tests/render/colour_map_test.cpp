@@ -48,7 +48,7 @@ TEST(ColourMaps, SayWhereTheyComeFrom) {
   }
 }
 
-// The two ends of a map for values of two signs are alike in lightness, its middle is not.
+// The two ends of a diverging map have equal lightness, which differs from that of the middle.
 TEST(ColourMaps, ThoseForTwoSignsAreEvenOnBothSides) {
   for (const char* name : {"vik", "roma"}) {
     const std::vector<Colour> colours = load_colour_map(name).colours;
@@ -86,7 +86,7 @@ TEST(ColourMaps, AnUnknownNameGetsTheNearest) {
   }
 }
 
-// Dark at whole orders and light between them, wherever the range begins.
+// Dark at whole orders and light midway between them, wherever the range begins.
 TEST(FringeMap, HasTheLightOfItsOrders) {
   for (const auto& [least, most] : {std::pair{0.0, 3.0}, {1.5, 4.0}, {-2.0, 0.5}, {7.25, 9.75}}) {
     const ColourMap map = fringe_map(least, most);

@@ -27,7 +27,7 @@ int red_at(const Image& image, int x, int y) {
   return image.pixels[static_cast<std::size_t>(y * image.stride() + 4 * x + 2)];
 }
 
-// How many pixels of a row are bright; the rim of a scaled picture may bleed by half a pixel.
+// Counts the bright pixels of a row; the rim of a scaled picture may spread by half a pixel.
 int painted(const Image& image, int y) {
   int count = 0;
   for (int x = 0; x < image.width; ++x) count += red_at(image, x, y) > 128 ? 1 : 0;

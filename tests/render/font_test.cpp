@@ -11,7 +11,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-// Cairo takes any other font where one is missing, and says nothing.
+// If a font is missing, Cairo silently takes another.
 TEST(Font, SaysWhichPackageIsMissing) {
   try {
     Font("No Such Family");

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Of both libraries.
+// For both libraries.
 class GlContextOf : public testing::TestWithParam<GlLibrary> {};
 
 TEST_P(GlContextOf, ClearsToBlueGreenRedAlpha) {

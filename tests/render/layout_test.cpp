@@ -15,7 +15,7 @@ Grid grid(int nx, int ny) {
   return {nx, ny, 1e-3, {0.5e-3 * nx, 0.5e-3 * ny}};
 }
 
-// px; of all that is drawn.
+// The box of a drawn part, px.
 struct Box {
   double left, top, right, bottom;
 };
@@ -25,7 +25,7 @@ Box box_of(const Rectangle& r) {
           static_cast<double>(r.bottom())};
 }
 
-// The ink of a text, as Cairo measures it.
+// Returns the box of the ink of a text, as measured by Cairo.
 Box box_of(const Font& font, const PlacedText& text) {
   cairo_text_extents_t ink;
   cairo_scaled_font_text_extents(font.scaled(text.size).get(), text.text.c_str(), &ink);
@@ -87,7 +87,7 @@ Camera camera_of(const Grid& seen, const Layout& layout) {
   return {seen, {0, 0, seen.nx, seen.ny}, 0.0, layout.plate};
 }
 
-// Draws it all, and looks whether texts and parts keep to themselves.
+// Draws everything and checks that texts and parts do not overlap.
 void expect_sound(const Grid& seen, int width, const OverlayText& text, const PlateSize& size,
                   const Moment& moment) {
   const Layout layout = make_layout(seen, width, text, size);
@@ -123,7 +123,7 @@ TEST(Layout, NothingOverlapsWhateverThePlateTheWidthAndTheTexts) {
   std::mt19937 random(5);
   const auto up_to = [&](int most) { return std::uniform_int_distribution<int>(1, most)(random); };
   for (int trial = 0; trial < 250; ++trial) {
-    const bool large = trial % 10 == 0;  // of a flat plate, for the sake of memory
+    const bool large = trial % 10 == 0;  // of a flat plate, to save memory
     const int width = 2 * (large ? 960 + up_to(2880) : 159 + up_to(640));
     const int nx = up_to(3000), ny = large ? 1 + nx / 50 : up_to(3000);
     SCOPED_TRACE(testing::Message()
@@ -135,7 +135,7 @@ TEST(Layout, NothingOverlapsWhateverThePlateTheWidthAndTheTexts) {
   }
 }
 
-// Labels lie on the plate, so they are looked at by themselves.
+// Labels lie on the plate, so they are checked separately.
 TEST(Layout, LabelsOfMarkersKeepToThemselves) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> share(-0.1, 1.1);

@@ -43,7 +43,7 @@ TEST_F(Markers, AreLeftOutBeyondEverySideOfThePlate) {
     EXPECT_TRUE(place({{off, "off"}}).empty()) << off.transpose();
 }
 
-// Right of the point where there is room, left of it at the right edge of the picture.
+// Right of the point if there is room, left of it at the right edge of the picture.
 TEST_F(Markers, HaveTheirLabelsBesideThem) {
   const auto placed = place({{{0.05, 0.02}, "middle"}, {{0.1, 0.03}, "a long name at the edge"}});
   EXPECT_GT(placed[0].label->x, placed[0].place.x());

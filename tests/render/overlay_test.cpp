@@ -28,7 +28,7 @@ Camera camera(const Layout& layout) {
   return {paper_plate, {0, 0, paper_plate.nx, paper_plate.ny}, 0.0, layout.plate};
 }
 
-// One picture: black, with the overlay on it.
+// Draws the overlay on a black picture.
 Image drawn(const OverlayText& text, int width, const Moment& what) {
   const Layout layout = make_layout(paper_plate, width, text);
   Image image(layout.width, layout.height);
@@ -58,13 +58,14 @@ TEST_P(OverlayAt, DrawsEveryPartWhereItBelongs) {
        {layout.title, layout.note, layout.clock, layout.slow_motion, layout.bars[0].label,
         layout.bars[0].ticks, layout.scale, layout.load_curve, layout.energy})
     EXPECT_GT(differing(image, area, ground), 0) << area.x << ", " << area.y;
-  // Row by row the colours of the bar, none of them the background.
+  // Every row of the bar shows colours, never the background.
   EXPECT_EQ(differing(image, layout.bars[0].colours, ground),
             layout.bars[0].colours.width * layout.bars[0].colours.height);
   EXPECT_EQ(lit(image, layout.plate), 0) << "the plate is painted over";
 }
 
-// What is switched off leaves nothing behind, and the rest is as before where it has not moved.
+// A part that is switched off leaves no trace, and all other parts that have not moved are
+// unchanged.
 TEST_P(OverlayAt, PartsAreSwitchable) {
   const Moment what = moment(2e-6);
   const OverlayText full = text();
@@ -105,7 +106,8 @@ TEST_P(OverlayAt, StaysInsideThePicture) {
               0);
 }
 
-// Where nothing is drawn a picture stays as it was; texts are whole colours times their alpha.
+// A picture keeps its transparency where nothing is drawn; texts are full colours times their
+// alpha.
 TEST_P(OverlayAt, ATransparentGroundStaysTransparent) {
   OverlayText clear = text();
   clear.background = Background::transparent;
@@ -141,7 +143,7 @@ TEST_P(OverlayAt, DrawsDiscsWhereTheyAreAndNowhereElse) {
   Image image(bare.width, bare.height);
   overlay.draw(image, {camera(bare)}, {});
   EXPECT_EQ(lit(image, bare.plate), 0);
-  // A tenth of the plate's width across, in its middle: pi/4 of the square around it, and its rim.
+  // A tenth of the plate's width across, at its centre: pi/4 of the square around it, and its rim.
   overlay.draw(image, {camera(bare)}, {0.0, {{{0.05, 0.02}, 0.005}}, {}, {}});
   const double width = 0.1 * bare.plate.width, area = 0.25 * std::numbers::pi * width * width;
   EXPECT_NEAR(lit(image, bare.plate), area, 2.0 * std::numbers::pi * width);

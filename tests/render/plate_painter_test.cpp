@@ -36,7 +36,7 @@ Colour pixel(const Image& image, int x, int y) {
   return {at[2], at[1], at[0]};
 }
 
-// The pixel in the middle of a cell.
+// Returns the pixel at the centre of a cell.
 Colour cell(const Image& image, const PictureStyle& style, int i, int j) {
   const Rectangle plate = make_layout(style.grid, style.width).plate;
   const double x = (i + 0.5) / style.grid.nx, y = 1.0 - (j + 0.5) / style.grid.ny;
@@ -82,8 +82,8 @@ TEST(PlatePainter, AMeanIsTheMeanOfTheCellsUnderAPixel) {
       f.values[s.grid.index(i, j)] = (i + j) % 2 == 0 ? -0.5F : 0.5F;
   const ColourMap map = load_colour_map("damage");
   const Colour seen = cell(PlatePainter(s).paint(f), s, 2000, 800);
-  // Of 7 x 7 cells one more may have the one value than the other: 0.5/49 of a range of 2 is less
-  // than two of the map's 256 colours.
+  // Of 7 x 7 cells one value may have one cell more: 0.5/49 of a range of 2 is less than two of the
+  // map's 256 colours.
   EXPECT_GE(seen.red, std::min(map.colours[126].red, map.colours[130].red));
   EXPECT_LE(seen.red, std::max(map.colours[126].red, map.colours[130].red));
 }
@@ -162,7 +162,7 @@ TEST(PlatePainter, TheFirstRowIsAtTheBottom) {
 }
 
 TEST(PlatePainter, ACrackOneCellWideStaysVisibleWhenCellsAreSmallerThanPixels) {
-  const PictureStyle s = style(4000, 1600, 640);  // seven cells to a pixel
+  const PictureStyle s = style(4000, 1600, 640);  // seven cells per pixel
   Shot f = shot(s, 0.0F);
   for (int i = 0; i < 4000; ++i) f.values[s.grid.index(i, 803)] = 1.0F;
   const Image image = PlatePainter(s).paint(f);
@@ -233,12 +233,13 @@ TEST(PlatePainter, APlateOnEndIsTheSamePlate) {
   PictureStyle seen = s;
   seen.grid = {8, 16, s.grid.dx, s.grid.centre};
   const ColourMap map = load_colour_map("damage");
-  expect_near(cell(image, seen, 7, 15), map.colours.back());  // right and below: right and above
+  // the lower right goes to the upper right
+  expect_near(cell(image, seen, 7, 15), map.colours.back());
   expect_near(cell(image, seen, 0, 15), map.colours.front());
   expect_near(cell(image, seen, 7, 0), map.colours.front());
 }
 
-// A cell at 45 degrees has its edges between the two colours somewhere.
+// A cell at 45 degrees has intermediate colours somewhere along its edges.
 TEST(PlatePainter, EdgesOfATurnedPlateAreSmooth) {
   PictureStyle s = style(16, 8);
   s.rotation = std::numbers::pi / 4;
@@ -261,7 +262,7 @@ TEST(PlatePainter, CellsWithoutMaterialHideNothingWhenTheyAreDisplaced) {
   Shot f = shot(s, 0.5F);
   f.displacement.assign(2 * s.grid.nodes(), 0.0F);
   f.links.assign(s.grid.nodes(), 0);
-  // The void cell is drawn last, and thrown onto its neighbour.
+  // The void cell is drawn last, displaced onto its neighbour.
   f.values[s.grid.index(7, 7)] = std::nanf("");
   f.displacement[2 * s.grid.index(7, 7)] = -1e-3F;
   const Image image = PlatePainter(s).paint(f);
@@ -269,7 +270,7 @@ TEST(PlatePainter, CellsWithoutMaterialHideNothingWhenTheyAreDisplaced) {
   expect_near(cell(image, s, 7, 7), background_colour);
 }
 
-// Values of 0 and 1 of both fields, in colours of their own.
+// Values 0 and 1 of both fields, each in its own colours.
 PictureStyle two_fields(Arrangement arrangement) {
   PictureStyle s = style(8, 8);
   s.second = FieldStyle{};
@@ -370,7 +371,7 @@ TEST(PlatePainter, ABarePictureIsFilledToItsEdges) {
 
 TEST(PlatePainter, ABarePictureShowsDiscsInTheirPlace) {
   PictureStyle s = style(40, 20, 80);
-  s.bare_height = 20;  // half as many px a cell upwards
+  s.bare_height = 20;  // half as many px per cell upwards
   Shot f = shot(s, 0.0F);
   f.discs = {{{0.030, 0.015}, 0.004}};
   const Image image = PlatePainter(s).paint(f);
@@ -422,7 +423,7 @@ TEST(PlatePainter, ManyCanFollowAndLiveBesideOneAnother) {
   EXPECT_EQ(one.paint(shot(small, 0.3F, 0.0)).pixels, before.pixels);
 }
 
-// Of cells and of a turned plate; both libraries round by themselves.
+// With square cells and a turned plate; each library rounds in its own way.
 TEST(PlatePainter, BothLibrariesPaintTheSamePicture) {
   for (const double rotation : {0.0, 0.3}) {
     PictureStyle s = style(60, 24);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every kind of PNG shows the same picture; what is none is refused.
+// Every kind of PNG shows the same picture; other files are refused.
 #include "render/png_reader.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Kind {
   const char* name;
   int depth;
   int colour;  // PNG_COLOR_TYPE_...
-  Bytes dark;  // a pixel; below 8 bits, its value
+  Bytes dark;  // of one pixel; below 8 bits, its value
   Bytes light;
   int interlace = PNG_INTERLACE_NONE;
 };
@@ -113,7 +113,7 @@ std::string refusal(const fs::path& path) {
   return "read";
 }
 
-// Cut off anywhere, and with any byte changed, it is a picture or refused.
+// Truncated anywhere, or with any byte changed, a file is either a picture or refused.
 TEST(PngReader, ADamagedFileIsRefused) {
   const test::Folder folder;
   const fs::path path = written({"", 8, PNG_COLOR_TYPE_GRAY, {0}, {255}}, folder.path);

@@ -13,7 +13,7 @@ namespace {
 
 using test::DisplacedLattice;
 
-// Quadrilaterals of a lattice with a block for each cell; all have a value.
+// Returns the quadrilaterals of a lattice with one block per cell; all have a value.
 std::vector<MeshVertex> merged(const DisplacedLattice& lattice, double tolerance,
                                std::vector<float> values = {}) {
   const Blocks blocks = blocks_of(lattice.window, lattice.window, lattice.grid.nx, lattice.grid.ny);
@@ -21,7 +21,7 @@ std::vector<MeshVertex> merged(const DisplacedLattice& lattice, double tolerance
   return quadrilaterals(blocks, lattice.corners_of(blocks), values, {tolerance, tolerance});
 }
 
-// Every block is shown by exactly one quadrilateral.
+// Checks that every block is shown by exactly one quadrilateral.
 void expect_cover(const DisplacedLattice& lattice, const std::vector<MeshVertex>& vertices) {
   std::vector<int> shown(lattice.grid.nodes());
   for (std::size_t k = 0; k < vertices.size(); k += 4)
@@ -39,7 +39,7 @@ TEST(Quadrilaterals, OfASmoothPlateAreFew) {
       lattice.u[2 * lattice.grid.index(i, j)] = 0.01F * static_cast<float>(i);
       lattice.u[2 * lattice.grid.index(i, j) + 1] = 0.02F * static_cast<float>(j - i);
     }
-  // Corners at the rim have the mean of fewer nodes, so that cells there are not flat.
+  // Corners at the rim are the mean of fewer nodes, so that cells there are not flat.
   const auto vertices = merged(lattice, 1e-3);
   expect_cover(lattice, vertices);
   EXPECT_LT(vertices.size() / 4, 2U * (70 + 40));
@@ -63,7 +63,7 @@ TEST(Quadrilaterals, KeepWithinTheTolerance) {
     const auto left = static_cast<std::size_t>(vertices[k].left);
     const auto bottom = static_cast<std::size_t>(vertices[k].bottom);
     const std::size_t at = 8 * (bottom * 32 + left);
-    // Their own corners are moved outwards by the tolerance.
+    // Corners are moved outwards by the tolerance.
     EXPECT_NEAR(vertices[k].x, exact[at], tolerance + 1e-6);
     EXPECT_NEAR(vertices[k].y, exact[at + 1], tolerance + 1e-6);
   }

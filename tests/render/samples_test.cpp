@@ -23,7 +23,7 @@ TEST(Under, PointsCoverEveryCellAndAreMirrorImages) {
     int next = 0;
     for (int k = 0; k < points; ++k) {
       const Under here = under(k, points, cells), there = under(points - 1 - k, points, cells);
-      EXPECT_LE(here.first, next);  // leaves no cell out
+      EXPECT_LE(here.first, next);  // no cell is left out
       next = here.last + 1;
       EXPECT_EQ(here.first, cells - 1 - there.last) << k;
       EXPECT_EQ(here.last, cells - 1 - there.first) << k;
@@ -40,7 +40,7 @@ TEST(Samples, OfOnePointACellAreTheCells) {
     EXPECT_EQ(samples(values, g, {0, 0, 5, 3}, 5, 3, sampling), values);
 }
 
-// Against loops over all cells, for windows inside, across and beyond the lattice.
+// Compares with loops over all cells, for windows inside, across and beyond the lattice.
 TEST(Samples, AreTheLargestOrTheMeanOfTheNumbersUnderThem) {
   std::mt19937 random(7);
   const Grid g = cells_of(31, 17);
@@ -69,7 +69,7 @@ TEST(Samples, AreTheLargestOrTheMeanOfTheNumbersUnderThem) {
         double sum = 0.0;
         for (const double value : seen) sum += value;
         EXPECT_EQ(most[at], *std::ranges::max_element(seen));
-        // Sums of whole numbers are exact.
+        // Sums of integers are exact.
         EXPECT_EQ(mean[at], static_cast<float>(sum / static_cast<double>(seen.size())));
       }
   }

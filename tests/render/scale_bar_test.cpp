@@ -11,7 +11,7 @@
 namespace hackle {
 namespace {
 
-// The line is as long as its text says, to a pixel at either end, whatever a pixel stands for.
+// The line is as long as its text says, to a pixel at either end, at any scale.
 TEST(ScaleBar, IsAsLongAsItSays) {
   const Font font;
   const struct {
@@ -36,7 +36,7 @@ TEST(ScaleBar, IsAsLongAsItSays) {
       for (const auto& unit : units)
         if (text.ends_with(unit.unit)) metres = std::stod(text) * unit.metres;
       EXPECT_NEAR(last - first + 1, metres / metres_per_pixel, 2.0) << text;
-      // Where it may lie, and not too short to be read.
+      // Inside its room, and not too short to be legible.
       EXPECT_LE(last, layout.scale.right());
       EXPECT_GE(first, layout.scale.x - 1);
       EXPECT_GT(last - first, 0.04 * layout.plate.width) << text;

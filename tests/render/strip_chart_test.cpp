@@ -18,7 +18,7 @@ constexpr Rectangle room{10, 10, 400, 120};
 
 class Strip : public testing::Test {
  protected:
-  // Black but for the chart.
+  // Draws the chart on black.
   Image draw(const Chart& chart, double now) {
     Image image(420, 140);
     const StripChart strip(room, chart, now, layout, theme, font);
@@ -34,7 +34,7 @@ class Strip : public testing::Test {
   std::vector<PlacedText> texts;
 };
 
-// Where a column is of this colour, lowest first; -1 for none.
+// Returns the lowest row of a column with this colour; -1 for none.
 int lowest(const Image& image, int x, Colour colour) {
   for (int y = image.height - 1; y >= 0; --y)
     if (test::differing(image, {x, y, 1, 1}, colour) == 0) return y;
@@ -70,7 +70,8 @@ TEST_F(Strip, SaysWhatItShowsInUnitsThatSuit) {
   EXPECT_THAT(texts, Contains(Field(&PlacedText::text, "energy (kJ/m)")));
 }
 
-// Numbers beside the frame lie as far apart as their values, the lines on them.
+// Distances of numbers beside the frame are proportional to their values, with the lines at the
+// same heights.
 TEST_F(Strip, HasItsNumbersWhereTheirValuesAre) {
   const Chart chart{"energy", "J/m", 2e-5, {{"kinetic", "", {{0.0, -10.0}, {2e-5, 20.0}}}}};
   draw(chart, 2e-5);
@@ -82,7 +83,7 @@ TEST_F(Strip, HasItsNumbersWhereTheirValuesAre) {
   EXPECT_GT(y["−10"], y["20"] + 20.0);
 }
 
-// The line of the present goes to the right as time goes by.
+// The line of the present moves to the right with time.
 TEST_F(Strip, MarksThePresentMoment) {
   const Chart flat{"load factor", "", 1e-5, {}};
   int last = 0;

@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-// Relative luminance and contrast as WCAG 2.1 defines them.
+// Relative luminance and contrast as defined by WCAG 2.1.
 double luminance(Colour colour) {
   const auto linear = [](int part) {
     const double c = part / 255.0;
@@ -22,7 +22,7 @@ double contrast(Colour a, Colour b) {
   return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
 }
 
-// 4.5 is what WCAG asks for text.
+// WCAG requires 4.5 for text.
 TEST(Theme, EverythingThatIsWrittenCanBeRead) {
   for (const Background background : {Background::dark, Background::light}) {
     const Theme& theme = theme_of(background);

@@ -59,14 +59,14 @@ TEST(Amplitude, MomentsMustAscendAndBeFinite) {
   EXPECT_EQ(problems({{std::numeric_limits<double>::infinity(), 1.0}}), 1U);
 }
 
-// Of straight lines and jumps exact, of functions to the rule's order.
+// Exact for straight lines and jumps; for functions to the order of the rule.
 TEST(Amplitude, HasAMeanOverATime) {
   EXPECT_DOUBLE_EQ(Amplitude().mean(1.0, 3.0), 1.0);
   EXPECT_DOUBLE_EQ(ramp(2.0).mean(0.0, 4.0), 0.75);
   EXPECT_DOUBLE_EQ(ramp(2.0).mean(0.5, 1.0), 0.375);
   EXPECT_DOUBLE_EQ(pulse(1.0, 2.0).mean(0.0, 4.0), 0.25);
   EXPECT_DOUBLE_EQ(pulse(1.0, 2.0).mean(2.5, 3.5), 0.5);
-  EXPECT_DOUBLE_EQ(step_at(1.0).mean(1.0, 1.0), 1.0);  // no time between them
+  EXPECT_DOUBLE_EQ(step_at(1.0).mean(1.0, 1.0), 1.0);  // an empty interval
   const Amplitude square([](double t) { return t * t; }, "t^2");
   EXPECT_NEAR(square.mean(1.0, 4.0), 7.0, 1e-12);
   const Amplitude wave([](double t) { return std::sin(t); }, "sin t");

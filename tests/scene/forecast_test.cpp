@@ -57,7 +57,7 @@ TEST(Forecast, LooksAtTheStrongestMomentWithinTheDuration) {
   EXPECT_EQ(of(plate, 40e-6).verdict(), Verdict::nothing_loads_it);
   EXPECT_EQ(of(plate, 60e-6).verdict(), Verdict::breaks);
   for (Traction& load : plate.loads.tractions)
-    load.amplitude = pulse(1e-9, 20e-6);  // between moments
+    load.amplitude = pulse(1e-9, 20e-6);  // between the sampled times
   EXPECT_EQ(of(plate, 40e-6).verdict(), Verdict::breaks);
 }
 

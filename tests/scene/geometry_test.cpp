@@ -40,7 +40,7 @@ TEST(Geometry, AWholeTurnEndsWhereItBegan) {
   EXPECT_EQ(points.front(), points.back());
 }
 
-// Anticlockwise when the angle grows, clockwise when it falls.
+// Anticlockwise for ascending angles, clockwise for descending ones.
 TEST(Geometry, AnArcGoesTheWayItsAnglesSay) {
   for (const double from : {-4.0, -0.5, 1.0, 3.0})
     for (const double turn : {-3.0, -1.0, 0.5, 2.0, 5.0}) {

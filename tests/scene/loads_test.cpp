@@ -27,7 +27,7 @@ TEST(Loads, AreCountedByKind) {
             "impactors, damping");
 }
 
-// Everything on a plate that could be wrong, each by itself: one problem, which names it.
+// Everything that can be wrong on a plate, one at a time: the message must name it.
 struct Wrong {
   const char* part;  // of the message
   void (*spoil)(Plate&);

@@ -17,7 +17,7 @@ constexpr double tie = 1e-9;
 constexpr double depth = 10e-3, width = 2e-3;  // m
 constexpr std::array kinds{Notch::Kind::slot, Notch::Kind::v, Notch::Kind::u};
 
-// Where a notch begins, and the direction into the plate of 50 x 40 mm from there.
+// The mouth of a notch, and from there the direction into the plate of 50 x 40 mm.
 struct Mouth {
   Vec2 at, inward;
 };
@@ -39,8 +39,8 @@ struct Sampled {
   double area = 0.0, error = 0.0;
 };
 
-// Of what a shape removes from the plate. The rim passes through some 4 n of the n^2 samples; half
-// of them are wrong at most, and in either direction.
+// Samples the area that a shape removes from the plate. The rim passes through some 4 n of the n^2
+// samples, of which at most half are wrong, in either direction.
 Sampled removed(const Shape& shape) {
   const Box box = bounds(shape);
   const Vec2 least = box.least.cwiseMax(Vec2(0, 0)), most = box.most.cwiseMin(Vec2(0.05, 0.04));
@@ -53,8 +53,8 @@ Sampled removed(const Shape& shape) {
   return {inside * size.prod() / (samples * samples), size.prod() / samples};
 }
 
-// The fibres of a slot are as long as their mean, which is its depth; a round end takes a corner on
-// either side; a V is a triangle whose sides part from the tip at a +- h.
+// The fibres of a slot have its depth as their mean length; a round end removes a corner on either
+// side; a V is a triangle whose sides leave the tip at angles a +- h.
 double area_of(Notch::Kind kind, double angle) {
   if (kind == Notch::Kind::slot) return width * depth;
   if (kind == Notch::Kind::u)
@@ -100,7 +100,7 @@ TEST(Notch, TurnsAnticlockwiseFromThePerpendicularOfItsEdge) {
       }
 }
 
-// However oblique it is, nothing of the plate stays across its mouth.
+// However oblique the notch is, no material remains across its mouth.
 TEST(Notch, LeavesNothingAcrossItsMouth) {
   for (const Mouth& mouth : mouths)
     for (const Notch::Kind kind : {Notch::Kind::slot, Notch::Kind::u})

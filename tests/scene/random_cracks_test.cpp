@@ -36,7 +36,7 @@ TEST(RandomCracks, ThatDoNotFitAreRefused) {
   EXPECT_THROW(make(cracks), Error);
 }
 
-// From one end to the other, in every octant, either way round, beyond a turn.
+// Checks every octant, both senses of direction, and angles beyond a turn.
 TEST(RandomCracks, PointWhereTheirAngleSays) {
   constexpr double pi = std::numbers::pi, spread = 0.05;
   for (double least = -9.0; least < 9.0; least += 0.31) {
@@ -53,7 +53,7 @@ TEST(RandomCracks, PointWhereTheirAngleSays) {
   }
 }
 
-// Of 400 values, spread evenly, one lies within a twentieth of either end but for once in 1e8.
+// Of 400 evenly distributed values, one lies within a twentieth of either end, except once in 1e8.
 TEST(RandomCracks, TakeTheirWholeRangesAndBirth) {
   const RandomCracks cracks{.length = {2e-3, 4e-3},
                             .angle = {-0.1, 3.0},

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double tie = 1e-9;
 
-// Share of points of a box that a shape covers, times the area of the box.
+// Returns the share of sample points of a box that a shape covers, times the area of the box.
 double area(const Shape& shape) {
   const Box box = bounds(shape);
   const Vec2 size = box.most - box.least;
@@ -24,7 +24,7 @@ double area(const Shape& shape) {
   return inside * size.prod() / (n * n);
 }
 
-// The rim passes through some 4 n of the n^2 samples: half of them at most are wrong.
+// The rim passes through some 4 n of the n^2 samples, of which at most half are wrong.
 TEST(Shape, HasItsArea) {
   const double pi = std::numbers::pi;
   EXPECT_NEAR(area(Ellipse{{1, 2}, {3, 1}, 0.4}), 3.0 * pi, 0.02 * 3.0 * pi);
@@ -55,7 +55,7 @@ TEST(Shape, ASegmentThatOnlyTouchesTheRimDoesNotCut) {
   EXPECT_FALSE(cuts(disc, {{-5, 2}, {5, 2}}, tie));
   EXPECT_TRUE(cuts(disc, {{-5, 1.99}, {5, 1.99}}, tie));
   EXPECT_FALSE(cuts(box, {{-1, 2}, {3, 2}}, tie));
-  EXPECT_FALSE(cuts(box, {{-1, 1}, {1, -1}}, tie));  // by its corner
+  EXPECT_FALSE(cuts(box, {{-1, 1}, {1, -1}}, tie));  // at its corner
   EXPECT_TRUE(cuts(box, {{-1, 1.1}, {1.1, -1}}, tie));
   EXPECT_TRUE(cuts(box, {{0.5, 0.5}, {1.5, 1.5}}, tie));  // wholly inside
   const Shape picture = Bitmap{{0, 0}, {2, 2}, 2, 2, {1, 0, 0, 1}};
@@ -63,7 +63,7 @@ TEST(Shape, ASegmentThatOnlyTouchesTheRimDoesNotCut) {
   EXPECT_TRUE(cuts(picture, {{0, 0}, {2, 2}}, tie));
 }
 
-// Row by row from below, whatever the shape of the bitmap.
+// Row by row from below, for a bitmap of any shape.
 TEST(Shape, ABitmapIsInsideWhereItIsMarked) {
   for (const auto& [columns, rows] : {std::pair(3, 2), std::pair(2, 3), std::pair(1, 6)})
     for (int marked = 0; marked < 6; ++marked) {
@@ -95,7 +95,7 @@ TEST(Shape, ASegmentCutsWhenAnyOfItsPointsIsInside) {
         EXPECT_TRUE(cuts(shape, segment, tie)) << kind_of(shape) << trial;
         EXPECT_TRUE(may_cut(shape, box, tie)) << kind_of(shape) << trial;
       }
-      if (!found && cuts(shape, segment, tie)) {  // by less than a sample
+      if (!found && cuts(shape, segment, tie)) {  // by less than the distance of samples
         EXPECT_FALSE(cuts(shape, segment, 0.005)) << kind_of(shape) << trial;
       }
     }
@@ -111,7 +111,7 @@ TEST(Shape, WithoutAreaIsRefused) {
   }
 }
 
-// A quarter turn and back: what lies along the long axis is inside, its mirror image is not.
+// A quarter turn and back: points along the long axis are inside, their mirror images are not.
 TEST(Shape, AnEllipseIsTurnedAnticlockwise) {
   for (double angle = -7.0; angle < 7.0; angle += 0.37) {
     const Vec2 centre(0.3, -0.2), along(std::cos(angle), std::sin(angle));
@@ -124,7 +124,7 @@ TEST(Shape, AnEllipseIsTurnedAnticlockwise) {
   }
 }
 
-// The farthest samples of the area touch every side of the box, to a sample.
+// The outermost samples of the area touch every side of the box, to one sample.
 TEST(Shape, HasTheLeastBoxThatHoldsIt) {
   for (const Shape& shape : std::vector<Shape>{
            Ellipse{{1, 2}, {3, 1}, 0.4}, Ellipse{{-1, 2}, {1, 3}, -1.1},
@@ -139,7 +139,7 @@ TEST(Shape, HasTheLeastBoxThatHoldsIt) {
         const Vec2 at = from + sample.cwiseProduct(Vec2(i + 0.5, j + 0.5));
         if (is_inside(shape, at, tie)) seen = {seen.least.cwiseMin(at), seen.most.cwiseMax(at)};
       }
-    // A round or sharp end may lie between samples; it is 10 samples wide at most at its tip.
+    // A round or sharp end may lie between samples; at its tip it is at most 10 samples wide.
     EXPECT_NEAR((seen.least - box.least).cwiseAbs().maxCoeff(), 0.0, 10 * sample.x())
         << kind_of(shape);
     EXPECT_NEAR((seen.most - box.most).cwiseAbs().maxCoeff(), 0.0, 10 * sample.x())

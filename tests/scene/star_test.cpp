@@ -8,7 +8,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The shoelace formula, corner after corner about the first one.
+// The shoelace formula, about the first corner.
 double area_of(const Polygon& polygon) {
   double twice = 0.0;
   for (std::size_t k = 0; k + 1 < polygon.points.size(); ++k) {
@@ -19,7 +19,7 @@ double area_of(const Polygon& polygon) {
   return 0.5 * twice;
 }
 
-// n triangles with the angle 2 pi/n between two sides of the radius.
+// n triangles with the angle 2 pi/n between two sides of length radius.
 TEST(Star, ARegularPolygonHasItsArea) {
   for (const int n : {3, 4, 5, 6, 17, 1000}) {
     const double wanted = 0.5 * n * 9.0 * std::sin(2.0 * pi / n);
@@ -56,14 +56,14 @@ TEST(Star, ItIsItsOwnMirrorImageToTheBit) {
     const Polygon polygon = star({0.5, 0.0}, 3.0, n, 0.0, 1.1);
     const std::size_t count = polygon.points.size();
     for (std::size_t k = 1; k < count; ++k) {
-      if (2 * k == count) continue;  // on the axis, but for the rounding of sin(pi)
+      if (2 * k == count) continue;  // on the axis, up to the rounding of sin(pi)
       EXPECT_EQ(polygon.points[k].x(), polygon.points[count - k].x()) << n << ", " << k;
       EXPECT_EQ(polygon.points[k].y(), -polygon.points[count - k].y()) << n << ", " << k;
     }
   }
 }
 
-// Notches between the corners are outside: half way from the centre to the rim of the outer circle.
+// Notches between the corners are outside: half way from the centre to the circumscribed circle.
 TEST(Star, WhatLiesBetweenItsArmsIsOutside) {
   const Shape cross = star({0.0, 0.0}, 1.0, 4, 0.0, 0.2);
   for (int k = 0; k < 8; ++k) {

@@ -37,7 +37,7 @@ TEST(WaveSpeeds, InPlaneStrainMatchTheTable) {
   EXPECT_NEAR(speeds.rayleigh, 2125.0, 0.51);
 }
 
-// E and nu of plane strain become those of plane stress of the same moduli C11, C12 and C66.
+// E and nu of plane strain equal those of plane stress with the same moduli C11, C12 and C66.
 TEST(WaveSpeeds, AreThoseOfTheModuliInBothPlanes) {
   const double E = 5.0 / 6.0, nu = 0.25;  // C11 = 1, C12 = C66 = 1/3
   const WaveSpeeds thick = wave_speeds(E, nu, 1.0, Plane::strain);
@@ -54,7 +54,7 @@ TEST(WaveSpeeds, RayleighSolvesItsEquation) {
       const WaveSpeeds speeds = wave_speeds(1.0, nu, 1.0, plane);
       const double s = std::pow(speeds.rayleigh / speeds.shear, 2);
       const double l = std::pow(speeds.rayleigh / speeds.longitudinal, 2);
-      // Both sides are of the order 1; bisection leaves a few roundings.
+      // Both sides are of order 1; bisection leaves a few rounding errors.
       EXPECT_NEAR(std::pow(2.0 - s, 2), 4.0 * std::sqrt((1.0 - s) * (1.0 - l)), 1e-12) << nu;
       EXPECT_LT(speeds.rayleigh, speeds.shear);
     }

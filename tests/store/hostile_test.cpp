@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Run files that somebody made to do harm: each is refused by an error of its kind, in little time
-// and memory, and no message repeats what stands in a file.
+// Run files made to do harm: each is refused by an error of its kind, in little time and memory,
+// and no message quotes the file.
 #include <algorithm>
 #include <ctime>
 #include <fstream>
@@ -55,7 +55,7 @@ std::string text_of(hid_t file, const char* name) {
   return text;
 }
 
-// A dataset with a creation list in the place of another.
+// Replaces a dataset by one with this creation list.
 void put(hid_t file, const std::string& name, hid_t type, std::vector<hsize_t> shape,
          hid_t plan = H5P_DEFAULT, const void* values = nullptr) {
   H5Ldelete(file, name.c_str(), H5P_DEFAULT);
@@ -95,7 +95,7 @@ void set_number(hid_t file, const char* attribute, long long value) {
   H5Aclose(found);
 }
 
-// What lies in other files.
+// Replaces a dataset by one with its data in other files.
 void lead_out(hid_t file, const std::string& name, hid_t type, std::vector<hsize_t> shape,
               hsize_t bytes) {
   const hid_t plan = H5Pcreate(H5P_DATASET_CREATE);
@@ -122,7 +122,7 @@ void link_softly(hid_t file, const std::string& name, const char* to) {
   H5Lcreate_soft(to, file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
 }
 
-// Pieces of zeros, a thousand times as large unpacked as packed.
+// Writes chunks of zeros, a thousand times as large unpacked as packed.
 void pack(hid_t file, const std::string& name, hid_t type, std::vector<hsize_t> shape,
           std::vector<hsize_t> piece, int times = 1) {
   const hid_t plan = H5Pcreate(H5P_DATASET_CREATE);
@@ -132,7 +132,7 @@ void pack(hid_t file, const std::string& name, hid_t type, std::vector<hsize_t> 
   H5Pclose(plan);
 }
 
-// A piece that unpacks to a thousand times what it is said to be.
+// Writes a chunk that unpacks to a thousand times its stated size.
 void put_bomb(hid_t file, const std::string& name, hsize_t nodes) {
   pack(file, "bomb", H5T_NATIVE_CHAR, {hsize_t{1} << 27U}, {hsize_t{1} << 27U});
   const hid_t source = H5Dopen2(file, "bomb", H5P_DEFAULT);
@@ -242,7 +242,7 @@ std::vector<Crafted> packings() {
        [=](hid_t file) {
          pack(file, field, H5T_NATIVE_FLOAT, {nodes, 3}, {nodes, 1U << 28U});
        },
-       "missing or damaged"},  // which HDF5 does not write: the dataset is gone
+       "missing or damaged"},  // HDF5 does not write it: the dataset is missing
       {"large_piece",
        [=](hid_t file) {
          const hsize_t rows = hsize_t{1} << 28U;
@@ -429,7 +429,7 @@ std::vector<Crafted> all_crafted() {
   return all;
 }
 
-// What looking at every record says, "" when nothing is wrong.
+// Returns the error of showing every record, "" if there is none.
 std::string complaint(const fs::path& path) {
   try {
     Recording recording(path, {1});
@@ -468,8 +468,8 @@ class Hostile : public testing::Test {
 TEST_F(Hostile, FilesAreRefusedByKindSoonInLittleMemoryAndUnquoted) {
   ASSERT_EQ(complaint(honest), "");
   const std::vector<Crafted> all = all_crafted();
-  constexpr double max_seconds = 20.0;                 // of a processor; each takes less than one
-  constexpr std::uint64_t max_memory = 1'500'000'000;  // of this test itself are 128 MB
+  constexpr double max_seconds = 20.0;  // of a processor; each case takes less than one
+  constexpr std::uint64_t max_memory = 1'500'000'000;  // 128 MB belong to this test itself
   for (const Crafted& one : all) {
     SCOPED_TRACE(one.name);
     const fs::path path = crafted(one.by);
@@ -495,7 +495,7 @@ TEST_F(Hostile, WhatIsNoPlainFileIsNotOpened) {
   EXPECT_THAT(complaint("/etc/passwd"), HasSubstr("it is no HDF5 file"));
 }
 
-// Every byte of the beginning, where the structures of the file lie, turned over.
+// Every byte of the beginning, where the structures of the file lie, is flipped.
 TEST_F(Hostile, TurnedBytesDoNoHarm) {
   const std::string whole = read_text(honest);
   const fs::path path = folder.path / "turned.h5";
@@ -503,7 +503,7 @@ TEST_F(Hostile, TurnedBytesDoNoHarm) {
     std::string turned = whole;
     turned[at] = static_cast<char>(~turned[at]);
     write_text(path, turned);
-    complaint(path);  // any or none, but of its kind
+    complaint(path);  // any error or none, but of the right kind
   }
 }
 

@@ -63,7 +63,7 @@ TEST(Inputs, AreJsonWhateverBytesAMaterialIsCalled) {
   EXPECT_EQ(json["plate"]["material"]["name"], "gl\uFFFDs");
 }
 
-// Every member of a scene with a value of its own, none of them the default.
+// Every member of a scene has a different value, none of them the default.
 Numerics every_choice() {
   Numerics numerics;
   numerics.spacing = 0.51e-3;
@@ -139,7 +139,7 @@ Plate every_member() {
   return plate;
 }
 
-// Member by member. Structured bindings see to it that none is left out.
+// Compares member by member. Structured bindings ensure that none is left out.
 bool same(const Numerics& one, const Numerics& other) {
   const auto& [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11] = one;
   const auto& [b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11] = other;

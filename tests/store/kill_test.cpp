@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a killed run leaves. A process can be killed between any two writes to its file: here the
-// writes of the HDF5 library are noted, and the file is built up again write by write.
+// The file of a killed run. A process can be killed between any two writes to its file: this test
+// records the writes of the HDF5 library and rebuilds the file write by write.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -25,7 +25,7 @@ struct Write {
   bool truncates = false;
 };
 
-// Where the functions below note what is written; null while nobody listens.
+// The list that the functions below append to; null when they record nothing.
 std::vector<Write>* noted = nullptr;
 
 ssize_t note_and_write(int file, const void* bytes, size_t count, off_t at) {
@@ -43,7 +43,7 @@ int note_and_truncate(int file, off_t size) {
 
 }  // namespace
 
-// These take the place of the C library's, in whichever spelling the HDF5 library was built with.
+// These replace the C library's functions, under every name that the HDF5 library may use.
 extern "C" {
 ssize_t pwrite(int file, const void* bytes, size_t count, off_t at) {
   return note_and_write(file, bytes, count, at);
@@ -93,7 +93,7 @@ void apply(const Write& write, int file) {
   }
 }
 
-// Whether every committed record of `partly` is as in `whole`.
+// Returns whether every committed record of `partly` equals that of `whole`.
 bool committed_are_whole(const RunFileReader& partly, const RunFileReader& whole) {
   const auto count = static_cast<std::size_t>(partly.committed());
   const std::vector<double> times = partly.numbers("time"), all_times = whole.numbers("time");
@@ -110,7 +110,7 @@ bool committed_are_whole(const RunFileReader& partly, const RunFileReader& whole
 TEST(AKilledRun, LeavesEveryCommittedRecordWhateverTheMoment) {
   const fs::path folder = test::fresh_folder();
   const std::vector<Write> writes = writes_of_a_run(folder / "whole.h5");
-  ASSERT_GT(writes.size(), 5U * records);  // else the functions above were not called
+  ASSERT_GT(writes.size(), 5U * records);  // otherwise the functions above were not called
   const RunFileReader whole(folder / "whole.h5");
   const fs::path path = folder / "partly.h5";
   const int file = open(path.c_str(), O_WRONLY | O_CREAT, 0600);
@@ -118,7 +118,7 @@ TEST(AKilledRun, LeavesEveryCommittedRecordWhateverTheMoment) {
   for (std::size_t k = 0; k < writes.size(); ++k) {
     apply(writes[k], file);
     const RunFileReader partly(path);
-    // Before the constructor of RunFile has returned, there is no file to speak of.
+    // Before the constructor of RunFile has returned, the file does not count.
     const bool complete = partly.opens() && partly.holds("records");
     if (!complete) {
       ASSERT_EQ(max_committed, -1) << "write " << k << " of " << writes.size();

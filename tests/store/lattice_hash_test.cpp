@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-// Everything that a state is put back into, each by itself.
+// Changes everything on which the restored states depend, one at a time.
 TEST(LatticeHash, KnowsEveryMember) {
   const Lattice lattice(test::composite(20, 16, {.mixed = true}), test::numerics());
   struct Change {

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Everything a scene may have that pictures can show.
+// A scene with everything that pictures can show.
 struct Scene {
   const char* name;
   Plate plate;
@@ -63,7 +63,7 @@ Scene scattered() {
   return {"scattered", plate, numerics};
 }
 
-// What pictures of a simulation can show, by field.
+// Returns the values of all picture fields of a simulation.
 std::vector<std::vector<float>> fields_of(const Simulation& simulation) {
   std::vector<std::vector<float>> list;
   for (const Scalar& scalar : scalars())
@@ -71,8 +71,9 @@ std::vector<std::vector<float>> fields_of(const Simulation& simulation) {
   return list;
 }
 
-// Displacements are stored with a relative error of 2^-24, which a bond of one spacing sees twice;
-// so are thermal strains. A stretch makes at most a stress of E/(1 - nu) < 2 E times as much.
+// Displacements are stored with a relative error of 2^-24, which enters the stretch of a bond of
+// one spacing twice; so are thermal strains. A stretch error causes a stress error of at most E/(1
+// - nu) < 2 E times as much.
 double stretch_error(const Simulation& simulation) {
   double most = 0.0, heat = 0.0;
   for (const float u : displacement(simulation).values)
@@ -88,7 +89,7 @@ double stiffest(const Simulation& simulation) {
   return most;
 }
 
-// How far a field may be off, beside the rounding of its own values.
+// Returns the tolerance of a field beyond the rounding of its own values.
 double tolerance_of(std::string_view field, const Simulation& simulation) {
   const double strain = stretch_error(simulation);
   if (field.starts_with("stress") || field == "von_mises" || field == "shear")
@@ -97,7 +98,7 @@ double tolerance_of(std::string_view field, const Simulation& simulation) {
   return 0.0;
 }
 
-// Of a density E s^2/2 that is at most `peak`: E s ds.
+// Error of a density E s^2/2 that is at most `peak`: E s ds.
 double energy_error(double peak, const Simulation& simulation) {
   const double E = stiffest(simulation);
   double least = E;
@@ -203,7 +204,7 @@ TEST(Recording, StaysWholeWhileItsFileIsWrittenAnew) {
   EXPECT_EQ(Recording(folder.path / "small.h5", {1}).times().size(), 1U);
 }
 
-// What opening the file and looking at every record says, "" when nothing is wrong.
+// Returns the error of opening the file and showing every record, "" if there is none.
 std::string complaint(const fs::path& path) {
   try {
     Recording recording(path, {1});
@@ -241,7 +242,7 @@ TEST(Recording, RefusesAFileThatWasCutOff) {
   }
 }
 
-// Where the first piece of a dataset lies in the file.
+// Returns the position of the first chunk of a dataset in the file.
 std::streamoff place_of(const fs::path& path, const char* name) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t dataset = H5Dopen2(file, name, H5P_DEFAULT);
@@ -268,7 +269,7 @@ TEST(Recording, NoticesAByteThatHasChanged) {
   }
 }
 
-// Changes something in a copy of the small file.
+// Modifies a copy of the small file.
 class Damaged {
  public:
   explicit Damaged(const fs::path& folder) : path_(small_file(folder)) {}
@@ -293,7 +294,7 @@ void set_number(hid_t file, const char* attribute, long long value) {
   H5Aclose(found);
 }
 
-// Numbers of another shape in the place of a dataset.
+// Replaces a dataset by numbers of another shape.
 void put_instead(hid_t file, const char* name, std::vector<hsize_t> shape, hid_t type) {
   H5Ldelete(file, name, H5P_DEFAULT);
   const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
@@ -331,7 +332,7 @@ TEST(Recording, SaysWhatIsMissingOrDamaged) {
               HasSubstr("discs is 2 x 4, expected 0 x 5"));
 }
 
-// The inputs with a part exchanged, written over the old ones with spaces behind.
+// Replaces a part of the inputs, and pads them with spaces.
 void change_inputs(hid_t file, const std::string& from, const std::string& to) {
   const hid_t dataset = H5Dopen2(file, "inputs", H5P_DEFAULT);
   const hid_t type = H5Dget_type(dataset);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Run files are read back with the plain HDF5 library.
+// Reads run files back with the plain HDF5 library.
 #include "store/run_file.hpp"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ TEST(RunFile, NamesTheMaterialOfEveryNodeWhereTheyDiffer) {
 TEST(RunFile, DescribesItself) {
   const fs::path path = fresh_folder() / "a.h5";
   Simulation simulation = moving_plate();
-  const std::string script = "-- " + std::string(200000, 'x');  // longer than an attribute may be
+  const std::string script = "-- " + std::string(200000, 'x');  // longer than an attribute can be
   RunFile file(path, simulation, {"a.lua", script});
   file.add(simulation);
   file.finish();
@@ -183,7 +183,7 @@ TEST(RunFile, NothingButFiniteNumbersReachesIt) {
   EXPECT_EQ(RunFileReader(path).committed(), 1);
 }
 
-// HDF5 does not free what belongs to a file that it could not close.
+// HDF5 does not free the memory of a file that it could not close.
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libhdf5";
 }

@@ -37,7 +37,7 @@ TEST(Xdmf, EscapesTheNameOfTheFile) {
   EXPECT_THAT(xdmf(grid, "a&b<c>.h5", {0.0}), testing::HasSubstr("a&amp;b&lt;c&gt;.h5:/records"));
 }
 
-// ParaView counts z, y, x.
+// ParaView orders z, y, x.
 TEST(Xdmf, SaysPlacesAndSizesInTheOrderOfParaView) {
   const Grid apart{4, 3, 0.25, {2.0, 1.0}};  // m; the first node at 1.625 and 0.75
   const std::string text = xdmf(apart, "run.h5", {0.0, 1e-6}, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far two solutions of one lattice are apart.
+// Measures the difference between two solutions on one lattice.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace hackle::test {
 
-// L2 norm of the difference of the displacements over that of `exact`.
+// Returns the L2 norm of the difference of the displacements over that of `exact`.
 inline double relative_difference(const Simulation& exact, const Simulation& other) {
   const Grid& grid = exact.lattice().grid;
   double difference = 0.0, size = 0.0;

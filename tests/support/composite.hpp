@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Plates of several materials, and heated ones.
+// Plates of several materials, and heated plates.
 #pragma once
 
 #include "support/scenes.hpp"
 
 namespace hackle::test {
 
-// What a plate has beside one cold material.
+// The features of a plate beyond one cold material.
 struct Mixture {
   bool mixed = false;
   bool heated = false;
-  double alpha = 0.0;  // of the plate; inclusions have twice as much
+  double alpha = 0.0;  // of the plate; inclusions have twice this value
 };
 
-// Softer, lighter, weaker and more expanding than glass.
+// Softer, lighter and weaker than glass, with a larger thermal expansion.
 inline Material resin() {
   Material material{"resin", 3.5e9, 1200.0, 0.3, 150.0};
   material.alphaT = 60e-6;
@@ -30,8 +30,8 @@ inline Shape disc(const Vec2& centre, double radius) {
   return Ellipse{centre, {radius, radius}, 0.0};
 }
 
-// Glass with a disc of resin, a bar of steel and a hole, all clear of each other; heated in its
-// upper half by a field, and everywhere by a ramp of some microseconds.
+// Makes a glass plate with a disc of resin, a bar of steel and a hole, none of which touch; its
+// upper half is heated by a field, and the whole plate by a ramp of some microseconds.
 inline Plate composite(int nx, int ny, const Mixture& mixture) {
   Plate plate = bare_plate(nx, ny);
   const double w = plate.width, h = plate.height;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small lattice with displacements given by hand, as a picture sees it.
+// A small lattice with prescribed displacements, for pictures.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace hackle::test {
 inline constexpr std::uint8_t all_links =
     Link::right | Link::above_right | Link::above | Link::above_left;
 
-// A lattice of cells of 1 m whose picture has 1 px a cell; `u` is the displacement of node (i, j).
+// A lattice of cells of 1 m, shown at 1 px per cell; `u` is the displacement of node (i, j).
 struct DisplacedLattice {
   explicit DisplacedLattice(int nx, int ny)
       : grid{nx, ny, 1.0, {0.5 * nx, 0.5 * ny}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder of a test's own.
+// A separate folder for a test.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace hackle::test {
 
-// An empty folder that bears the names of the running test; tests may run side by side.
+// Makes an empty folder named after the running test, because tests may run side by side.
 inline std::filesystem::path fresh_folder() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const auto folder = std::filesystem::path(testing::TempDir()) /
@@ -21,7 +21,7 @@ inline std::filesystem::path fresh_folder() {
   return folder;
 }
 
-// Such a folder, removed at the end.
+// Makes such a folder and removes it at the end.
 class Folder {
  public:
   Folder() : path(fresh_folder()) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is a state its own mirror image, to the last bit?
+// Checks whether a state is its own mirror image, to the last bit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 
 namespace hackle::test {
 
-// Nodes whose displacement, velocity or number of bonds differs from the mirror image's about the
-// horizontal midline (y -> -y), or about the vertical one.
+// Counts nodes whose displacement, velocity or number of bonds differs from that of the mirror
+// image about the horizontal midline (y -> -y), or about the vertical one.
 inline int asymmetric_nodes(const Simulation& simulation, bool about_horizontal) {
   const Lattice& lattice = simulation.lattice();
   const Grid& grid = lattice.grid;

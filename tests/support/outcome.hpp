@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a run ends.
+// Classifies how a run ends.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline bool is_finite(const Field& field) {
   return std::ranges::all_of(field.values, [](float value) { return std::isfinite(value); });
 }
 
-// No result may hold anything but numbers.
+// Expects that no result contains anything but finite numbers.
 inline void expect_numbers(const Simulation& simulation, const std::string& what) {
   EXPECT_TRUE(is_finite(displacement(simulation))) << what;
   EXPECT_TRUE(is_finite(velocity(simulation))) << what;
@@ -27,8 +27,8 @@ inline void expect_numbers(const Simulation& simulation, const std::string& what
 
 enum class Outcome { solved, refused, failed };
 
-// Solves `steps` steps. What is solved holds numbers alone; what is not ends with an Error that is
-// either a refusal before the run, or names time and place.
+// Runs `steps` steps. A completed run must contain only finite numbers; any other must end with an
+// Error that is either a refusal before the run, or names time and place.
 inline Outcome outcome(const Plate& plate, const Numerics& numerics, int steps,
                        const std::string& what) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pixels of pictures, counted.
+// Counts pixels of pictures.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ int count_pixels(const Image& image, const Rectangle& area, Is is) {
   return count;
 }
 
-// Those of a rectangle that are not black.
+// Counts pixels in a rectangle that are not black.
 inline int lit(const Image& image, const Rectangle& area) {
   return count_pixels(image, area, [&](int x, int y) {
     const auto* at = pixel(image, x, y);
@@ -31,7 +31,7 @@ inline int lit(const Image& image, const Rectangle& area) {
   });
 }
 
-// Those of a rectangle that have another colour.
+// Counts pixels in a rectangle that have another colour.
 inline int differing(const Image& image, const Rectangle& area, Colour colour) {
   return count_pixels(image, area, [&](int x, int y) {
     const auto* at = pixel(image, x, y);
@@ -39,7 +39,7 @@ inline int differing(const Image& image, const Rectangle& area, Colour colour) {
   });
 }
 
-// Those outside of a rectangle that differ between two pictures of the same size.
+// Counts pixels outside a rectangle that differ between two pictures of the same size.
 inline int differing_outside(const Image& one, const Image& other, const Rectangle& area) {
   return count_pixels(one, {0, 0, one.width, one.height}, [&](int x, int y) {
     const bool inside = x >= area.x && x < area.right() && y >= area.y && y < area.bottom();

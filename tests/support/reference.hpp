@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules of the engine once more, as plainly as can be: bonds are pairs of nodes in a list, and
-// a stretch is a difference of lengths, in extended precision.
+// The rules of the engine written down a second time, as plainly as possible: bonds are pairs of
+// nodes in a list, and a stretch is a difference of lengths, in extended precision.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ class Reference {
   using Real = long double;
   using Vector = Eigen::Matrix<Real, 2, 1>;
 
-  // Goes on from the state of `simulation`, in its lattice units. The history of one that is at its
-  // start is what its bonds bear there; of others there is none so far.
+  // Starts from the state of `simulation`, in its lattice units. The history at the start of a run
+  // is the stretch of its bonds; a later state starts without history.
   explicit Reference(const Simulation& simulation)
       : step_(simulation.state().step),
         nx_(simulation.lattice().grid.nx),
@@ -42,13 +42,13 @@ class Reference {
     if (simulation.state().is_start()) note_history();
   }
 
-  // The thermal strain of the next step is what `simulation` has now.
+  // Takes the thermal strain of the next step from `simulation`.
   void take_heat(const Simulation& simulation) {
     for (std::size_t node = 0; node < simulation.thermal_strain().size(); ++node)
       nodes_[node].heat = simulation.thermal_strain()[node];
   }
 
-  // A step of leapfrog.
+  // Makes a leapfrog step.
   void step() {
     const std::vector<Vector> a = accelerations();
     for (std::size_t node = 0; node < u_.size(); ++node) {
@@ -58,7 +58,7 @@ class Reference {
     ++step_;
   }
 
-  // Breaks what is stretched too far, and notes the least stretch of every node for the next step.
+  // Breaks overstretched bonds, and stores the smallest stretch of every node for the next step.
   std::vector<Vector> accelerations() {
     std::vector<Vector> a(u_.size(), Vector(0, 0));
     for (Bond& bond : bonds_) {
@@ -80,7 +80,7 @@ class Reference {
   }
 
   const Vector& u(int i, int j) const { return u_[index(i, j)]; }
-  // Bonds that hold in one of the two and not in the other.
+  // Counts bonds that are intact in one of the two and not in the other.
   int differing_bonds(const Simulation& simulation) const {
     return static_cast<int>(std::ranges::count_if(bonds_, [&](const Bond& bond) {
       return bond.holds != simulation.state().bonds.holds(bond.place, bond.bit);
@@ -95,7 +95,7 @@ class Reference {
   struct Bond {
     std::size_t from = 0, to = 0;  // nodes
     Vector xi{0, 0};
-    Real unit = 0;  // of a micromodulus
+    Real unit = 0;  // per unit of micromodulus
     bool safe = false;
     bool holds = true;
     std::ptrdiff_t place = 0;  // in the engine's bond bits
@@ -109,7 +109,7 @@ class Reference {
     return std::sqrt(ratio * ratio - nodes_[bond.from].heat - nodes_[bond.to].heat) - 1;
   }
 
-  // The least stretch of the bonds of a node that hold moves its threshold.
+  // Moves the threshold of each node by the smallest stretch of its intact bonds.
   void note_history() {
     constexpr Real none = std::numeric_limits<Real>::max();
     std::vector<Real> least(u_.size(), none);
@@ -150,7 +150,7 @@ class Reference {
 
   std::int64_t step_;
   int nx_;
-  bool late_;  // a bond found stretched too far pulls once more
+  bool late_;  // an overstretched bond pulls once more
   std::vector<Node> nodes_;
   std::vector<Bond> bonds_;
   std::vector<Vector> u_, v_, loads_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads run files with the plain HDF5 library. What cannot be read has no extent and no values.
+// Reads run files with the plain HDF5 library. Unreadable data have no extent and no values.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ class RunFileReader {
   explicit RunFileReader(const std::filesystem::path& path)
       : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
     if (file_ >= 0) return;
-    // One that this process could not close is open without a lock.
+    // A file that this process could not close is still open, without a lock.
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_file_locking(access, 0, 1);
     file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);

@@ -11,7 +11,7 @@ inline Material duran50() {
   return {"Duran 50 glass", 65e9, 2235.0, 0.2, 204.0, 0.0, 0.0, 136.5e3};
 }
 
-// A plate without anything on it, `nx` by `ny` cells of 0.5 mm.
+// Makes a plate of `nx` by `ny` cells of 0.5 mm without cracks or loads.
 inline Plate bare_plate(int nx, int ny) {
   Plate plate;
   plate.width = nx * 0.5e-3;
@@ -20,8 +20,8 @@ inline Plate bare_plate(int nx, int ny) {
   return plate;
 }
 
-// The paper's sample 1: 100 x 40 mm, edge crack of 50 mm at mid-height, step tractions on both long
-// edges, which are kept from failing over one horizon.
+// Makes the paper's sample 1: 100 x 40 mm, an edge crack of 50 mm at mid-height, step tractions on
+// both long edges, along which bonds cannot break over one horizon.
 inline Plate edge_crack(double stress) {
   Plate plate;
   plate.width = 0.1;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Tests that need what not every machine has. Where HACKLE_FORBID_SKIPS is set, as in CI, which
-// provides all of it, they fail instead of passing over it in silence. What a processor lacks
-// nobody can provide: those tests use GTEST_SKIP itself.
+// Skips tests whose requirements some machines lack. If HACKLE_FORBID_SKIPS is set, as in CI, where
+// everything is installed, they fail instead. Features of a processor cannot be installed: tests
+// that need them use GTEST_SKIP itself.
 #pragma once
 
 #include <cstdlib>
 
 #include <gtest/gtest.h>
 
-// Ends the test, which must be a function without a value: SetUp or a body.
+// Ends the test, from a function that returns void: SetUp or a test body.
 #define HACKLE_NEEDS(condition, reason)                                    \
   if (!(condition)) {                                                      \
     if (std::getenv("HACKLE_FORBID_SKIPS") != nullptr) FAIL() << (reason); \

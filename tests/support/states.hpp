@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// States prepared by hand, and what is asked of states.
+// Prepares states, and evaluates them.
 #pragma once
 
 #include <random>
@@ -10,8 +10,9 @@
 
 namespace hackle::test {
 
-// The state of `simulation` with u set to displacement(i, j), in units of dx. `displacement` takes
-// the place from the centre of the lattice in units of dx and returns a Vec2.
+// Returns the state of `simulation` with u set to displacement(i, j), in units of dx.
+// `displacement` takes the position relative to the centre of the lattice in units of dx and
+// returns a Vec2.
 template <class Displacement>
 State displaced(const Simulation& simulation, Displacement displacement) {
   State state = simulation.state();
@@ -21,7 +22,7 @@ State displaced(const Simulation& simulation, Displacement displacement) {
   return state;
 }
 
-// The same for v, in units of dx a step.
+// Does the same for v, in units of dx per step.
 template <class Velocity>
 State thrown(const Simulation& simulation, Velocity velocity) {
   State state = simulation.state();
@@ -31,7 +32,7 @@ State thrown(const Simulation& simulation, Velocity velocity) {
   return state;
 }
 
-// Adds random velocities, uniform in +-most (in units of dx a step).
+// Adds random velocities, uniform in +-most (in units of dx per step).
 inline State shaken(State state, double most, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-most, most);
@@ -52,7 +53,7 @@ inline State jolted(State state, double most, unsigned seed) {
   return state;
 }
 
-// The accelerations that the displacements of `simulation` bring about, in units of dx a step
+// Returns the accelerations due to the displacements of `simulation`, in units of dx per step
 // squared, by Grid::index: twice the velocities after a first step from rest.
 inline std::vector<Vec2> accelerations(const Simulation& simulation) {
   Simulation probe = simulation;
@@ -67,14 +68,14 @@ inline std::vector<Vec2> accelerations(const Simulation& simulation) {
   return result;
 }
 
-// The largest component.
+// Returns the largest component.
 inline double largest(const std::vector<Vec2>& values) {
   double most = 0.0;
   for (const Vec2& value : values) most = std::max(most, value.cwiseAbs().maxCoeff());
   return most;
 }
 
-// The state from which time runs backwards: u as it is, velocities turned round.
+// Returns the state from which time runs backwards: the same u, opposite velocities.
 inline State reversed(const Simulation& simulation) {
   State state = simulation.state();
   const Grid& grid = simulation.lattice().grid;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs that go on beside the prompt, and the script that does the same again.
+// Background runs of the prompt, and the script that repeats them.
 #include "console/language/background_binding.hpp"
 
 #include <gmock/gmock.h>
@@ -92,7 +92,7 @@ TEST(Background, SimulationsAreFoundByNumber) {
             "");
 }
 
-// Lines of a prompt; between two of them what is under way goes on for a moment.
+// Enters lines at a prompt; the current run continues for a moment between two of them.
 struct Dialogue {
   explicit Dialogue(const test::Folder& folder) : console(test::quiet(folder.path)) {
     for (const char* line : {"p = plate { width = 100*mm, height = 40*mm, material = 'duran50' }",
@@ -122,7 +122,7 @@ struct Dialogue {
   int room = 0;
 };
 
-// The hash of simulation 1 at the end of a script.
+// Returns the hash of simulation 1 at the end of a script.
 std::string hash_after(const std::filesystem::path& script, const test::Folder& folder) {
   Console console(test::quiet(folder.path / "again"));
   console.run_file(script);

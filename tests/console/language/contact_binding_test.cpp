@@ -82,7 +82,7 @@ TEST(ImpactorBinding, RefusesWhatMakesNoSense) {
         << options;
 }
 
-// What only the lattice can tell.
+// Only the lattice can detect these.
 TEST(ImpactorBinding, RefusesADiscInsideThePlateOrTooSmallOrLight) {
   const auto simulated = [](const std::string& options) {
     return after_small_plate("p:impactor { " + options + " }\nsimulate(p, { spacing = 1*mm })");

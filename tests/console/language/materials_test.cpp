@@ -71,7 +71,7 @@ TEST(Materials, AScriptCanUseItsOwn) {
       "");
 }
 
-// No two values are alike.
+// All values differ.
 TEST(Materials, EveryValueOfALibraryReachesItsMember) {
   const test::Folder folder;
   write_text(folder.path / "m.lua",
@@ -84,7 +84,7 @@ TEST(Materials, EveryValueOfALibraryReachesItsMember) {
   EXPECT_EQ(materials.find("b").material, (Material{"B", 1, 2, 0.3, 0, 0, 0, 0, 0.08}));
 }
 
-// The library once more, as its sources have it.
+// The library written down a second time, from its sources.
 TEST(Materials, AreThoseOfTheirSources) {
   struct Known {
     const char* key;

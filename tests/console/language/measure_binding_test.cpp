@@ -9,7 +9,7 @@ namespace {
 using testing::HasSubstr;
 
 // Nodes at 1, 3, ... mm; the cut at mid-height lies between those at 19 and 21 mm. Within a horizon
-// of its end at 50 mm, nodes have lost less.
+// of its end at 50 mm, nodes have lost fewer bonds.
 TEST(MeasureBinding, FindsCracksInAnArea) {
   EXPECT_EQ(test::message_of(test::scene + R"(
     local c = s:cracks()

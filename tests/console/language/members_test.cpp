@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every option of every function that describes something reaches the member that it names: scripts
-// in which no two values are alike, and what stands in the scene afterwards.
+// Every option of every function that describes something must reach the member that it names:
+// compares scripts in which all values differ with the resulting scene.
 #include <numbers>
 #include <set>
 #include <string>
@@ -47,7 +47,7 @@ class Members : public testing::Test {
     protected_call(L, 0, 0);
   }
 
-  // A plate of 100 x 40 mm with a hole "bore", of a material that expands, after `calls`.
+  // Returns the plate of 100 x 40 mm with a hole "bore", of a material that expands, after `calls`.
   const Plate& plate_after(const std::string& calls) {
     run("p = plate { width = 100*mm, height = 40*mm, material = material { like = 'duran50', "
         "alphaT = 3e-6 } }\n"
@@ -57,7 +57,7 @@ class Members : public testing::Test {
     return *object_at<Plate>(L, -1);
   }
 
-  // The options of a picture or a movie, in braces.
+  // Reads the options of a picture or a movie, in braces.
   Arguments arguments(const std::string& options, const FunctionDoc& doc) {
     EXPECT_EQ(luaL_loadstring(L, ("return " + options).c_str()), LUA_OK);
     protected_call(L, 0, 1);
@@ -70,7 +70,7 @@ class Members : public testing::Test {
   LuaState L;
 };
 
-// Whatever is added to a table of options must be added to the script that tests it.
+// An option added to a table must also be added to the script that tests it.
 void expect_all_named(const FunctionDoc& doc, const std::string& script) {
   for (const Option& option : doc.options) {
     EXPECT_TRUE(option.positional ||
@@ -254,7 +254,7 @@ TEST_F(Members, OfRandomCracks) {
   }
 }
 
-// Every way to name an area, on a load that is nothing but one.
+// Every form of a region, on a load that has nothing else.
 TEST_F(Members, OfRegions) {
   const Plate& plate = plate_after(
       "p:nofail { edge = 'left', depth = 2*mm } p:nofail { edge = 'right', depth = 3*mm }\n"
@@ -439,7 +439,7 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
       "11, "
       "bonds = true, background = 'light', title = 'T', clock = false, bar = true, scale_bar = "
       "false, load_curve = true, energy = false, markers = {{1*mm, 2*mm, 'm'}} }";
-  std::string known = options + " px_per_mm = percentile =";  // they stand instead of others
+  std::string known = options + " px_per_mm = percentile =";  // alternatives to other options
   expect_all_named(movie_doc, known);
   const MovieOptions movie = movie_of(arguments(options, movie_doc));
   EXPECT_EQ(movie.fps, 12.0);
@@ -481,7 +481,7 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
   EXPECT_EQ(picture.overlay.markers[0].label, "m");
 }
 
-// Flags by themselves, and what stands instead of another option.
+// Flags one at a time, and options that are alternatives to others.
 TEST_F(Members, OfPicturesOneByOne) {
   const auto picture = [this](const std::string& option) {
     return sized_picture_of(arguments("{ 'a.png', " + option + " }", frame_doc));
@@ -518,7 +518,7 @@ TEST_F(Members, OfPicturesOneByOne) {
     }
 }
 
-// A simulation takes the same loads as a plate, the like one at the same place alone replaced.
+// A simulation takes the same loads as a plate; only the same kind at the same place is replaced.
 TEST_F(Members, OfLoadsOfASimulation) {
   plate_after(
       "p:traction { edge = 'top', stress = {0, 1*MPa} }\n"
@@ -551,7 +551,7 @@ TEST_F(Members, OfLoadsOfASimulation) {
   EXPECT_EQ(loads.impactors.at(0).mass, 13.0);
 }
 
-// Fields of a simulation against its C++ side; every entry of the ledger differs from the others.
+// Compares the fields of a simulation with its C++ values; all entries of the ledger differ.
 TEST_F(Members, OfWhatASimulationTells) {
   plate_after(
       "p:traction { edge = 'top', stress = {0, 30*MPa}, time = ramp(1*us) }\n"

@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The picture that s:frame makes with these options.
+// Returns the picture that s:frame makes with these options.
 GreyImage frame(const std::string& options) {
   const test::Folder folder;
   const std::string message = test::message_of(

@@ -102,7 +102,7 @@ TEST(Preview, LargePicturesStayBounded) {
   EXPECT_EQ(room.height, 97 * 20);
 }
 
-// 320 x 64 px for 80 x 16 symbols: a plate, with a crack one px high or without.
+// Makes 320 x 64 px for 80 x 16 symbols: a plate, with or without a crack one px high.
 Image plate_picture(bool cracked) {
   Image image(320, 64);
   for (int y = 0; y < image.height; ++y)
@@ -169,7 +169,7 @@ TEST(Preview, PixelsNeedNotBeWholeCharacters) {
     EXPECT_GT(text_of(Image(321, 77), terminal({name}, {80, 24, 720, 408})).size(), 100U);
 }
 
-// What arrives at the other end of a pipe.
+// Captures the text that arrives at the other end of a pipe.
 class Pipe {
  public:
   Pipe() { EXPECT_EQ(pipe(ends_), 0); }

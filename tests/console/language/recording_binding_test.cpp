@@ -51,7 +51,7 @@ TEST_F(RecordingBindingTest, MakesFramesAndMovies) {
   for (const char* name : {"a.png", "sub/b.png", "a.mp4", "b.mp4"}) EXPECT_TRUE(made(name)) << name;
 }
 
-// A run that went no further shows the same as the record of its end.
+// A run that went no further shows the same picture as the record of its end.
 TEST_F(RecordingBindingTest, AFrameIsThatOfTheRunItself) {
   console_.evaluate("s:run(1*us) s:frame { 'live.png', field = 'damage', width = 320 }");
   console_.evaluate("r:frame { 'recorded.png', field = 'damage', width = 320 }");
@@ -129,7 +129,7 @@ TEST_F(RecordingBindingTest, ACheckedScriptWritesNothing) {
     EXPECT_FALSE(fs::exists(folder_.path / name)) << name;
   const auto failure = test::failure_of("recording 'later.h5'", settings);
   ASSERT_TRUE(failure);
-  EXPECT_EQ(failure->kind(), ErrorKind::script);  // what it does with results is not known yet
+  EXPECT_EQ(failure->kind(), ErrorKind::script);  // the script uses results that do not exist yet
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using testing::StartsWith;
 
 const std::string film = "s:movie { 'a.mp4', every = 1*us }\ns:run(1*us)";
 
-// The message of the refusal; nothing may have been written.
+// Returns the message of the refusal; expects that nothing was written.
 std::string refusal(const std::string& script, ErrorKind kind) {
   const test::Folder folder;
   const auto out = folder.path / "out";
@@ -91,7 +91,7 @@ TEST(Refusal, ABadStepHidesNoOtherProblem) {
 }
 
 TEST(Refusal, AStepIsNotJudgedByOptionsThatWereNotMeant) {
-  // 1 us is too long for any lattice of this spacing, but of which nobody knows.
+  // 1 us is too long for any lattice of this spacing, but this one is not known.
   EXPECT_THAT(simulate("{ spacing = 1*mm, horizon = 'far', step = 1*us }"),
               testing::AllOf(HasSubstr("horizon is the text 'far'"),
                              testing::Not(HasSubstr("stability limit"))));

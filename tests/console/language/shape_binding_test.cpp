@@ -99,7 +99,7 @@ TEST(ShapeBinding, WhatMakesNoSenseIsRefusedByName) {
         << bad.call;
 }
 
-// A picture of four pixels: black in the upper left corner, white else.
+// Makes a picture of four pixels: black in the upper left corner, white elsewhere.
 std::string corner_png(const std::filesystem::path& folder) {
   Image image(2, 2);
   std::ranges::fill(image.pixels, std::uint8_t{255});

@@ -10,7 +10,7 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-// What the script, after the scene, prints.
+// Returns the output of the script, run after the scene.
 std::string printed(const std::string& script, ConsoleSettings settings) {
   testing::internal::CaptureStdout();
   const std::string message = test::message_of(test::scene + script, std::move(settings));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs that are watched, stopped, forked and taken back.
+// Watching, stopping, forking and rewinding of runs.
 #include "console/language/steering_binding.hpp"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A plate whose crack runs, quickly solved.
+// A plate whose crack grows, solved quickly.
 const std::string scenes = R"(
 function plate_()
   local p = plate { width = 100*mm, height = 40*mm, material = "duran50" }
@@ -110,7 +110,7 @@ TEST(On, DamageThatIsThereAlreadyIsSeenAtOnce) {
             "");
 }
 
-// The crack is there from 0 to 50 mm; what is asked for is more, or elsewhere.
+// The crack extends from 0 to 50 mm; the requests are for more, or elsewhere.
 TEST(On, DamageIsThatOfItsAreaAndAboveWhatIsAsked) {
   EXPECT_EQ(after_scene("s:on { 'damage', above = 0.9, call = function() more = true end }\n"
                         "s:on { 'damage', edge = 'right', depth = 40*mm,\n"
@@ -131,7 +131,7 @@ TEST(On, SeveralKeepTheirOwnTimes) {
             "");
 }
 
-// What a script does between two runs may be done between two steps, to the same bits.
+// Everything a script does between two runs may also be done between two steps, with the same bits.
 TEST(On, MayChangeLoads) {
   EXPECT_EQ(
       after_scene(
@@ -188,7 +188,7 @@ TEST(Stop, OutsideOfARunDoesNothing) {
   EXPECT_EQ(after_scene("s:stop() s:run(1*us) assert(s.time > 0)"), "");
 }
 
-// Slow loading calls them at the ends of its increments.
+// Quasi-static loading calls them at the ends of its increments.
 const std::string slowly_prescribed = R"(
 function led(shift)
   local p = plate { width = 12*mm, height = 12*mm, material = "duran50" }

@@ -59,7 +59,7 @@ TEST(Guard, AnyValueCanBeAnError) {
             "");
 }
 
-// Says through a pointer when it is destroyed.
+// Reports its destruction through a pointer.
 struct Witness {
   explicit Witness(bool& gone_) : gone(gone_) {}
   ~Witness() { gone = true; }

@@ -15,7 +15,7 @@ void expect_true(const std::string& script) {
   EXPECT_EQ(test::message_of(script), "") << script;
 }
 
-// The values of a table in the order of pairs, and in that of next, must be 1, 2, 3, ...
+// Expects the values of a table to be 1, 2, 3, ... in the order of pairs, and of next.
 const std::string in_order = R"(
 local function check(t)
   local n = 0

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lua may run out of memory at any of its allocations, inside any bound function: what is raised
-// there passes through C++ frames alone and comes out as an error.
+// Lua may run out of memory at any of its allocations, inside any bound function: the exception
+// must pass through C++ frames only and come out as an error.
 #include "console/lua/lua_memory.hpp"
 
 #include <limits>
@@ -19,7 +19,7 @@ std::string message_with(std::size_t memory, const std::string& script,
   settings.lua_memory = memory;
   try {
     return test::message_of(script, settings);
-  } catch (const Error& error) {  // of the console itself, before it takes a script
+  } catch (const Error& error) {  // from the console itself, before it runs a script
     return error.what();
   }
 }
@@ -29,14 +29,15 @@ TEST(LuaMemory, ALimitOfNothingIsAnError) {
   EXPECT_EQ(message_with(0, "", folder), "no memory for a Lua state");
 }
 
-// The limit is halved onto the last allocation that fails, so each function is stopped at places
-// from its first to its last.
+// Bisects the limit to the last failing allocation, so that each function fails at places from its
+// first allocation to its last.
 TEST(LuaMemory, EveryFunctionCanBeStoppedAnywhere) {
   const test::Folder folder;
   EXPECT_EQ(message_with(default_lua_memory, test::scene + test::recorded, folder), "");
   for (const FunctionDoc* doc : all_docs()) {
     const bool looks_back = doc->owner == "r" || doc->name == "side_by_side";
-    // Films look more often than a coarse plate takes steps; a fine one comes to rest slowly.
+    // Movies need more checks than a coarse plate has steps; a fine plate reaches equilibrium
+    // slowly.
     const std::string spacing = doc->name == "relax" ? "2*mm" : "0.5*mm";
     const std::string script = test::scene + (looks_back ? test::reopened : "") +
                                "s = simulate(p, { spacing = " + spacing + " })\n" +
@@ -63,7 +64,7 @@ TEST(LuaMemory, WhatIsHeldOutsideOfLuaCounts) {
   EXPECT_TRUE(memory.hold(1000));
 }
 
-// A hundred thousand cracks take some 8 MB, none of which is Lua's own.
+// A hundred thousand cracks take some 8 MB, all of it outside of Lua.
 constexpr const char* cracked =
     "local function cracked(seed)\n"
     "  return plate { width = 1, height = 1, material = 'duran50' }:random_cracks {\n"

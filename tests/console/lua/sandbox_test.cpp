@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scripts that try to get out. Around the folders of a script lie files that it may neither read
-// nor change, and links that lead to them.
+// Scripts that try to escape. Around the folders of a script lie files that it may neither read nor
+// change, and links to them.
 #include "console/lua/sandbox.hpp"
 
 #include <algorithm>
@@ -21,7 +21,8 @@ using testing::Not;
 
 constexpr const char* secret = "return 'hidden treasure'";
 
-// scripts/ is the folder of the script and out/ its output folder; all else is out of bounds.
+// scripts/ is the folder of the script and out/ its output folder; everything else is out of
+// bounds.
 class Jail : public testing::Test {
  protected:
   Jail() {
@@ -35,7 +36,7 @@ class Jail : public testing::Test {
       fs::create_symlink("dangling", root_ / folder / "twice");
       fs::create_symlink("ring", root_ / folder / "ring");
     }
-    // What was put where Hackle writes on its way to a.mp4, a.png and a.h5.
+    // Links placed where Hackle writes temporarily for a.mp4, a.png and a.h5.
     for (const char* name : {".a.partial.mp4", ".a.partial.png", "a.xdmf"})
       fs::create_symlink("../outside/new", root_ / "out" / name);
   }
@@ -44,7 +45,7 @@ class Jail : public testing::Test {
     return trust ? test::trusted(root_ / "out") : test::quiet(root_ / "out");
   }
 
-  // What running the script says.
+  // Returns the message of running the script.
   std::string said(const std::string& script, bool trust = false) const {
     write_text(root_ / "scripts/main.lua", "local root = '" + root_.string() + "'\n" + script);
     try {
@@ -56,7 +57,7 @@ class Jail : public testing::Test {
     return "";
   }
 
-  // A piece of Lua that must fail, or return nothing, and must not tell what is in the secret.
+  // Runs Lua code that must fail, or return nothing, and must not reveal the secret.
   void expect_held(const std::string& attempt) const {
     const std::string script = "local ok, value = pcall(function() " + attempt +
                                " end)\n"
@@ -134,7 +135,7 @@ TEST_F(Jail, NamesOnTheWayToAFileAreLookedAt) {
   expect_held(test::scene + "s:record { 'a.h5', every = 1*us } s:run(1*us) s:close() return true");
 }
 
-// Ways out of the library, and values that break what takes them.
+// Ways out of the library, and values that could break the functions that take them.
 const std::vector<const char*> attempts{
     "return os.execute('true')", "return io.popen('true')", "return os.remove('part.lua')",
     "return os.rename('part.lua', 'x')", "return os.tmpname()", "return io.tmpfile()",
@@ -145,7 +146,7 @@ const std::vector<const char*> attempts{
     "return getmetatable(io.stdout).__index", "return string.dump(function() end)",
     "return load('\\27Lua', 'x', 'b')", "return load('\\27Lua', 'x', 'bt')",
     "return load(function() return '\\27LuaT' end)", "return load('\\27Lua')",
-    // Lua keeps its libraries where they could be found again.
+    // Lua stores its libraries where they could be found again.
     "return package.loaded.os.execute", "return package.loaded.debug.sethook",
     "return package.loaded._G.io.popen", "package.loaded.os = nil return require('os').execute",
     "package.loaded.debug = nil return require 'debug'",
@@ -170,7 +171,7 @@ const std::vector<const char*> attempts{
     "local t <close> = setmetatable({}, { __close = function() error 'closing' end })",
     "return table.unpack({}, 1, 1e8)", "return #table.pack(('x'):byte(1, -1, 0)) > 1",
     "return utf8.char(table.unpack({}, 1, 300))",
-    // What older versions had, and what is Lua's own affair.
+    // Functions of older versions, and of Lua's internals.
     "return loadstring", "return setfenv", "return getfenv", "return module", "return unpack",
     "return package.loadlib", "return package.cpath", "return debug.setmetatable('', {})",
     "return debug.setupvalue", "return debug.upvaluejoin", "return debug.getlocal(1, 1)",
@@ -203,7 +204,7 @@ const std::vector<const char*> attempts{
     "coroutine.close(coroutine.running())",
     "coroutine.wrap(function() coroutine.close(coroutine.running()) end)()",
     "local c c = coroutine.wrap(function() c() end) c()",
-    // Objects of ours.
+    // Our objects.
     "setmetatable(mine, {}) return true", "getmetatable(mine).__index = 1 return true",
     "rawset(mine, 'x', 1) return true", "return rawget(mine, 'x')", "return rawlen(mine)",
     "return mine + 1", "return mine .. 'x'", "return #mine", "return mine < mine",
@@ -248,7 +249,7 @@ TEST_F(Jail, WhatIsInBoundsIsReached) {
     local p = plate { width = 10*mm, height = 10*mm, material = 'duran50' }
     p:mask { 'drawn.png', remove = 'light' }
   )"),
-              HasSubstr("main.lua:16: cannot read the picture"));  // there is none
+              HasSubstr("main.lua:16: cannot read the picture"));  // it does not exist
 }
 
 TEST_F(Jail, AFileThatTheCommandLineNamesIsRead) {
@@ -267,7 +268,7 @@ TEST_F(Jail, TrustLiftsIt) {
   EXPECT_TRUE(fs::exists(root_ / "outside/new"));
 }
 
-// When all goes at once, finalizers of objects of ours run before those of a script.
+// When everything is destroyed at once, finalizers of our objects run before those of a script.
 TEST_F(Jail, FinalizersOfATrustedScriptFindNothingThatIsGone) {
   const std::string keep = test::scene + "t.s, t.p, t.run, t.simulate = s, p, s.run, simulate\n";
   EXPECT_EQ(said("local t = setmetatable({}, { __gc = function(t)\n"

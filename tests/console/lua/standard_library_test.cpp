@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that a script can reach stands in a list; who adds to it has looked at it.
+// A list has everything that a script can reach; an addition must be reviewed.
 #include "console/lua/standard_library.hpp"
 
 #include <fstream>
@@ -12,8 +12,8 @@
 namespace hackle {
 namespace {
 
-// Breadth first from _G through tables and metatables, in the order of names; functions alone
-// count.
+// Breadth first from _G through tables and metatables, in the order of names; counts functions
+// only.
 const std::string walk = R"(
 local seen, found, queue = {}, {}, { { "_G", _G }, { "string metatable", getmetatable "" },
   { "file metatable", getmetatable(io.stdout) }, { "_ENV metatable", getmetatable(_G) } }
@@ -43,7 +43,7 @@ table.sort(found)
 return table.concat(found, "\n")
 )";
 
-// Names of all functions that are reached, a line each.
+// Returns the names of all reachable functions, one per line.
 std::string reached() {
   Console console(test::quiet());
   std::string names = console.evaluate(walk).at(0) + "\n";

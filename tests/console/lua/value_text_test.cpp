@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-// As the prompt shows the value of an expression.
+// Returns the text of an expression's value, as the prompt shows it.
 std::string shown(const std::string& expression, const std::string& before = "x = 1") {
   Console console(test::quiet());
   console.evaluate(before);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// libedit is C: what is thrown between two keys must not pass through it.
+// libedit is C: exceptions thrown between two keys must not pass through it.
 #include "console/prompt/line_editor.hpp"
 
 #include <array>
@@ -16,8 +16,8 @@
 namespace hackle {
 namespace {
 
-// What the dialogue prints in a terminal of its own, where `keys` are typed once it has shown
-// `before`.
+// Returns the output of the dialogue in a separate terminal, in which `keys` are typed once it has
+// shown `before`.
 template <class Dialogue>
 std::string in_terminal(const std::string& before, const std::string& keys, Dialogue dialogue) {
   int terminal = -1;

@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// A pipe in the place of stdin.
+// Replaces stdin by a pipe.
 class Pipe {
  public:
   Pipe() : stdin_(dup(STDIN_FILENO)) {

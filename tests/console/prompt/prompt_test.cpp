@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// What a person types; "^C" clears the line.
+// Types lines like a person; "^C" clears the line.
 struct Talker {
   std::vector<std::string> lines;
   std::vector<std::string> prompts, values, errors, notes;

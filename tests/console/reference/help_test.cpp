@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// What help prints.
+// Returns the output of help.
 std::string printed(const std::string& call) {
   Console console(test::quiet());
   console.evaluate("shown = ''; print = function(text) shown = text end");
@@ -45,7 +45,7 @@ TEST(Help, FitsAnyTerminal) {
   for (const std::string& call : calls) {
     std::istringstream lines(printed(call));
     for (std::string line; std::getline(lines, line);) {
-      const bool code = line.find('"') != std::string::npos;  // examples stay whole
+      const bool code = line.find('"') != std::string::npos;  // examples are not wrapped
       EXPECT_TRUE(code || line.size() <= reference_width) << call << ": " << line;
     }
   }

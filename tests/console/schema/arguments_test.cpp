@@ -43,7 +43,7 @@ class ArgumentsTest : public testing::Test {
     open_functions(L, all_functions());
   }
 
-  // The value of an expression, on top of the stack.
+  // Pushes the value of an expression.
   void push(const std::string& expression) {
     ASSERT_EQ(luaL_loadstring(L, ("return " + expression).c_str()), LUA_OK);
     protected_call(L, 0, 1);
@@ -169,8 +169,8 @@ TEST_F(ArgumentsTest, ValuesAreCheckedInOrder) {
   EXPECT_FALSE(Arguments::from_values(L, 1, f).problems.empty());
 }
 
-// Random values and names against every schema: nothing crashes, and whatever is accepted keeps
-// what the schema promises.
+// Passes random values and names to every schema: nothing may crash, and accepted values must
+// satisfy the schema.
 class Fuzz {
  public:
   Fuzz(lua_State* L, unsigned seed) : L_(L), random_(seed) {}
@@ -307,7 +307,7 @@ TEST_F(ArgumentsTest, RandomValuesNeverCrashAndNeverSlipThrough) {
         EXPECT_EQ(error.kind(), ErrorKind::refused) << error.what();
       }
     }
-  EXPECT_GT(accepted, 100);  // or the fuzz would test refusals alone
+  EXPECT_GT(accepted, 100);  // otherwise the fuzz would test only refusals
 }
 
 TEST_F(ArgumentsTest, BoundFunctionsSurviveRandomCalls) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every option of every function of the language is given every kind of nonsense: the call must be
-// refused by name, and say which option is meant.
+// Every option of every function is given invalid values of every kind: the call must be refused by
+// name, and the message must name the option.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -17,7 +17,7 @@ using Values = std::vector<std::string>;
 const Values no_pairs{"5",        "'a'",      "{}",   "{1}",     "{1, 'a'}",
                       "{0/0, 0}", "{0, 1/0}", "true", "{{1, 2}}"};
 
-// Lua expressions that no option of the type takes, whatever its range.
+// Lua expressions that no option of the type accepts, whatever its range.
 Values nonsense(OptionType type) {
   switch (type) {
     case OptionType::number:
@@ -85,7 +85,7 @@ Values nonsense(OptionType type) {
   return {};
 }
 
-// Numbers just outside of the range.
+// Returns numbers just outside the range.
 Values outside(const Option& option) {
   Values values;
   if (option.type != OptionType::number && option.type != OptionType::integer) return values;
@@ -129,7 +129,7 @@ TEST_P(EveryFunction, RefusesNonsenseByTheNameOfTheOption) {
       } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::refused) << call << "\n" << error.what();
         EXPECT_THAT(error.what(), HasSubstr(std::string(doc.name) + ": "));
-        // A name that nothing has says enough.
+        // The unknown name itself is specific enough.
         EXPECT_THAT(error.what(), testing::AnyOf(HasSubstr(std::string(option.name)),
                                                  HasSubstr("no material " + value)))
             << call;
@@ -167,7 +167,7 @@ std::string name_of(const FunctionDoc& doc) {
 INSTANTIATE_TEST_SUITE_P(Calls, EveryFunction, testing::ValuesIn(all_docs()),
                          [](const auto& given) { return name_of(*given.param); });
 
-// Functions that go wrong everywhere, or from the middle of the plate and the run on.
+// Functions that fail everywhere, or from the middle of the plate or of the run on.
 const Values bad_functions{
     "function() end",
     "function() return 'a', 'b' end",
@@ -187,8 +187,8 @@ const std::string hot =
     "p:hole { centre = {10*mm, 5*mm}, radius = 2*mm, name = 'bore' }\n"
     "s = simulate(p, { spacing = 1*mm })\n";
 
-// `call` has % where the function stands. The plate it is added to must be refused, and the
-// simulation that is under way must be as it was.
+// `call` has % in place of the function. The plate must be refused, and the present simulation must
+// be unchanged.
 void expect_refusal(const std::string& call, const std::string& where) {
   for (const std::string& function : bad_functions) {
     std::string text = call;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Calls that go wrong as a whole, of every function and method there is: what they are called on,
-// how many values they are given, objects that are closed or of another kind, numbers of another
-// magnitude. Values of single options are the business of bad_values_test.cpp.
+// Calls that are wrong as a whole, of every function and method: wrong objects, wrong numbers of
+// values, closed objects, numbers of another magnitude. bad_values_test.cpp tests values of single
+// options.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -14,14 +14,14 @@ namespace {
 using testing::AnyOf;
 using testing::HasSubstr;
 
-// A console with p, s and r, and what was tried in it.
+// A console with p, s and r, and the calls tried in it.
 class WrongCalls : public testing::Test {
  protected:
   WrongCalls() : console_(test::quiet(folder_.path)) {
     console_.evaluate(test::scene + test::recorded);
   }
 
-  // The message, which must be an Error with the name of the call.
+  // Returns the message, which must be an Error with the name of the call.
   std::string refusal(const std::string& call, std::string_view name) {
     ++tried_;
     try {
@@ -37,7 +37,7 @@ class WrongCalls : public testing::Test {
     return "";
   }
 
-  // After all of them the simulation is as it was, and nothing was written beside the recording.
+  // Expects the simulation unchanged after all calls, and nothing written beside the recording.
   void expect_untouched() {
     EXPECT_EQ(console_.evaluate("s.time == 0 and s.damage.broken_bonds == 0").at(0), "true");
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path))
@@ -121,8 +121,8 @@ TEST_F(WrongCalls, NamesThatNothingHas) {
   EXPECT_GE(tried_, 100);
 }
 
-// Sizes beyond all plates, and units that were forgotten: refused, or taken and right, but never a
-// crash, a hang or a number that is none. What paints, films or solves at once is left out.
+// Sizes far beyond any plate, and forgotten units: refused, or accepted and correct, but never a
+// crash, a hang or nan. Functions that paint, make movies or solve at once are left out.
 bool is_quick(const FunctionDoc& doc) {
   for (const char* slow : {"movie", "record", "side_by_side", "contact_sheet", "show", "watch",
                            "frame", "quasistatic", "relax"})
