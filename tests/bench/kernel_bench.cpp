@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Steps of the benchmark's plate in every configuration and three sizes: in the caches of a core,
-// in those of the processor, and in memory.
+// Times steps of the benchmark's plate in every configuration and three sizes: in the caches of a
+// core, in those of the processor, and in memory.
 //
-//   build/release/bin/bench_kernel --benchmark_filter=f64/64000
+//    build/release/bin/bench_kernel --benchmark_filter=f64/64000
 #include <string>
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a step costs in instructions, which no other process disturbs: options that a scene does not
-// use cost nothing, those that it uses cost what they must. Counted by valgrind; skipped without
-// it.
+// The cost of a step in instructions, which no other process disturbs: unused options cost nothing,
+// and used ones cost what they must. Counted by valgrind; skipped without it.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -20,7 +19,7 @@ bool valgrind_is_installed() {
   return std::system("command -v valgrind > /dev/null 2>&1") == 0;
 }
 
-// Instructions of the whole program.
+// Returns the instructions of the whole program.
 double count(int steps, int nodes, const std::string& words) {
   const std::string command = "valgrind --tool=callgrind --callgrind-out-file=/dev/null " +
                               shell_word(HACKLE_COUNT_STEPS) + " " + std::to_string(steps) + " " +
@@ -37,7 +36,7 @@ double count(int steps, int nodes, const std::string& words) {
   return std::stod(match[1]);
 }
 
-// Instructions of one step for each node of the plate.
+// Returns the instructions per step and node of the plate.
 double per_node_step(const std::string& words, int nodes = 16000) {
   constexpr int few = 2, many = 6;
   return (count(many, nodes, words) - count(few, nodes, words)) / (nodes * double{many - few});
@@ -54,8 +53,8 @@ TEST_F(StepCosts, NoFailZonesCostNothingWhereNoBondCanBreak) {
   EXPECT_NEAR(per_node_step("f64 zones") / per_node_step("f64"), 1.0, 0.01);
 }
 
-// The history adds to every bond two multiplications and minima or so, and a root to every node: a
-// scene without it must do without all of that.
+// The history adds about two multiplications and minima per bond and a root per node: a scene
+// without history must do without all of them.
 TEST_F(StepCosts, AHistoryOfStretchIsPaidForByTheScenesThatHaveOne) {
   for (const std::string precision : {"f32", "f64"}) {
     const double plain = per_node_step(precision), history = per_node_step(precision + " alpha");
@@ -64,8 +63,8 @@ TEST_F(StepCosts, AHistoryOfStretchIsPaidForByTheScenesThatHaveOne) {
   }
 }
 
-// To every bond: two loads of which one is shared, an addition and a multiplication. A scene of one
-// cold material must do without, and the two do not pay for each other.
+// Per bond: two loads, of which one is shared, an addition and a multiplication. A scene of one
+// cold material must do without, and neither feature must pay for the other.
 TEST_F(StepCosts, MaterialsAndTemperatureArePaidForByTheScenesThatHaveThem) {
   for (const std::string precision : {"f32", "f64"}) {
     const double plain = per_node_step(precision), mixed = per_node_step(precision + " mixed"),
@@ -81,7 +80,7 @@ TEST_F(StepCosts, MaterialsAndTemperatureArePaidForByTheScenesThatHaveThem) {
 }
 
 TEST_F(StepCosts, LinearisedForcesSaveWork) {
-  constexpr int nodes = 400000;  // tiles at edges and cracks are exact for ever: few of these
+  constexpr int nodes = 400000;  // tiles at edges and cracks are exact for ever: here they are few
   EXPECT_LT(per_node_step("f32 fidelity", nodes), 0.85 * per_node_step("f32", nodes));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that no plate has: each ends in numbers, a refusal, or a clean stop.
+// Numbers that no plate has: each must end in finite results, a refusal, or a clean stop.
 #include <functional>
 #include <limits>
 

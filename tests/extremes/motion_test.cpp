@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Violent motion: everything broken at once, halves of lengths, the speed of sound.
+// Violent motion: everything breaks at once, lengths are halved, speeds reach that of sound.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ class ViolentMotion : public testing::TestWithParam<Precision> {
     return Simulation(plate, numerics, {1});
   }
   double rounding() const { return GetParam() == Precision::f64 ? 1e-15 : 1e-6; }
-  // The speed of longitudinal waves in dx a step.
+  // Returns the speed of longitudinal waves in dx per step.
   static double sound(const Simulation& simulation) {
     const Material& glass = simulation.plate().material;
     return wave_speeds(glass.E, 1.0 / 3.0, glass.rho).longitudinal * simulation.dt() /
@@ -55,7 +55,7 @@ class ViolentMotion : public testing::TestWithParam<Precision> {
   }
 };
 
-// From then on every node flies alone.
+// From then on every node flies separately.
 TEST_P(ViolentMotion, APlateThatBreaksInOneStepFliesApart) {
   Simulation simulation = plate(40, 30);
   simulation.restore(test::displaced(simulation, [](const Vec2& x) { return Vec2(x); }));
@@ -68,7 +68,7 @@ TEST_P(ViolentMotion, APlateThatBreaksInOneStepFliesApart) {
     for (int i = 0; i < 40; ++i) {
       ASSERT_EQ(simulation.state().v(i, j), start.v(i, j));
       const Vec2 expected = start.u(i, j) + 100.0 * start.v(i, j);
-      // 100 roundings of up to 20 dx.
+      // 100 rounding errors of up to 20 dx.
       ASSERT_LT((simulation.state().u(i, j) + simulation.state().origin - expected).norm(),
                 100.0 * 20.0 * rounding());
     }
@@ -76,9 +76,9 @@ TEST_P(ViolentMotion, APlateThatBreaksInOneStepFliesApart) {
   test::expect_numbers(simulation, "flying apart");
 }
 
-// A square of half its size keeps its energy while it swings back, if nothing breaks. The energy
-// error of leapfrog is (omega dt)^2/4 of the share of the shortest waves: a step of a tenth of the
-// limit makes that 1 %. Later it buckles, and nodes meet that no step resolves.
+// A square compressed to half its size keeps its energy while it swings back, if nothing breaks.
+// The energy error of leapfrog is (omega dt)^2/4 of the share of the shortest waves: 1 % for a step
+// of a tenth of the limit. Later the square buckles, and nodes meet that no step resolves.
 TEST_P(ViolentMotion, APlateOfHalfItsSizeSwingsBack) {
   Simulation simulation = plate(20, 20, 1e8, 0.1);
   simulation.restore(test::displaced(simulation, [](const Vec2& x) { return Vec2(-0.5 * x); }));
@@ -99,7 +99,7 @@ TEST_P(ViolentMotion, AGlassPlateOfHalfItsSizeBursts) {
   const double start = energy(simulation).strain;
   simulation.run(400.0 * simulation.dt());
   EXPECT_GT(count_damage(simulation).broken_bonds, simulation.lattice().bonds.count() / 2);
-  // Nothing pushed from outside.
+  // No external force acts.
   const Momentum after = momentum(simulation);
   EXPECT_LT(after.linear.norm(), 1e4 * rounding() * after.size);
   EXPECT_GT(energy(simulation).kinetic, 0.0);
@@ -107,7 +107,7 @@ TEST_P(ViolentMotion, AGlassPlateOfHalfItsSizeBursts) {
   test::expect_numbers(simulation, "bursting");
 }
 
-// Two halves fly apart, or into each other, faster and faster.
+// Two halves fly apart, or into each other, at increasing speeds.
 TEST_P(ViolentMotion, HalvesAtTheSpeedOfSoundKeepTheirMomentum) {
   for (const double share : {-2.0, -1.0, -0.1, 0.01, 0.1, 1.0, 2.0}) {
     Simulation simulation = plate(60, 30);
@@ -120,19 +120,19 @@ TEST_P(ViolentMotion, HalvesAtTheSpeedOfSoundKeepTheirMomentum) {
     const Momentum after = momentum(simulation);
     test::expect_numbers(simulation, fmt::format("{} of the speed of sound", share));
     EXPECT_GT(count_damage(simulation).broken_bonds, 100) << share;
-    // 150 roundings of every v, and of x as it grows to 500 dx.
+    // 150 rounding errors of every v, and of x, which grows to 500 dx.
     EXPECT_LT((after.linear - before.linear).norm(), 150.0 * rounding() * after.size) << share;
     EXPECT_LT(std::abs(after.angular - before.angular), 1e4 * rounding() * after.angular_size)
         << share;
   }
 }
 
-// A disc of glass bursts when the strain of its middle, some (3 + nu)/8 of (v/c)^2, exceeds s0: at
+// A disc of glass bursts when the strain at its centre, some (3 + nu)/8 of (v/c)^2, exceeds s0: at
 // a rim speed of about 0.05 of the speed of sound.
 TEST_P(ViolentMotion, ASpinningPlateHoldsOrBurstsAndKeepsItsMomentum) {
   for (const double share : {0.005, 0.015, 0.1, 0.3, 1.0}) {
     Simulation simulation = plate(40, 40);
-    const double turn = share * sound(simulation) / (20.0 * std::sqrt(2.0));  // rad a step
+    const double turn = share * sound(simulation) / (20.0 * std::sqrt(2.0));  // rad per step
     simulation.restore(
         test::thrown(simulation, [&](const Vec2& x) { return Vec2(-turn * x.y(), turn * x.x()); }));
     const Momentum before = momentum(simulation);
@@ -144,7 +144,7 @@ TEST_P(ViolentMotion, ASpinningPlateHoldsOrBurstsAndKeepsItsMomentum) {
     EXPECT_LT(after.linear.norm(), 400.0 * rounding() * after.size) << share;
     EXPECT_LT(std::abs(after.angular - before.angular), 1e4 * rounding() * after.angular_size)
         << share;
-    // Breaking takes energy, the swing of short waves gives some.
+    // Breaking takes energy; oscillations of short waves give some.
     EXPECT_LT(energy(simulation).kinetic, 1.05 * start) << share;
   }
 }

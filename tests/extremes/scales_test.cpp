@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The engine works in lattice units: a problem of the same numbers without dimension has the same
+// The engine works in lattice units: a problem with the same dimensionless numbers has the same
 // solution, whatever its size, stiffness and density. Factors that are powers of two (of four under
-// a square root) are exact: then to the last bit.
+// a square root) are exact, and the solution is then equal to the last bit.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ struct Scale {
   double rho = 0x1p11;  // kg/m3
 };
 
-// An edge crack in 60 x 40 nodes under `load` of the strength E s0, with s0 of 1e-3.
+// Makes an edge crack in 60 x 40 nodes under `load` times the strength E s0, with s0 = 1e-3.
 Plate plate_of(const Scale& scale, double load, double alpha) {
   Plate plate;
   plate.width = 60.0 * scale.dx;
@@ -52,7 +52,7 @@ Simulation solve(const Scale& scale, Precision precision, double load = 0.25, do
   return simulation;
 }
 
-// From 0.2 nm to 16 m of spacing, 1e-3 to 1e15 Pa, 1e-6 to 1e8 kg/m3.
+// Spacing from 0.2 nm to 16 m, 1e-3 to 1e15 Pa, 1e-6 to 1e8 kg/m3.
 constexpr Scale exact_scales[] = {
     {0x1p-32, 0x1p36, 0x1p11},  {0x1p4, 0x1p36, 0x1p11},    {0x1p-11, 0x1p-10, 0x1p11},
     {0x1p-11, 0x1p50, 0x1p11},  {0x1p-11, 0x1p36, 0x1p-19}, {0x1p-11, 0x1p36, 0x1p27},
@@ -71,7 +71,7 @@ TEST_P(Scales, ThatArePowersOfTwoGiveTheSameBits) {
   }
 }
 
-// Any others round the tables, by 1e-16 (f32: 6e-8), which grows no more than 1e4 times before the
+// Any other factors round the tables, by 1e-16 (f32: 6e-8), which grows by at most 1e4 before the
 // crack forks.
 TEST_P(Scales, OfAnySizeGiveTheSameBondsAndDisplacements) {
   const Simulation usual = solve({}, GetParam());
@@ -91,8 +91,8 @@ TEST_P(Scales, OfAnySizeGiveTheSameBondsAndDisplacements) {
   }
 }
 
-// Without breaking the answer is linear in the load up to some strains, here 4 times the load over
-// E, and rounding, which is relative in every number.
+// Without breaking the response deviates from linearity by a few strains, which here are 4 times
+// the load over E, and by rounding, which is relative in every number.
 TEST_P(Scales, OfTheLoadAreFollowedDownToATrillionthOfTheStrength) {
   const auto scaled = [&](double load) {
     const Simulation simulation = solve({}, GetParam(), load);
@@ -115,12 +115,12 @@ TEST_P(Scales, OfTheLoadAreFollowedDownToATrillionthOfTheStrength) {
   }
 }
 
-// Whatever breaks, and it does all around: momentum is force times time.
+// Everything breaks, and yet momentum is force times time.
 TEST_P(Scales, OfTheLoadUpToAThousandTimesTheStrengthShatterButKeepMomentum) {
   for (const double load : {1.0, 10.0, 100.0, 1000.0}) {
     Plate plate = plate_of({}, load, 0.0);
     plate.no_fail.clear();
-    plate.loads.tractions.pop_back();  // else it would be 0
+    plate.loads.tractions.pop_back();  // otherwise it would be 0
     Simulation simulation(plate, numerics_of({}, GetParam()), {1});
     simulation.run(150.0 * simulation.dt());
     test::expect_numbers(simulation, fmt::format("load {}", load));

@@ -22,7 +22,7 @@ TEST(OneNode, FallsFreely) {
     Simulation simulation(plate, numerics, {1});
     const Vec2 a = simulation.loading().forces().front().acceleration;
     simulation.run(1000.0 * simulation.dt());
-    // Leapfrog is exact for a steady force; a thousand roundings of v and u.
+    // Leapfrog is exact for a constant force, up to a thousand rounding errors of v and u.
     const Vec2 way = 0.5 * a * std::pow(simulation.time(), 2);
     EXPECT_LT((simulation.displacement(0, 0) - way).norm() / way.norm(),
               precision == Precision::f64 ? 1e-13 : 1e-4);
@@ -34,7 +34,7 @@ struct Chain {
   int nx, ny;
 };
 
-// Pulled at its end until it breaks.
+// The chain is pulled at its end until it breaks.
 TEST(AChain, BreaksAsTheReferenceSays) {
   for (const Chain& chain : {Chain{1, 2}, Chain{2, 1}, Chain{1, 37}, Chain{300, 1}, Chain{2, 40}})
     for (const double m : {2.0, 4.0, 16.0}) {
@@ -52,7 +52,7 @@ TEST(AChain, BreaksAsTheReferenceSays) {
     }
 }
 
-// Away from its ends and before anything comes from there, a wide plate is like a narrow one.
+// Away from its ends, and before waves from there arrive, a wide plate behaves like a narrow one.
 TEST(ALargePlate, IsLikeASmallOne) {
   constexpr int size = 4000, narrow = 64, steps = 6, m = 4;
   HACKLE_NEEDS(available_memory() >= std::uint64_t{4} << 30, "less than 4 GB are free");

@@ -15,7 +15,7 @@
 namespace hackle {
 namespace {
 
-// A plate of which no bond breaks, shaking all over, solved at a share of the step limit.
+// Makes an unbreakable plate with random velocities, solved at a share of the step limit.
 Simulation shaken_plate(int nx, int ny, double m, double share, Precision precision) {
   Plate plate = test::bare_plate(nx, ny);
   plate.no_fail.push_back(strip(plate, Edge::top, plate.height));
@@ -35,7 +35,7 @@ TEST_P(StepLimit, BelowItEnergyStaysBoundedForAHundredThousandSteps) {
     Simulation simulation = shaken_plate(16, 12, GetParam(), 0.98, precision);
     const double start = energy(simulation).kinetic;
     simulation.run((precision == Precision::f64 ? 100000 : 20000) * simulation.dt());
-    // The energy of the shortest waves swings by 1/(1 - share^2), here 25.
+    // The energy of the shortest waves varies by the factor 1/(1 - share^2), here 25.
     const Energy end = energy(simulation);
     EXPECT_LT((end.kinetic + end.strain) / start, 30.0);
     EXPECT_GT((end.kinetic + end.strain) / start, 1.0 / 30.0);

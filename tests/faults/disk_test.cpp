@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files and folders that are missing, in the way, full or not what their names say, and limits of
-// the process. Root may write everywhere: what cannot be written is a file where a folder should
-// be, or a folder of the kernel.
+// the process. Root may write everywhere, so an unwritable path is a file in place of a folder, or
+// a folder of the kernel.
 #include <fstream>
 #include <memory>
 
@@ -87,13 +87,13 @@ TEST_F(Disk, AFullDiskLeavesNoFileThatIsNotWhole) {
     }
 }
 
-// What could not be written stays what it is; the program ends with its code all the same.
+// An unwritable file stays as it is; the program still ends with its code.
 TEST_F(Disk, ARecordOnAFullDiskIsAnErrorOfFiles) {
   for (const rlim_t most : {0, 512, 4096, 65536}) {
     const Ended ended = run_script(test::scene + "s:record { 'a.h5', every = 1*us } s:run(30*us)",
                                    {.limits = {{RLIMIT_FSIZE, most}}});
     EXPECT_EQ(ended.code, 5) << most << ended.err;
-    // Where no file may grow at all, neither may the one that stands for stderr.
+    // If no file may grow at all, neither may the file behind stderr.
     if (most > 0) {
       EXPECT_THAT(ended.err, HasSubstr("a.h5"));
     }
@@ -113,7 +113,7 @@ TEST_F(Disk, AFolderThatGoesAwayIsOneClearError) {
                               fs::remove_all(folder_.path / "out");
                               write("gone", "");
                             }});
-    // A movie that has not been begun by then is made in a new folder.
+    // A movie not begun by then is made in a new folder.
     EXPECT_TRUE(ended.code == 5 || test::is_whole_mp4(folder_.path / "out/a/a.mp4")) << ended.err;
     fs::remove(folder_.path / "gone");
   }

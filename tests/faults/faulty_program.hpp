@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program in a world in which something is broken.
+// The program in a broken environment.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@
 
 namespace hackle::test {
 
-// What stands behind one of stdin, stdout and stderr: a file, nothing, a full disk, a pipe whose
-// other end is closed.
+// The target of stdin, stdout or stderr: a file, nothing, a full disk, a pipe whose other end is
+// closed.
 enum class Stream { usual, closed, full, unread };
 using Streams = std::array<Stream, 3>;
 
@@ -29,12 +29,12 @@ struct Fault {
   Streams streams{};
   std::vector<std::pair<__rlimit_resource, rlim_t>> limits = {};
   std::vector<int> ignored = {};              // signals
-  std::function<void(pid_t)> meanwhile = {};  // called once the program has been started
+  std::function<void(pid_t)> meanwhile = {};  // called once the program has started
 };
 
 class FaultyProgram {
  public:
-  // Beyond it a program counts as hanging and is ended, which its code tells.
+  // A program that runs longer counts as hanging and is ended, which its exit code shows.
   static constexpr unsigned max_seconds = 100;
 
   explicit FaultyProgram(const Folder& folder) : folder_(folder.path) {}
@@ -52,7 +52,7 @@ class FaultyProgram {
             Program::text_of(folder_ / ".stdout"), Program::text_of(folder_ / ".stderr")};
   }
 
-  // Waits until the program has said "go".
+  // Waits until the program has printed "go".
   void wait_for_go() const {
     wait_until([this] { return Program::text_of(folder_ / ".stdout").starts_with("go"); });
   }

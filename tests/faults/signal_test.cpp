@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Signals at bad moments. Every script goes on for ever or much too long: what is not interrupted
-// shows as a program that hangs.
+// Signals at bad moments. Every script would run for ever or much too long: if it is not
+// interrupted, the program hangs.
 #include <gmock/gmock.h>
 
 #include "base/files.hpp"
@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 class Signals : public testing::Test {
  protected:
-  // Once the script has said "go", and a moment later.
+  // Sends the signal shortly after the script has printed "go".
   Ended run(const std::string& script, int number, int milliseconds = 50) const {
     write_text(folder_.path / "a.lua", "print 'go' io.stdout:flush()\n" + script);
     return program_.run({"run", "a.lua"}, {.meanwhile = [&](pid_t process) {
@@ -38,7 +38,7 @@ const std::string kept = test::scene +
                          "s:record { 'r.h5', every = 1*us } s:run(1*us) s:close()\n"
                          "r = recording 'out/a/r.h5'\n";
 
-// Each at work that has no end of its own; what is caught must not go on.
+// Each does work without end; a script that catches the error must not continue.
 const std::vector<std::string> endless_scripts{
     "while true do end",
     "repeat until false",
@@ -114,7 +114,7 @@ TEST_F(Signals, CtrlCEndsWhateverAScriptDoes) {
   EXPECT_GE(endless_scripts.size(), 45U);
 }
 
-// One call each that would take minutes.
+// Single calls that would take minutes.
 TEST_F(Signals, CtrlCEndsALongCall) {
   const std::string big = "p = plate { width = 1, height = 1, material = 'duran50' }\n";
   for (const std::string& script :

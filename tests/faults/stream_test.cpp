@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// stdin, stdout and stderr that are closed, full or read by nobody, in every combination.
+// stdin, stdout and stderr that are closed, full or unread, in every combination.
 #include <fstream>
 #include <optional>
 
@@ -44,7 +44,7 @@ class Streaming : public testing::Test {
   test::FaultyProgram program_{folder_};
 };
 
-// Files that are opened early, whose descriptors would be the lowest that are free.
+// Files opened early would get the lowest free descriptors.
 const std::string results = test::scene + R"(
   s:movie { "a.mp4", every = 1*us, width = 320 }
   s:record { "a.h5", every = 1*us }
@@ -83,7 +83,7 @@ TEST_F(Streaming, WhatIsPrintedAndLostIsSaidAtTheEnd) {
   }
 }
 
-// As `| head` does once it has enough.
+// As with `| head`, once it has read enough.
 TEST_F(Streaming, AScriptThatNobodyReadsEndsAndCompletesItsMovie) {
   write("a.lua", test::scene +
                      "s:movie { 'a.mp4', every = 1*us, width = 320 }\n"

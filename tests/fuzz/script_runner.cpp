@@ -16,7 +16,7 @@ namespace {
 
 using std::chrono::seconds;
 
-// Interrupts what takes long, until it is destroyed.
+// Interrupts slow work, until it is destroyed.
 class Watchdog {
  public:
   explicit Watchdog(const std::string& script) : script_(script), thread_([this] { watch(); }) {}
@@ -46,7 +46,7 @@ class Watchdog {
   bool done_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::thread thread_;  // last, so that it finds all else
+  std::thread thread_;  // declared last: it uses all of the above
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random scripts for some seconds, or for as many as HACKLE_FUZZ_SECONDS says; HACKLE_FUZZ_SEED
-// says where to begin. Under the sanitizers this is the fuzzer of everybody who has no libFuzzer.
+// Runs random scripts for some seconds, or for HACKLE_FUZZ_SECONDS; HACKLE_FUZZ_SEED sets the first
+// seed. Under the sanitizers this serves as a fuzzer where libFuzzer is missing.
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -36,7 +36,7 @@ TEST(Fuzz, NoScriptOfTheLanguageBreaksTheProgram) {
   int scripts = 0;
   for (; std::chrono::steady_clock::now() < until; ++seed, ++scripts) {
     const std::string script = script_of(random_bytes(seed));
-    // What stands here after a crash is what crashed.
+    // After a crash this file contains the script that crashed.
     std::ofstream(std::filesystem::path(testing::TempDir()) / "hackle_fuzz_last.lua") << script;
     ASSERT_NO_THROW(run_fuzzed(script, folder.path)) << "seed " << seed << "\n" << script;
   }

@@ -73,7 +73,7 @@ constexpr auto functions = std::to_array<std::string_view>(
      "print",
      "error",
      "(function() local function f(x) return 1 + f(x) end return f end)()"});
-// What is said between calls.
+// Statements between calls.
 constexpr auto statements = std::to_array<std::string_view>(
     {"s:run(1*us)",
      "s:step(3)",
@@ -97,7 +97,7 @@ constexpr auto statements = std::to_array<std::string_view>(
      "os.exit(3)",
      "_ = s.energy.kinetic + p"});
 
-// Hands out the bytes; zeros when there are no more.
+// Hands out the bytes, then zeros.
 class Bytes {
  public:
   explicit Bytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -134,7 +134,7 @@ std::string list(Bytes& bytes, Item item) {
   return "{" + all + "}";
 }
 
-// A value of the type, or now and then something else.
+// Returns a value of the type, or sometimes of another.
 std::string value(Bytes& bytes, const Option& option) {
   if (bytes.once_in(12)) return bytes.pick(nasties);
   const auto a_point = [&] { return point(bytes, option.unit); };
@@ -181,7 +181,7 @@ std::string value(Bytes& bytes, const Option& option) {
   return "nil";
 }
 
-// Required options almost always, others now and then.
+// Writes required options almost always, others sometimes.
 std::string options(Bytes& bytes, const FunctionDoc& doc) {
   std::string all;
   for (const Option& option : doc.options)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scripts made from bytes by a small grammar: calls of every function of the language with options
-// of its own table, values that fit beside values that do not.
+// Makes scripts from bytes with a small grammar: calls of every function of the language with
+// options of its own table, with valid and invalid values.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace hackle::test {
 
-// Always Lua that compiles; the same bytes give the same script. What it builds is small or
-// refused: at most a few thousand nodes.
+// The result always compiles; the same bytes give the same script. Its scenes are small or refused:
+// at most a few thousand nodes.
 std::string script_of(std::span<const std::uint8_t> bytes);
 
 }  // namespace hackle::test

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Two bodies are pushed into each other, in Hackle and in LAMMPS, whose short-range forces are what
-// Hackle's contact claims to be.
+// Two bodies are pushed into each other, in Hackle and in LAMMPS, whose short-range forces Hackle's
+// contact reproduces.
 //
-// The lower body is shorter than the upper one and stands off its middle, so that they turn and
-// slide. Nothing breaks, and they were never one: no bond is lost, so that faces of cracks, which
-// LAMMPS does not know, take no part. Between the programs is rounding (see plate_test.cpp), until
-// a blow brings nodes nearer than 0.9 of their distance that are still bonded: LAMMPS pushes those
-// apart, too. This one is too soft for that.
+// The lower body is shorter than the upper one and off its centre, so that they turn and slide.
+// Nothing breaks, and the bodies were never joined: no bond is lost, so faces of cracks, which
+// LAMMPS does not have, are not involved. The programs differ by rounding (see plate_test.cpp),
+// until an impact brings bonded nodes closer than 0.9 of their distance: LAMMPS makes those repel
+// each other too. This impact is too soft for that.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -23,10 +23,10 @@ namespace hackle::test {
 namespace {
 
 constexpr int columns = 60, rows = 44, m = 4;
-constexpr int gap_bottom = 20, gap_top = 24;  // rows without material, from one edge to the other
+constexpr int gap_bottom = 20, gap_top = 24;  // rows without material, from edge to edge
 constexpr int lower_end = 35;                 // columns of the lower body
 constexpr double stress = 25e6;
-constexpr int steps = 400, every = 10;  // they meet, and part again
+constexpr int steps = 400, every = 10;  // they meet and part again
 
 bool is_removed(int i, int j) {
   return (j >= gap_bottom && j < gap_top) || (j < gap_bottom && i >= lower_end);

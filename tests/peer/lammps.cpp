@@ -16,7 +16,7 @@
 namespace hackle::test {
 namespace {
 
-// Atom n + 1 is node n. The box is shrink-wrapped, so nobody is anybody's periodic image.
+// Atom n + 1 is node n. The box is shrink-wrapped, so no atom is the periodic image of another.
 void write_atoms(const PeerPlate& plate, const std::filesystem::path& path) {
   const Grid& grid = plate.grid;
   std::ofstream file(path);
@@ -34,8 +34,8 @@ void write_atoms(const PeerPlate& plate, const std::filesystem::path& path) {
     }
 }
 
-// `lattice` tells LAMMPS the spacing, on which the width of the ramp and the reach of its contact
-// forces depend. addforce acts on the force density, which is divided by the density.
+// `lattice` tells LAMMPS the spacing, which determines the width of the ramp and the reach of its
+// contact forces. addforce acts on the force density, which is divided by the density.
 void write_deck(const PeerPlate& plate, int steps, int every, const std::filesystem::path& path) {
   const double top = 0.5 * (plate.grid.ny - 1);
   std::ofstream file(path);
@@ -68,7 +68,7 @@ run {steps}
              fmt::arg("push", -plate.pull), fmt::arg("every", every), fmt::arg("steps", steps));
 }
 
-// One snapshot of a dump; false at its end.
+// Reads one snapshot of a dump; returns false at its end.
 bool read_sample(std::istream& file, const Grid& grid, PeerSample& sample) {
   std::string line;
   std::size_t count = 0;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A crack runs from a slot past a hole, in Hackle and in LAMMPS (`pair_style peri/pmb`).
 //
-// The scene is one that both can describe: LAMMPS knows no cracks and no no-fail zones (its s0 per
-// node lets a strong type protect its weak neighbours, LAMMPS issue 984). So the crack starts from
-// a slot of removed nodes, and the load is low enough for the loaded rows to hold. The slot is m
-// rows high: over a lower one bonds would reach from lip to lip.
+// Both programs can describe this scene: LAMMPS has no cracks and no no-fail zones (its s0 per node
+// lets a strong type protect its weak neighbours, LAMMPS issue 984). So the crack starts from a
+// slot of removed nodes, and the load is low enough for the loaded rows to hold. The slot is m rows
+// high: across a lower one bonds would reach from lip to lip.
 //
-// Both programs integrate with velocity Verlet and round differently: LAMMPS stores places, not
-// displacements, and a place of 60 dx has an ulp of 7e-15 dx. That is what is left between them,
-// some 1e-12 of the displacements, until bodies touch: LAMMPS cannot do without contact forces,
-// which have a test of their own.
+// Both programs integrate with velocity Verlet but round differently: LAMMPS stores positions, not
+// displacements, and a position of 60 dx has an ulp of 7e-15 dx. The remaining difference is some
+// 1e-12 of the displacements, until bodies touch: LAMMPS cannot run without contact forces, which
+// have a test of their own.
 #include <cmath>
 #include <numbers>
 
@@ -29,7 +29,7 @@ constexpr int columns = 120, rows = 80, m = 4;
 constexpr int slot_end = 40, slot_bottom = 38, slot_top = 42;  // first column, row past it
 constexpr int steps = 240, every = 10;                         // 51 us; LAMMPS takes 3 s
 
-// What is solved. At 6 MPa the crack runs straight, at 8 MPa it forks.
+// A case to solve. At 6 MPa the crack runs straight, at 8 MPa it forks.
 struct Case {
   const char* name;
   double stress;  // Pa
@@ -67,7 +67,7 @@ Simulation hackle_plate(const Case& given) {
   return simulation;
 }
 
-// The same in lattice units, from the formulas and not from Hackle's tables.
+// Makes the same plate in lattice units, from the formulas and not from Hackle's tables.
 PeerPlate peer_plate(const Simulation& simulation, const Case& given) {
   const Material glass = duran50();
   const double dt = simulation.dt();
@@ -83,7 +83,7 @@ PeerPlate peer_plate(const Simulation& simulation, const Case& given) {
   return plate;
 }
 
-// Bonds of every node that hold, and its displacement in dx.
+// Number of intact bonds per node, and displacements in dx.
 struct Snapshot {
   std::vector<int> bonds;
   std::vector<Vec2> u;
@@ -129,8 +129,8 @@ std::vector<Snapshot> solve(Engine engine, int last_step) {
   return snapshots;
 }
 
-// Nodes whose number of bonds is not LAMMPS's. Its damage is broken bonds over bonds at the start,
-// since all volumes are 1.
+// Counts nodes whose number of bonds differs from LAMMPS's. Its damage is broken bonds over initial
+// bonds, since all volumes are 1.
 int differing_nodes(const Snapshot& ours, const Snapshot& start, const PeerSample& theirs) {
   int count = 0;
   for (std::size_t node = 0; node < ours.bonds.size(); ++node) {
@@ -140,11 +140,11 @@ int differing_nodes(const Snapshot& ours, const Snapshot& start, const PeerSampl
   return count;
 }
 
-// The largest difference of displacements over the largest displacement.
+// Returns the largest difference of displacements over the largest displacement.
 double difference(const Snapshot& ours, const PeerSample& theirs) {
   double worst = 0.0, largest = 0.0;
   for (std::size_t node = 0; node < ours.u.size(); ++node) {
-    if (ours.bonds[node] == 0) continue;  // removed: we move them, LAMMPS has none
+    if (ours.bonds[node] == 0) continue;  // removed: Hackle moves such nodes, LAMMPS has none
     worst = std::max(worst, (ours.u[node] - theirs.u[node]).norm());
     largest = std::max(largest, theirs.u[node].norm());
   }
@@ -155,7 +155,8 @@ bool is_whole(const Snapshot& now, const Snapshot& start) {
   return now.bonds == start.bonds;
 }
 
-// Length of the crack, m, from the end of the slot; 0 if it leaves the rows before the slot.
+// Returns the length of the crack, m, from the end of the slot; 0 if it leaves the rows in front of
+// the slot.
 double straight_crack(const Snapshot& now, const Snapshot& start, const Grid& grid) {
   int tip = slot_end;
   for (int j = 0; j < rows; ++j)
@@ -168,8 +169,8 @@ double straight_crack(const Snapshot& now, const Snapshot& start, const Grid& gr
   return (tip - slot_end) * grid.dx;
 }
 
-// Whether LAMMPS's contact forces act: on two nodes that are nearer than 0.9 of their first
-// distance, and nearer than 1.35 dx. At rest and in tension they do not.
+// Returns whether LAMMPS's contact forces act: on two nodes closer than 0.9 of their initial
+// distance, and closer than 1.35 dx. At rest and in tension they do not.
 bool is_touching(const PeerPlate& plate, const PeerSample& sample) {
   const Family family(m, Quadrature::ramp);
   bool touching = false;
@@ -205,7 +206,7 @@ class PeerTest : public testing::TestWithParam<Case> {
   PeerPlate peer_ = peer_plate(simulation_, GetParam());
 };
 
-// Same places at every sample, same broken bonds at every node.
+// Expects equal displacements at every sample and equal broken bonds at every node.
 void expect_same(const std::vector<Snapshot>& ours, const std::vector<PeerSample>& theirs) {
   ASSERT_EQ(ours.size(), theirs.size());
   for (std::size_t k = 0; k < ours.size(); ++k) {
@@ -235,7 +236,7 @@ TEST_P(PeerTest, ACrackBreaksTheBondsThatItBreaksInLammps) {
   expect_the_crack(ours);
 }
 
-// What LAMMPS does is understood: a hundred plain lines do the same.
+// Confirms our understanding of LAMMPS: a hundred plain lines give the same results.
 TEST_P(PeerTest, ThePlainRulesGiveWhatLammpsGives) {
   const std::vector<Snapshot> ours = solve(Reference(peer_), steps);
   const std::vector<PeerSample> theirs = solve_with_lammps(steps);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules of LAMMPS's `peri/pmb`, as plainly as they can be written.
+// The rules of LAMMPS's `peri/pmb`, written as plainly as possible.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace hackle::test {
 
-// Velocity Verlet on a PeerPlate. A bond found over-stretched still pulls in that step and is gone
-// from the next on. It is over-stretched above the lesser s0 of its ends, and s0 of a node is
-// s00 - alpha smin, smin the least stretch of its bonds one step before.
+// Velocity Verlet on a PeerPlate. An overstretched bond still pulls in the step that finds it, and
+// is broken from the next step on. A bond is overstretched above the smaller s0 of its ends, and s0
+// of a node is s00 - alpha smin, with smin the smallest stretch of its bonds one step earlier.
 class Reference {
  public:
   explicit Reference(const PeerPlate& plate);
@@ -32,7 +32,7 @@ class Reference {
   std::vector<Bond> family_;
   std::vector<Vec2> u_, v_, a_;
   std::vector<double> s0_, next_s0_;
-  std::vector<char> holds_;  // node * bonds of a node + bond
+  std::vector<char> holds_;  // node * bonds per node + bond
 };
 
 }  // namespace hackle::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The paper's first plate with 8 spacings in a horizon, whose crack runs as one broad band for half
-// of its way: no fork is seen before it has forked, and it lies where the middle lines of its
-// branches meet, by hand 67.3 mm. A plate that is pulled less breaks straight through.
+// The paper's first plate with 8 spacings per horizon, whose crack runs as one broad band for half
+// of its way: no fork must be found before the crack forks, and the fork must lie where the middle
+// lines of its branches meet, 67.3 mm by hand. A plate with a smaller load breaks straight through.
 #include <gtest/gtest.h>
 
 #include "measure/cracks.hpp"

@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-// The mean energy of the next 50 samples, 11 steps apart.
+// Returns the mean energy of the next 50 samples, 11 steps apart.
 double mean_energy(Simulation& simulation) {
   double sum = 0.0;
   for (int n = 0; n < 50; ++n) {
@@ -23,7 +23,7 @@ double mean_energy(Simulation& simulation) {
   return sum / 50.0;
 }
 
-// How far the mean energy of a ringing plate strays from that of the start.
+// Returns how far the mean energy of a vibrating plate deviates from its initial value.
 double drift(Precision precision, int steps) {
   Numerics numerics = test::numerics();
   numerics.precision = precision;
@@ -42,15 +42,15 @@ double drift(Precision precision, int steps) {
   return worst;
 }
 
-// At a fifth of the limit the energy of a mode swings by (omega dt)^2/4, at most 5 % for the
+// At a fifth of the limit the energy of a mode varies by (omega dt)^2/4, at most 5 % for the
 // shortest waves and 1e-3 for those of this plate; the mean of 50 samples by less than 2e-4.
 TEST(Energy, DoesNotDriftInAHundredThousandSteps) {
   EXPECT_LT(drift(Precision::f64, 100000), 2e-4);
   EXPECT_LT(drift(Precision::f32, 100000), 2e-4);
 }
 
-// 2e5 roundings of 1e-16 of the amplitude, which waves of different phase spread. Found: 2e-10 of
-// it.
+// 2e5 rounding errors of 1e-16 of the amplitude, which waves of different phase spread. Measured:
+// 2e-10 of it.
 TEST(Time, CanBeReversedAfterAHundredThousandSteps) {
   Simulation simulation(test::bare_plate(24, 16), test::numerics(), {1});
   const State start = test::shaken(simulation.state(), 1e-6, 9);

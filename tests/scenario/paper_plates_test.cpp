@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's first plate, as scripts/samples solves it: what is seen, when and where.
+// The paper's first plate, as scripts/samples solves it: events, their times and places.
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-// First new broken bond and first fork of a run to 32 us.
+// The first newly broken bond and the first fork of a run to 32 us.
 struct Events {
   double first_bond = 0.0;  // s
   double fork = 0.0;        // s
@@ -37,7 +37,7 @@ Events watch(Simulation& simulation) {
 TEST(EdgeCrack12MPa, ForksOnceWhereAndWhenItShould) {
   Simulation simulation(test::edge_crack(12e6), test::numerics());
   const Events events = watch(simulation);
-  // Independent runs, their ranges widened: src/solver/README.md 9.1.
+  // The ranges of independent runs, widened: src/solver/README.md 9.1.
   EXPECT_GT(events.first_bond, 5.0e-6);
   EXPECT_LT(events.first_bond, 6.5e-6);
   EXPECT_GT(events.fork, 19e-6);
@@ -55,8 +55,8 @@ TEST(EdgeCrack12MPa, IsItsOwnMirrorImageAndClosesItsLedger) {
   EXPECT_LT(std::abs(now.residual()), 0.015 * now.external);
 }
 
-// Any change of these bits is a change of the results of every user: it must be meant, and be said
-// in CHANGELOG.md. The values hold for g++ and clang++, every instruction set and any number of
+// Any change of these bits changes the results of every user: it must be intended, and stated in
+// CHANGELOG.md. The values hold for g++ and clang++, every instruction set and any number of
 // threads.
 struct Golden {
   Precision precision;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The benchmarks of the field against what their headers expect. Places agree to one spacing and
-// times to one interval of the watcher beyond what a header promises.
+// Compares the benchmarks of the field with the expectations in their headers. Positions agree to
+// one spacing, and times to one interval of the watcher beyond the header's range.
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -14,7 +14,7 @@ namespace {
 
 using test::mm, test::us;
 
-// The numbers in a text, in order.
+// Returns the numbers in a text, in order.
 std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t at = 0; at < text.size();) {
@@ -51,7 +51,7 @@ TEST(Benchmarks, PatchTestGivesTheModuliOfTheLattice) {
     const auto after = [&](const std::string& words) {
       return std::stod(text.substr(text.find(words) + words.size()));
     };
-    // The strain of 1e-6 itself: the energy of bonds is not quite quadratic.
+    // The strain of 1e-6 itself limits the agreement: the bond energy is not exactly quadratic.
     EXPECT_NEAR(after("per area ") / after("C11 e^2 = "), 1.0, 1e-6) << text;
     EXPECT_NEAR(after("stress ") / after("C11 e = "), 1.0, 1e-6) << text;
     EXPECT_LT(after("moved by "), 1e-12) << text;
@@ -97,8 +97,8 @@ TEST(Benchmarks, BordenForksOnce) {
   EXPECT_EQ(script("runs[1].s:cracks().bands"), 2);
 }
 
-// From the end of a notch at {50, 125} mm to the farthest place on the crack; that of the lower one
-// is its mirror image to the bit.
+// From the end of a notch at {50, 125} mm to the farthest point of the crack; the crack of the
+// lower notch is its mirror image to the bit.
 TEST(Benchmarks, KalthoffCracksRunOffSteeply) {
   test::WatchedScript script("benchmarks/kalthoff.lua", {}, "interval = 2*us");
   const std::string upper = "runs[1].s:cracks { from = {50*mm, 127*mm}, to = {100*mm, 199*mm} }";
@@ -122,8 +122,8 @@ TEST(Benchmarks, HomaliteForksSymmetrically) {
                    "runs[1].s:cracks { from = {0, 100*mm}, to = {400*mm, 200*mm} }.nodes"));
 }
 
-// The disc of 6 mm around {60, 17} mm, less a horizon, in which nodes have bonds to the outside:
-// the largest square in it.
+// The disc of 6 mm around {60, 17} mm, minus a horizon, in which nodes have bonds to the outside:
+// the largest square inside.
 TEST(Benchmarks, InclusionIsNeverEntered) {
   test::WatchedScript script("benchmarks/inclusion.lua");
   const std::string in_disc =
@@ -133,7 +133,8 @@ TEST(Benchmarks, InclusionIsNeverEntered) {
   EXPECT_GT(script("runs[1].s:cracks().right"), 66 * mm);
 }
 
-// They are born between 5 and 95 mm; once joined, some crack lies in every column of nodes.
+// The initial cracks lie between 5 and 95 mm; once they have joined, every column of nodes meets a
+// crack.
 TEST(Benchmarks, RandomCracksGrowAndJoin) {
   test::WatchedScript one("benchmarks/random_cracks.lua"), again("benchmarks/random_cracks.lua");
   EXPECT_EQ(one.columns_without_crack(0.25 * mm, 99.75 * mm), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is to be seen in the pictures of the gallery.
+// What the pictures of the gallery must show.
 #include "scripts/watched_script.hpp"
 
 namespace hackle {
@@ -7,7 +7,7 @@ namespace {
 
 using test::mm;
 
-// A crack is what has left the cold skin of 1 mm.
+// Damage beyond the cold skin of 1 mm counts as a crack.
 TEST(Gallery, QuenchMakesAnArrayOfCracks) {
   test::WatchedScript script("gallery/quench.lua", {{"spacing", "0.2*mm"}});
   EXPECT_TRUE(script.holds(R"((function()
@@ -22,7 +22,7 @@ TEST(Gallery, QuenchMakesAnArrayOfCracks) {
   end)())"));
 }
 
-// A scene without scatter is symmetric to the bit: broken bonds above and below would be alike.
+// A scene without scatter is symmetric to the bit: as many bonds would break above as below.
 TEST(Gallery, HeterogeneousGlassBranchesWithoutSymmetry) {
   test::WatchedScript script("gallery/heterogeneous.lua");
   EXPECT_GE(script("runs[1].s:cracks().bands"), 4);
@@ -31,7 +31,7 @@ TEST(Gallery, HeterogeneousGlassBranchesWithoutSymmetry) {
                    "runs[1].s:cracks { from = {0, 20*mm}, to = {100*mm, 40*mm} }.nodes"));
 }
 
-// It is the paper's first plate, filmed in another light.
+// The scene is the paper's first plate with another field.
 TEST(Gallery, ThePhotoelasticPlateForksAsTheFirstDoes) {
   test::WatchedScript script("gallery/photoelastic.lua",
                              {{"spacing", "0.5*mm"}, {"horizon", "2*mm"}}, "interval = 1*us");
@@ -49,7 +49,7 @@ TEST(Gallery, TheRingFliesApart) {
   EXPECT_EQ(script.pictures(), 1U);
 }
 
-// The holes lie between 13 and 23 and between 37 and 47 mm; the cracks cut into both and join.
+// The holes extend from 13 to 23 and from 37 to 47 mm; the cracks reach both and join.
 TEST(Gallery, TwoHolesDrawCracks) {
   test::WatchedScript script("gallery/two_holes.lua", {}, "interval = 5*us");
   EXPECT_GT(script("runs[1].s:cracks { from = {24*mm, 50*mm}, to = {36*mm, 70*mm} }.nodes"), 24);
@@ -57,7 +57,7 @@ TEST(Gallery, TwoHolesDrawCracks) {
   EXPECT_GT(script("runs[1].s:cracks { from = {24*mm, 0}, to = {36*mm, 120*mm} }.bottom"), 55 * mm);
 }
 
-// The cusp lies at 50.5 mm; where the crack leaves the glass, at about {25, 7.5} mm.
+// The cusp lies at 50.5 mm; the crack leaves the glass at about {25, 7.5} mm.
 TEST(Gallery, OwnPictureBreaksFromItsCusp) {
   test::WatchedScript script(
       "gallery/own_picture.lua", {},
@@ -69,7 +69,7 @@ TEST(Gallery, OwnPictureBreaksFromItsCusp) {
       << "a branch to the right";
 }
 
-// The nodes within 3 mm of where the disc hit are dust or nearly.
+// The nodes within 3 mm of the impact are dust or nearly so.
 TEST(Gallery, ADiscShattersAPlate) {
   test::WatchedScript script("gallery/shatter.lua", {}, "interval = 2*us");
   EXPECT_EQ(script("runs[1].s:cracks { from = {0, 29*mm}, to = {3*mm, 31*mm} }.nodes"), 12 * 8);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The paper's plates as their scripts solve them. What scenario/paper_plates_test.cpp says of the
-// edge crack is not said again. Places agree to one spacing and times to one interval of the
-// watcher beyond what a header promises.
+// The paper's plates as their scripts solve them. Checks of scenario/paper_plates_test.cpp on the
+// edge crack are not repeated. Positions agree to one spacing, and times to one interval of the
+// watcher beyond the header's range.
 #include "scripts/watched_script.hpp"
 
 namespace hackle {
@@ -67,7 +67,7 @@ TEST(Samples, HoleCracksAtItsSides) {
   }
 }
 
-// The edge crack ends at 20 mm, the hole reaches from 50 to 70 mm.
+// The edge crack ends at 20 mm; the hole extends from 50 to 70 mm.
 TEST(Samples, HoleAndCrackJoin) {
   test::WatchedScript script("samples/hole_and_crack.lua", {}, R"(
     interval = 2*us

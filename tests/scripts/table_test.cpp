@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every ready scene has a header with its expected result, a line in scripts/README.md and a test.
+// Every ready-made scene must have a header with its expected result, a line in scripts/README.md
+// and a test.
 #include <filesystem>
 #include <regex>
 #include <string>
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 const fs::path root = HACKLE_SOURCE_FOLDER;
 
-// "samples/hole.lua" and the rest.
+// Returns "samples/hole.lua" and all others.
 std::vector<std::string> scenes() {
   std::vector<std::string> names;
   for (const char* folder : {"samples", "benchmarks", "gallery"})
@@ -30,7 +31,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// The comment lines at the top of a script.
+// Returns the comment lines at the top of a script.
 std::string header_of(const std::string& text) {
   std::smatch found;
   return std::regex_search(text, found, std::regex("^(--[^\n]*\n)+")) ? found.str() : "";

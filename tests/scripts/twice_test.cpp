@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every ready script does the same in two processes: the same states and the same files, to the
-// bit. Scenes are solved on lattices twice as coarse as they were made for.
+// Every ready-made script must do the same in two processes: the same states and files, to the bit.
+// Scenes are solved on lattices twice as coarse as intended.
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 const fs::path scripts = fs::path(HACKLE_SOURCE_FOLDER) / "scripts";
 
-// A sheet of what other scripts have left behind.
+// Returns false for a sheet of other scripts' output.
 bool stands_alone(const fs::path& script) {
   return script.filename() != "contact_sheet.lua";
 }
@@ -35,7 +35,7 @@ std::vector<fs::path> ready_scripts() {
   return found;
 }
 
-// Spacing and horizon that a script declares, doubled: "--set", "spacing=0.001", ...
+// Returns the spacing and horizon that a script declares, doubled: "--set", "spacing=0.001", ...
 std::vector<std::string> coarser(const std::string& help) {
   std::vector<std::string> words;
   for (const char* option : {"spacing", "horizon"}) {
@@ -48,7 +48,7 @@ std::vector<std::string> coarser(const std::string& help) {
   return words;
 }
 
-// A run file says when it was begun.
+// A run file stores when it was begun.
 std::string without_date(const std::string& content) {
   static const std::regex date("20[0-9]{2}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}Z");
   return std::regex_replace(content, date, "");
@@ -67,7 +67,7 @@ Left run(const fs::path& script) {
   for (const std::string& word : coarser(program.run({"run", script.string(), "--help"}).out))
     coarse.push_back(word);
   test::Ended ended = program.run(coarse);
-  // Its frames come faster than the steps of a coarse plate.
+  // Its frames are closer together than the steps of a coarse plate.
   if (ended.code == static_cast<int>(ErrorKind::refused)) ended = program.run(words);
   EXPECT_EQ(ended.code, 0) << script << "\n" << ended.err;
   Left left;
@@ -97,7 +97,7 @@ TEST_P(EveryScript, DoesTheSameTwice) {
 INSTANTIATE_TEST_SUITE_P(Scripts, EveryScript, testing::ValuesIn(ready_scripts()),
                          [](const auto& given) { return given.param.stem().string(); });
 
-// `pairs` over texts, and loads that it puts on one node in its order.
+// `pairs` over texts, with loads applied to one node in its order.
 TEST(Pairs, GiveOneHashInEveryProcess) {
   const test::Folder folder;
   const test::Program program(folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ready scene, run through the console as its user would, and what happened in it.
+// Runs a ready-made scene through the console as its user would, and records its events.
 #pragma once
 
 #include <map>
@@ -12,11 +12,11 @@ namespace hackle::test {
 
 inline constexpr double us = 1e-6, mm = 1e-3;
 
-// Between s:run and the simulation stands a watcher that cuts the run into intervals, which changes
-// no bit of it, and notes what it sees after each. Movies and run files are left out; pictures are
-// painted. In Lua, `runs[k]` is the k-th simulation: s, first (time of the first broken bond),
-// fork, fork_place, joined (time of the second piece); nil where that never happened. What the
-// script prints is in `printed`.
+// A watcher between s:run and the simulation divides the run into intervals, which changes no bit
+// of it, and records events after each. Movies and run files are left out; pictures are painted. In
+// Lua, `runs[k]` is the k-th simulation: s, first (time of the first broken bond), fork,
+// fork_place, joined (time of the second fragment); nil if there was none. `printed` holds the
+// output of the script.
 inline const std::string watcher = R"(
 interval, runs, printed = 0.5*us, {}, ""
 local simulate_really = simulate
@@ -54,8 +54,8 @@ end
 
 class WatchedScript {
  public:
-  // `before` is Lua that may set `interval`, and `log`, a function of the simulation that is called
-  // after each.
+  // `before` is Lua code that may set `interval`, and `log`, a function of the simulation that is
+  // called after each interval.
   explicit WatchedScript(const std::string& name, std::map<std::string, std::string> overrides = {},
                          const std::string& before = "")
       : console_(settings(folder_.path, std::move(overrides))) {
@@ -64,7 +64,7 @@ class WatchedScript {
     console_.run_file(std::filesystem::path(HACKLE_SOURCE_FOLDER) / "scripts" / name);
   }
 
-  // The value of a Lua expression of numbers; NaN for nil.
+  // Returns the value of a numerical Lua expression; NaN for nil.
   double operator()(const std::string& expression) {
     return std::stod(console_.evaluate("(" + expression + ") or 0/0").at(0));
   }
@@ -72,8 +72,8 @@ class WatchedScript {
     return console_.evaluate("not not (" + expression + ")").at(0) == "true";
   }
   std::string hash() { return console_.evaluate("runs[1].s.hash").at(0); }
-  // Columns of nodes 0.5 mm apart, from the one at `first` to that at `last`, in m, that no crack
-  // of the first simulation meets.
+  // Counts the columns of nodes 0.5 mm apart, from `first` to `last` (m), that no crack of the
+  // first simulation meets.
   int columns_without_crack(double first, double last) {
     int count = 0;
     for (double x = first; x <= last + 1e-6; x += 0.5e-3)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tab in a terminal; what is offered is tested in tests/console.
+// Tab in a terminal; tests/console tests the candidates.
 #include "terminal/terminal.hpp"
 
 namespace hackle {

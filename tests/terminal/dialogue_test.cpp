@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a newcomer types, and what a terminal shows for it.
+// The lines of a newcomer, and the response of the terminal.
 #include "terminal/terminal.hpp"
 
 namespace hackle {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C while something runs: the prompt comes back.
+// Ctrl-C during work: the prompt returns.
 #include "terminal/terminal.hpp"
 
 namespace hackle {
@@ -9,8 +9,8 @@ class CtrlC : public test::TerminalTest {
  protected:
   using Clock = std::chrono::steady_clock;
 
-  // Enters what never ends by itself, which prints "begun" first; Ctrl-C must end it soon. A person
-  // wants 0.2 s; a machine that does other things as well is given more.
+  // Enters a line that never ends by itself and prints "begun" first; Ctrl-C must end it soon. A
+  // person expects 0.2 s; a loaded machine gets more.
   void expect_to_stop(const std::string& line) {
     terminal_.expect_last(">");
     terminal_.enter("io.write('be', 'gun\\n') io.flush() " + line);
@@ -56,7 +56,7 @@ TEST_F(CtrlC, TwiceLeavesWhatDoesNotListen) {
       "io.write('be', 'gun\\n') io.flush() x = (('a'):rep(60)):find(('a-'):rep(60) .. 'b')");
   terminal_.expect("\nbegun\n");
   terminal_.press("C-c");
-  terminal_.expect("again to abort");  // two signals at once would be one
+  terminal_.expect("again to abort");  // two signals at once would count as one
   terminal_.press("C-c");
   terminal_.expect("left with 130");
 }

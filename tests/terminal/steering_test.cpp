@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs that go on while a person types, in a real terminal.
+// Background runs while a person types, in a real terminal.
 #include "terminal/terminal.hpp"
 
 namespace hackle {

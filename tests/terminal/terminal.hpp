@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The prompt in a real terminal, which tmux provides: keys go in, the screen comes out.
+// The prompt in a real terminal, provided by tmux: sends keys and reads the screen.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@
 
 namespace hackle::test {
 
-// What a command of the shell prints.
+// Returns the output of a shell command.
 inline std::string output_of(const std::string& command) {
   std::string text;
   std::FILE* pipe = popen(command.c_str(), "r");
@@ -33,8 +33,8 @@ inline bool has_tmux() {
   return !output_of("command -v tmux").empty();
 }
 
-// A terminal with a server of its own, in which hackle runs in an empty folder. When it ends, the
-// terminal shows "left with <code>".
+// A terminal with its own tmux server, in which hackle runs in an empty folder. When hackle ends,
+// the terminal shows "left with <code>".
 class Terminal {
  public:
   Terminal(int columns, int lines) : socket_((folder_.path / "tmux").string()) {
@@ -50,33 +50,33 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  // As from the keyboard; a semicolon at the end is lost.
+  // Types text as on the keyboard; a semicolon at the end is lost.
   void type(const std::string& text) { tmux("send-keys -l -- " + shell_word(text)); }
-  // By the name that tmux gives it: Enter, Tab, Up, C-c.
+  // Presses a key by tmux's name: Enter, Tab, Up, C-c.
   void press(const std::string& key) { tmux("send-keys " + key); }
   void enter(const std::string& line) {
     type(line);
     press("Enter");
   }
 
-  // Everything that was shown so far, without blanks at the ends of lines.
+  // Returns everything shown so far, without blanks at the ends of lines.
   std::string shown() const { return tmux("capture-pane -p -J -S - | sed 's/ *$//'"); }
-  // With the escape sequences of its colours.
+  // Returns it with escape sequences for colours.
   std::string painted() const { return tmux("capture-pane -p -e -S -"); }
 
-  // Waits until the text is shown; a failure of the test when it is not within the time.
+  // Waits until the text is shown; fails the test if it does not appear in time.
   void expect(const std::string& text) {
     EXPECT_TRUE(waits([&] { return shown().find(text) != std::string::npos; }))
         << "never shown: " << text << "\n"
         << shown();
   }
-  // Waits until the last line is this.
+  // Waits until this is the last line.
   void expect_last(const std::string& line) {
     EXPECT_TRUE(waits([&] { return last_line() == line; }))
         << "the last line is never '" << line << "'\n"
         << shown();
   }
-  // Enters a line when the prompt is there; waits until it is there again.
+  // Enters a line at the prompt and waits for the prompt to return.
   void say(const std::string& line) {
     expect_last(">");
     const std::string before = shown();
@@ -89,7 +89,7 @@ class Terminal {
  private:
   template <class Condition>
   bool waits(Condition holds) const {
-    // Half a minute; what follows a failure need not wait, nor what no program will show.
+    // Half a minute; after a failure there is no need to wait.
     const int tries = testing::Test::HasFailure() ? 1 : 600;
     for (int i = 0; i < tries; ++i) {
       const bool ended = last_line().starts_with("left with");

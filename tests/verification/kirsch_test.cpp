@@ -10,7 +10,7 @@
 namespace hackle {
 namespace {
 
-// Displacement over sigma/E, m, from the centre of a hole of radius R.
+// Returns the displacement over sigma/E, m, relative to the centre of a hole of radius R.
 Vec2 kirsch(const Vec2& x, double R, double nu) {
   const double r = x.norm(), t = std::atan2(x.y(), x.x()), mu = 0.5 / (1.0 + nu);
   const double kappa = (3.0 - nu) / (1.0 + nu), q = R / r;
@@ -22,11 +22,11 @@ Vec2 kirsch(const Vec2& x, double R, double nu) {
   return {ur * std::cos(t) - ut * std::sin(t), ur * std::sin(t) + ut * std::cos(t)};
 }
 
-// Led on the rim over two horizons by the exact field, so that the size of the plate, ten radii,
-// does not enter. R is five horizons. Between one and two horizons from the rim of the hole the
-// stress on the ligament is right to 5 %: the family sees the free surface, and rows of nodes a
-// rim in steps. Beyond that it is right to 3 %, beyond two radii to 1 %; what remains there is the
-// anisotropy of the lattice, Zener ratio 0.93.
+// The exact field is prescribed on the rim over two horizons, so that the size of the plate, ten
+// radii, has no effect. R is five horizons. Between one and two horizons from the rim of the hole
+// the stress on the ligament is exact to 5 %: the family contains the free surface, and rows of
+// nodes form a stepped rim. Beyond that it is exact to 3 %, beyond two radii to 1 %; the rest is
+// the anisotropy of the lattice, Zener ratio 0.93.
 TEST(Kirsch, StressOnTheLigament) {
   constexpr int m = 3, n = 50 * m, margin = 2 * m;
   constexpr double dx = 0.5e-3, R = 5.0 * m * dx, strain = 1e-6;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A long crack in a clamped strip: whatever its length, its energy release rate is that of the
-// strained strip ahead of it, G = E e^2 H/(2 (1 - nu^2)), which must reach G0 before it grows (Rice
-// 1967). E, nu and G0 are those of the lattice.
+// A long crack in a clamped strip: independent of its length, its energy release rate is that of
+// the strained strip ahead of it, G = E e^2 H/(2 (1 - nu^2)), which must reach G0 before it grows
+// (Rice 1967). E, nu and G0 are those of the lattice.
 #include <cmath>
 #include <utility>
 
@@ -20,7 +20,7 @@ struct Strip {
   int m;
 };
 
-// Gripped by rigid rows as deep as a horizon, next to which nothing breaks.
+// Makes a strip between rigid grips as deep as a horizon, next to which nothing breaks.
 Plate gripped(const Strip& s, double shift) {
   Plate plate = test::bare_plate(s.columns, s.rows + 2 * s.m);
   plate.cracks.push_back({{0.0, 0.5 * plate.height}, {s.crack * dx, 0.5 * plate.height}});
@@ -35,7 +35,7 @@ Plate gripped(const Strip& s, double shift) {
   return plate;
 }
 
-// Columns by which a crack has grown at the end, when it is loaded to `share` of the critical
+// Returns the number of columns by which a crack has grown after loading to `share` of the critical
 // strain; a straight cut takes the bonds that cross a line.
 double growth(const Strip& s, double share) {
   const Numerics numerics = test::numerics(dx, s.m * dx);
@@ -52,9 +52,9 @@ double growth(const Strip& s, double share) {
   return static_cast<double>(result.broken) / crossing;
 }
 
-// A crack waits between the nodes of a coarse family for more than Griffith asks (lattice
-// trapping): it ran from 1.25 of the critical strain on with m = 3, 1.2 with m = 4, 1.15 with
-// m = 6, 1.1 with m = 8, measured in steps of 0.05. Below, it only takes the shape of the tip.
+// In a coarse family a crack is held between the nodes beyond Griffith's load (lattice trapping):
+// it ran from 1.25 of the critical strain on with m = 3, 1.2 with m = 4, 1.15 with m = 6, 1.1 with
+// m = 8, measured in steps of 0.05. Below that, only the shape of the tip adjusts.
 TEST(Strip, ACrackGrowsAboveTheCriticalStrainAndNotBelow) {
   const Strip strip{96, 40, 48, 4};
   EXPECT_LT(growth(strip, 0.9), 1.0);
