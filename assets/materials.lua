@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The material library: what `material "name"` knows. E in Pa, rho in kg/m3, G0 in J/m2, fringe in
--- N/m; the unit constants of scripts are known here.
+-- The material library of `material "name"`. E in Pa, rho in kg/m3, G0 in J/m2, fringe in N/m; the
+-- unit constants of scripts may be used here.
 return {
   -- G0 is the energy release rate measured while cracks branch, not the quasi-static toughness (3 to 8 J/m2).
   duran50 = {
@@ -11,7 +11,7 @@ return {
     title = "Soda-lime glass", E = 72*GPa, rho = 2440, nu = 0.22, G0 = 3.8,
     source = "crack branching deck of PDMATLAB2D, after Bobaru & Zhang 2015, Int. J. Fract. 196:59",
   },
-  -- The other value in use: like that of Duran 50 measured while cracks branch.
+  -- The other value in use, which like that of Duran 50 was measured while cracks branch.
   soda_lime_branching = {
     title = "Soda-lime glass (G0 at branching)", E = 72*GPa, rho = 2440, nu = 0.22, G0 = 135,
     source = "deck of a 2-D peridynamic code after Ha & Bobaru 2010, Int. J. Fract. 162:229; nu unconfirmed",

@@ -1,14 +1,14 @@
--- contact_sheet.lua: one picture of all ready scenes, from what they left in out/. This is how assets/scenes.png
--- was made:
+-- contact_sheet.lua: one picture of all ready-made scenes, from their output in out/. It made
+-- assets/scenes.png:
 --
 --   for scene in scripts/samples/*.lua scripts/benchmarks/*.lua scripts/gallery/*.lua; do hackle run $scene; done
 --   hackle run scripts/contact_sheet.lua --output out && cp out/scenes.png assets/
 --
--- A scene that has not been run yet is left out; single_bond, patch_test and ring_pulse print figures alone.
+-- A scene that has not been run yet is left out; single_bond, patch_test and ring_pulse print only numbers.
 
 local o = options { file = "scenes.png", columns = 4, width = 300 }
 
--- Name of the scene, and of its picture where that differs.
+-- Name of the scene, and of its picture if that differs.
 local scenes = {
   { "edge_crack" }, { "edge_crack_24mpa" }, { "centre_crack" }, { "hole" }, { "hole_and_crack" },
   { "soda_lime_ladder", "4.0_MPa" }, { "borden" }, { "kalthoff" }, { "homalite" }, { "inclusion" },

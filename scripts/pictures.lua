@@ -1,4 +1,4 @@
--- pictures.lua: four ways to look at one plate. This is how assets/gallery/pictures.png was made:
+-- pictures.lua: four views of one plate. It made assets/gallery/pictures.png:
 --
 --   hackle run scripts/pictures.lua && cp out/pictures/pictures.png assets/gallery/
 

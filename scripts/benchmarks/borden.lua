@@ -1,8 +1,8 @@
 -- borden.lua: the branching benchmark of Borden et al. 2012 (CMAME 217-220:77).
 --
--- Glass of E 32 GPa and G0 3 J/m2, 100 x 40 mm, a crack to the middle, 1 MPa on both long edges at once.
--- Theirs (a phase field) branches at about 34 to 37 us, 65 to 70 mm, below 0.6 of the Rayleigh speed.
--- Expected: the first bond at 9.4 us, one fork at 66 mm (seen at 36 us).
+-- Glass with E 32 GPa and G0 3 J/m2, 100 x 40 mm, a crack to the middle, 1 MPa suddenly on both long edges.
+-- Their crack (in a phase field) branches at about 34 to 37 us, 65 to 70 mm, below 0.6 of the Rayleigh speed.
+-- Expected: the first bond at 9.4 us, one fork at 66 mm (visible at 36 us).
 --
 --   hackle run scripts/benchmarks/borden.lua
 

@@ -3,7 +3,7 @@
 -- Expected: the crack forks before the disc and goes around it; it never enters it.
 --
 --   hackle run scripts/benchmarks/inclusion.lua
---   hackle run scripts/benchmarks/inclusion.lua --set stiffness=0.2     (a soft one attracts it)
+--   hackle run scripts/benchmarks/inclusion.lua --set stiffness=0.2     (a soft disc attracts it)
 
 local o = options { load = 10*MPa, stiffness = 5, spacing = 0.5*mm, horizon = 2*mm }
 

@@ -1,10 +1,10 @@
 -- kalthoff.lua: the experiment of Kalthoff and Winkler. A plate with two notches is hit between them; the
--- cracks run off at a steep angle instead of straight on.
+-- cracks turn off at a steep angle instead of running straight on.
 --
 -- 100 x 200 mm of maraging steel, two notches of 50 mm from the left edge, 50 mm apart; the edge
 -- between them moves at 16.5 m/s from the start, half of the impactor's 32 m/s.
 -- Experiment: cracks at about 70 degrees from the notches.
--- Expected: 60 to 70 degrees, both alike to the bit.
+-- Expected: 60 to 70 degrees, the same for both cracks to the bit.
 --
 --   hackle run scripts/benchmarks/kalthoff.lua
 

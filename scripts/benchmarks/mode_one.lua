@@ -2,9 +2,9 @@
 --
 -- A square of 100 mm with a crack to its middle; its loaded edges move apart at 0.1 m/s each
 -- (the mode I job of Peridynamics.jl: E 32 GPa, rho 2500 kg/m3, G0 100 J/m2, horizon 3.015 spacings, 300 us).
--- Its acceptance: between 10 and 35 mm beyond the middle the tip moves at 0.4 to 1.0 c_R, off the axis by
--- 2 spacings at most, back by one at most; 60 nodes a side instead of 45 change the speed by less than 20 %.
--- The tip is here the farthest node that has lost more than 0.35 of its bonds, seen every microsecond.
+-- Acceptance: between 10 and 35 mm beyond the middle the tip moves at 0.4 to 1.0 c_R, at most 2 spacings off
+-- the axis, at most one back; 60 nodes per side instead of 45 change the speed by less than 20 %.
+-- The tip is the farthest node that has lost more than 0.35 of its bonds, found every microsecond.
 -- Expected: all four hold.
 --
 --   hackle run scripts/benchmarks/mode_one.lua

@@ -1,18 +1,18 @@
 -- patch_test.lua: a uniform strain gives a uniform stress and the energy of the lattice's own moduli.
 --
--- Plates of 20, 40 and 60 nodes a side are stretched by 1e-6 along x, held so along y. The rim of a plate is
--- softer (nodes there miss bonds); the energy is a polynomial of the side, W = inner L^2 + rim L + corners,
--- so that the second difference of the three plates leaves the inside alone.
+-- Plates of 20, 40 and 60 nodes per side are stretched by 1e-6 along x and held along y. The rim of a plate is
+-- softer (its nodes lack bonds); the energy is a polynomial of the side, W = inner L^2 + rim L + corners,
+-- so that the second difference of the three plates contains only the inside.
 -- Source: C11 = E/(1 - nu^2) and C12 = nu C11 with the lattice's E and nu (src/lattice/calibration.hpp).
--- Expected: energy per area 1/2 C11 e^2 within 1e-6 of itself; the inside stays at rest in the first step, as
--- equal stresses on both sides of every node demand.
+-- Expected: energy per area 1/2 C11 e^2 to a relative 1e-6; the inside stays at rest in the first step, because
+-- stresses on both sides of every node are equal.
 --
 --   hackle run scripts/benchmarks/patch_test.lua
 
 local o = options { strain = 1e-6, spacing = 1*mm, m = 4 }
 local E, dx = 65*GPa, o.spacing
 
--- nu of the family: C12/C11, sums over its bonds.
+-- nu of the family: C12/C11, from sums over its bonds.
 local xx, xy = 0, 0
 for a = -o.m, o.m do
   for b = -o.m, o.m do
@@ -35,7 +35,7 @@ local inner = second/(2*(20*dx)^2)
 print(string.format("energy per area %.8g J/m3, 1/2 C11 e^2 = %.8g J/m3", inner, 0.5*C11*o.strain^2))
 print(string.format("stress %.8g Pa, C11 e = %.8g Pa", 2*inner/o.strain, C11*o.strain))
 
--- What is off balance moves: by F dt^2/(2 m) in one step, of which nothing may show inside.
+-- A node out of equilibrium moves by F dt^2/(2 m) in one step; no node inside may move.
 local before = large:at({30*dx + dx/2, 30*dx + dx/2})
 large:step(1)
 local after = large:at({30*dx + dx/2, 30*dx + dx/2})

@@ -1,6 +1,6 @@
 -- random_cracks.lua: a plate full of small cracks, from a seed, pulled apart.
 --
--- Expected: the cracks that lie across the load grow and join; the same picture on every machine.
+-- Expected: cracks that lie across the load grow and join; the picture is the same on every machine.
 --
 --   hackle run scripts/benchmarks/random_cracks.lua --set seed=2
 

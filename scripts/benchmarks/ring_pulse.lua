@@ -1,8 +1,8 @@
 -- ring_pulse.lua: an elastic pulse spreads as a ring in an intact plate.
 --
--- A small bulge of displacement, a Gaussian along the radius, is let go in the middle of a plate; a ring leaves
--- (the field's usual wave test: PDMATLAB2D WavePropagation.m, with its width over plate of 1/30). The time at
--- which the ring passes two nodes gives its speed, to be compared with c_p = sqrt(E/(rho (1 - nu^2))) of plane
+-- A small bulge of displacement, a Gaussian along the radius, is released in the middle of a plate; a ring spreads
+-- (the usual wave test of the field: PDMATLAB2D WavePropagation.m, with its ratio of width to plate, 1/30). The times
+-- at which the ring passes two nodes give its speed, which is compared with c_p = sqrt(E/(rho (1 - nu^2))) of plane
 -- stress, E and nu those of the lattice (nu 0.317 at m = 4).
 -- Expected: within 2 % of c_p; no bond breaks.
 --
@@ -29,7 +29,8 @@ p:initial { displacement = function(x, y)
 end }
 local s = simulate(p, { spacing = o.spacing, horizon = o.m*o.spacing })
 
--- The crest passes a node when its displacement is largest: a parabola through the largest and its neighbours.
+-- The crest passes a node when its displacement is largest: fits a parabola through the largest value and its
+-- neighbours.
 local places = { {half + 20*mm, half}, {half + 40*mm, half} }
 local best, last = { {u = 0}, {u = 0} }, { {}, {} }
 local crest = {}

@@ -1,10 +1,10 @@
--- single_bond.lua: the smallest scene that has a bond to break: two nodes that fly apart.
+-- single_bond.lua: the smallest scene with a bond to break, two nodes that fly apart.
 --
 -- Two nodes on the smallest family (m = 2) move apart along x at 10 m/s each. The bond between them is a linear
--- spring, k = c V^2/dx between two nodes of mass rho V, so that its stretch is
--- s(t) = 2 v/(w dx) sin(w t) with w^2 = 2 c V/(rho dx), until it reaches s0.
+-- spring, k = c V^2/dx between two nodes of mass rho V, whose stretch until it reaches s0 is
+-- s(t) = 2 v/(w dx) sin(w t) with w^2 = 2 c V/(rho dx).
 -- Source: that formula, and the calibration of src/lattice for c: E = C11 - C12^2/C11 over the offsets of the family.
--- Expected: the bond breaks within two steps of the closed form, with its energy to six digits.
+-- Expected: the bond breaks within two steps of the closed form, and its energy agrees to six digits.
 --
 --   hackle run scripts/benchmarks/single_bond.lua
 

@@ -1,7 +1,7 @@
--- soda_lime_ladder.lua: how the load decides how often a crack branches.
+-- soda_lime_ladder.lua: how often a crack branches depends on the load.
 --
 -- The edge crack of the paper's first plate in soda-lime glass of quasi-static toughness (3.8 J/m2), as in
--- PDMATLAB2D's deck after Bobaru & Zhang 2015: horizon 1 mm, 300 x 120 nodes, loads that appear at once.
+-- PDMATLAB2D's deck after Bobaru & Zhang 2015: horizon 1 mm, 300 x 120 nodes, sudden loads.
 -- Expected: no fork at 0.2 MPa, one at 2 MPa (21.5 us, 66.5 mm), several at 4 MPa. At 1 MPa the reference shows
 -- no fork, this lattice one, late, at about 74 mm: whether a crack that is only just fast enough forks depends
 -- on the quadrature and on waves from the edges.
@@ -11,7 +11,7 @@
 
 local o = options { only = 0*MPa }
 
--- Load, and how long the crack takes.
+-- Load, and duration of the run.
 local ladder = { { 0.2*MPa, 150*us }, { 1*MPa, 80*us }, { 2*MPa, 43*us }, { 4*MPa, 33*us } }
 
 for _, rung in ipairs(ladder) do

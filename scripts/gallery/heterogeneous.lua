@@ -1,6 +1,6 @@
--- heterogeneous.lua: the paper's plate at 24 MPa in glass that is not the same everywhere. The branches are no
--- mirror images any more, as in the experiments of the paper's Fig. 5.
--- Expected: four branches or more above each other, not the same above and below mid-height.
+-- heterogeneous.lua: the paper's plate at 24 MPa in glass of scattered strength. The branches are not
+-- mirror images, as in the experiments of the paper's Fig. 5.
+-- Expected: four or more branches above each other, different above and below mid-height.
 --
 --   hackle run scripts/gallery/heterogeneous.lua --set seed=2
 

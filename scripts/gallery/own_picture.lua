@@ -1,7 +1,7 @@
--- own_picture.lua: your own PNG breaks. Its bright pixels are glass; a force draws its left and right halves apart.
+-- own_picture.lua: your own PNG breaks. Its bright pixels are glass; a force pulls its left and right halves apart.
 --
--- The heart was drawn for Hackle, from the curve (x^2 + y^2 - 1)^3 = x^2 y^3. The glass is not the same everywhere,
--- so that no two pictures of different seeds are alike.
+-- The heart was drawn for Hackle, from the curve (x^2 + y^2 - 1)^3 = x^2 y^3. The strength is scattered, so that
+-- different seeds give different pictures.
 -- Expected: it breaks from its cusp downwards; the crack forks several times, and one branch is through by 50 us.
 --
 --   hackle run scripts/gallery/own_picture.lua
@@ -10,7 +10,7 @@
 
 local o = options { picture = "../../assets/pictures/heart.png", glass = "light",
                     width = 60*mm, height = 60*mm, pull = 1.2e9, seed = 5, spacing = 0.25*mm, time = 50*us }
-local given = ... -- what the command line names is meant from where you are, not from this script
+local given = ... -- a name on the command line is relative to the current folder, not to this script
 local picture = given or o.picture
 
 local p = plate { width = o.width, height = o.height, material = "duran50" }

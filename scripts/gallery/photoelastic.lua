@@ -1,9 +1,9 @@
--- photoelastic.lua: what a polariscope shows of the paper's first plate.
+-- photoelastic.lua: the paper's first plate in a polariscope.
 --
 -- The edge-cracked plate under 12 MPa, filmed as isochromatics: dark where the two principal stresses
--- differ by a whole number of fringes. The pull comes in with a pulse, loops of fringes run ahead of the
--- crack and split with it. Beside it a movie of the plate as it opens, displacements magnified, and one
--- that follows the tip.
+-- differ by a whole number of fringes. The load arrives with a pulse; loops of fringes run ahead of the
+-- crack and split with it. The script also makes a movie of the opening plate with magnified displacements,
+-- and one that follows the tip.
 -- Expected: fringes crowd around the tip, and the crack forks once, as in samples/edge_crack.lua.
 --
 --   hackle run scripts/gallery/photoelastic.lua

@@ -2,7 +2,7 @@
 -- some run deep.
 --
 -- The lower edge of a plate is cooled by 300 K within a skin that fades over 1 mm; strength scatters a little,
--- or all cracks would be alike.
+-- otherwise all cracks would be the same.
 -- Expected: ten cracks or more leave the cold skin; none goes through the plate.
 --
 --   hackle run scripts/gallery/quench.lua

@@ -1,14 +1,14 @@
--- ring.lua: a ring thrown apart from within. It breaks into fragments that fly off.
+-- ring.lua: a ring that bursts from within. It breaks into fragments that fly off.
 --
--- Mott's fragmenting ring: every part starts outwards at the same speed; where the glass is weakest it breaks
--- first and relieves its neighbours.
+-- Mott's fragmenting ring: every part moves outwards at the same initial speed; the weakest parts break
+-- first and relieve their neighbours.
 -- Expected: ten large fragments or more.
 --
 --   hackle run scripts/gallery/ring.lua
 
 local R, r = 28*mm, 22*mm
 
--- What is outside of the ring, as a square with a round hole: a polygon whose inner part goes the other way.
+-- The outside of the ring, as a square with a round hole: a polygon whose inner part runs the other way.
 local outside = {}
 for k = 0, 360 do
   local a = math.rad(k)

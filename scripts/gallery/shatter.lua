@@ -1,9 +1,9 @@
 -- shatter.lua: a steel disc flies into the edge of a plate of glass, crushes it, and bounces off while cracks
 -- run on through the plate.
 --
--- Strength scatters, so that the two sides break differently. The faces of cracks push each other away where
+-- Strength scatters, so that the two sides break differently. The faces of cracks repel each other where
 -- they touch; without p:contact{} fragments would pass through one another.
--- Expected: a crushed half-disc where it hit, from which cracks reach the far edges by 40 us; the disc flies back.
+-- Expected: a crushed half-disc at the impact, from which cracks reach the far edges by 40 us; the disc flies back.
 --
 --   hackle run scripts/gallery/shatter.lua
 --   hackle run scripts/gallery/shatter.lua --set seed=5

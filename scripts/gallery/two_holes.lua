@@ -1,8 +1,8 @@
--- two_holes.lua: two cracks, each drawn aside by a hole, turn towards each other.
+-- two_holes.lua: two cracks, each deflected by a hole, turn towards each other.
 --
 -- A plate with two notches at different heights and two holes, pulled slowly at its ends. Each crack bends
--- towards the hole near its way.
--- Expected: the cracks run into the holes, and a bridge of them between the two holes.
+-- towards the hole near its path.
+-- Expected: the cracks run into the holes, and a bridge of cracks joins the two holes.
 --
 --   hackle run scripts/gallery/two_holes.lua
 

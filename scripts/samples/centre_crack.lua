@@ -3,7 +3,7 @@
 -- The paper prints 1.45 MPa (Fig. 6). That cannot break this plate: a crack of 50 mm in this glass needs
 -- about 14 MPa. With 14.5 MPa the plate breaks at the times of the paper's frames (6, 13 and 28 us),
 -- so that 1.45 is most likely a slip. The paper's dimensions are lost; these are ours.
--- Expected: at 14.5 MPa straight both ways, rough near the edges, through at about 25 us;
+-- Expected: at 14.5 MPa it runs straight both ways, rough near the edges, and is through at about 25 us;
 -- at 1.45 MPa no bond breaks.
 --
 --   hackle run scripts/samples/centre_crack.lua
@@ -19,7 +19,7 @@ p:traction { edge = "bottom", stress = {0, -o.load} }
 p:nofail   { edge = "top",    depth = o.horizon }
 p:nofail   { edge = "bottom", depth = o.horizon }
 
--- 2. How finely it is solved, and what it leaves behind.
+-- 2. The lattice and the output.
 local s = simulate(p, { spacing = o.spacing, horizon = o.horizon })
 s:movie  { "centre_crack.mp4", field = "damage", every = 0.25*us }
 

@@ -1,8 +1,8 @@
 -- edge_crack.lua: the paper's first plate. A crack runs and forks once.
 --
--- A glass plate with a crack from its left edge to the middle is pulled apart by stresses that appear
--- at once on both long edges (paper, Figs. 3 and 4; 12 MPa).
--- Expected: the crack starts at 6 us and forks once, symmetrically, 67 mm from the left edge (seen at 25 us).
+-- A glass plate with a crack from its left edge to the middle is pulled apart by sudden stresses
+-- on both long edges (paper, Figs. 3 and 4; 12 MPa).
+-- Expected: the crack starts at 6 us and forks once, symmetrically, 67 mm from the left edge (visible at 25 us).
 --
 --   hackle run scripts/samples/edge_crack.lua
 --   hackle run scripts/samples/edge_crack.lua --set spacing=0.25*mm --set horizon=1*mm
@@ -15,12 +15,12 @@ p:crack    { from = {0, 20*mm}, to = {50*mm, 20*mm} }
 p:traction { edge = "top",    stress = {0,  o.load} }
 p:traction { edge = "bottom", stress = {0, -o.load} }
 
--- The loaded edges must not crumble: a load that appears at once on the soft rim breaks bonds in the
--- corners within a microsecond.
+-- The loaded edges must not crumble: a sudden load on the soft rim breaks bonds in the corners within a
+-- microsecond.
 p:nofail   { edge = "top",    depth = o.horizon }
 p:nofail   { edge = "bottom", depth = o.horizon }
 
--- 2. How finely it is solved, and what it leaves behind.
+-- 2. The lattice and the output.
 local s = simulate(p, { spacing = o.spacing, horizon = o.horizon })
 s:movie  { "edge_crack.mp4", field = "damage", every = 0.25*us }
 s:record { "edge_crack.h5",  every = 1*us }

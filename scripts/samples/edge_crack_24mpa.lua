@@ -1,9 +1,9 @@
 -- edge_crack_24mpa.lua: the paper's first plate under twice the load. The branches branch again.
 --
--- As edge_crack.lua, with 24 MPa on both long edges (paper, Fig. 5).
--- Expected: the crack starts at 4 us and forks at 62 mm (seen at 13.5 us); its branches fork again at 90 mm.
+-- Like edge_crack.lua, but with 24 MPa on both long edges (paper, Fig. 5).
+-- Expected: the crack starts at 4 us and forks at 62 mm (visible at 13.5 us); its branches fork again at 90 mm.
 -- The plate and its load are symmetric about mid-height and stay so to the last bit; experiments do
--- not, since real glass is not the same everywhere.
+-- not, because the strength of real glass varies.
 --
 --   hackle run scripts/samples/edge_crack_24mpa.lua
 
@@ -13,12 +13,12 @@ p:crack    { from = {0, 20*mm}, to = {50*mm, 20*mm} }
 p:traction { edge = "top",    stress = {0,  24*MPa} }
 p:traction { edge = "bottom", stress = {0, -24*MPa} }
 
--- Without these zones the loaded rows exceed the critical stretch by 1.3 to 1.8 and damage spreads
--- along the edges.
+-- Without these zones the stretch of the loaded rows is 1.3 to 1.8 times the critical stretch, and damage
+-- spreads along the edges.
 p:nofail   { edge = "top",    depth = 2*mm }
 p:nofail   { edge = "bottom", depth = 2*mm }
 
--- 2. How finely it is solved, and what it leaves behind.
+-- 2. The lattice and the output.
 local s = simulate(p, { spacing = 0.5*mm, horizon = 2*mm })
 s:movie  { "edge_crack_24mpa.mp4", field = "damage", every = 0.25*us }
 s:record { "edge_crack_24mpa.h5",  every = 1*us }

@@ -17,7 +17,7 @@ p:traction { edge = "bottom", stress = {0, -o.load} }
 p:nofail   { edge = "top",    depth = o.horizon }
 p:nofail   { edge = "bottom", depth = o.horizon }
 
--- 2. How finely it is solved, and what it leaves behind.
+-- 2. The lattice and the output.
 local s = simulate(p, { spacing = o.spacing, horizon = o.horizon })
 s:movie  { "hole.mp4", field = "damage", every = 0.5*us, width = 480 }
 
