@@ -20,11 +20,10 @@ struct Variable {
 };
 
 constexpr std::array variables{
-    Variable{"HACKLE_DATA", "Folder with shaders and assets, instead of those that are installed."},
-    Variable{"NO_COLOR", "When it is set and not empty, nothing is told in colour."},
-    Variable{
-        "XDG_STATE_HOME",
-        "The history of the prompt is kept in hackle/history below it, or below ~/.local/state."},
+    Variable{"HACKLE_DATA", "Folder with shaders and assets, instead of the installed ones."},
+    Variable{"NO_COLOR", "If it is set and not empty, messages have no colour."},
+    Variable{"XDG_STATE_HOME",
+             "The prompt keeps its history in hackle/history below it, or below ~/.local/state."},
 };
 
 std::string sentence(const std::string& text) {

@@ -23,13 +23,14 @@ std::string help_on_function(lua_CFunction function) {
     for (const Function& method : type->methods)
       if (method.call == function) return reference_of(*method.doc);
   throw Error(ErrorKind::refused, "help: this function is not one of Hackle's",
-              "help \"functions\" lists those");
+              "help \"functions\" lists Hackle's functions");
 }
 
 std::string list_of_materials(const Materials& materials) {
   std::size_t column = 0;
   for (const KnownMaterial& known : materials.list()) column = std::max(column, known.key.size());
-  std::string text = "As in plate { material = \"duran50\" }; one's own: help \"material\"\n";
+  std::string text =
+      "Used as in plate { material = \"duran50\" }; for your own: help \"material\"\n";
   for (const KnownMaterial& known : materials.list())
     text += fmt::format("\n  {:<{}}  {}", known.key, column,
                         hanging(describe(known.material), column + 4, reference_width));
@@ -49,7 +50,7 @@ std::string help_on(lua_State* L) {
   if (lua_type(L, 1) == LUA_TSTRING) return help_on_word(L, lua_tostring(L, 1));
   if (const TypeDoc* type = type_at(L, 1)) return reference_of(*type);
   throw Error(ErrorKind::refused, "help: nothing is known of " + description(L, 1),
-              "help() is the beginning");
+              "help() gives a tour");
 }
 
 }  // namespace hackle

@@ -150,20 +150,19 @@ std::string page_of_order() {
   };
   return "A script does the same in every process, to the bit.\n" +
          line("pairs, next",
-              "first the whole numbers from 1 on; then the other numbers, ascending; texts, "
-              "by their bytes; false, true; tables, functions and objects in the order in which "
-              "they were made. __pairs is honoured.") +
-         line("table.sort", "equal elements keep their order.") +
-         line("tostring",
-              "tables, functions and the like are counted: table: 1; so by %s and %p.") +
-         line("math.random", "begins with the same number, after math.randomseed() too.") +
+              "visit the whole numbers from 1 first; then other numbers, ascending; texts, by "
+              "their bytes; false, true; tables, functions and objects in the order of their "
+              "creation. __pairs is honoured.") +
+         line("table.sort", "keeps the order of equal elements.") +
+         line("tostring", "numbers tables, functions and the like: table: 1; so do %s and %p.") +
+         line("math.random", "starts with the same number, also after math.randomseed().") +
          line("loads",
-              "on one node add up alike in any order; so do temperatures and initial conditions.") +
-         "\n\nThe order counts where things cover each other: the last inclusion holds, and of\n"
-         "supports that hold a node along one axis the last one does. Discs are numbered as they\n"
-         "were said.\n\n"
+              "on one node add up to the same in any order; so do temperatures and initial "
+              "conditions.") +
+         "\n\nThe order matters where things overlap: the last inclusion applies, and so does\n"
+         "the last support of a node along an axis. Discs are numbered in the order given.\n\n"
          "Not fixed: os.time, os.date, os.clock; the length (#) of a list with gaps; the bytes\n"
-         "that collectgarbage counts, and when weak tables lose their entries.";
+         "that collectgarbage counts, and the time when weak tables lose their entries.";
 }
 
 std::string page_of_list(std::string_view name) {
@@ -207,7 +206,8 @@ std::string list_of_units() {
   std::vector<std::string_view> dimensions;
   for (const Unit& unit : units())
     if (std::ranges::count(dimensions, unit.dimension) == 0) dimensions.push_back(unit.dimension);
-  std::string text = "Numbers are SI; a constant makes them so: 12*MPa, 0.5*mm.\n";
+  std::string text =
+      "Numbers are in SI units; multiply by a constant to convert: 12*MPa, 0.5*mm.\n";
   for (const std::string_view dimension : dimensions) {
     std::vector<std::string_view> names;
     for (const Unit& unit : units())
@@ -220,7 +220,7 @@ std::string list_of_units() {
 std::string list_of_fields() {
   std::size_t column = 0;
   for (const Scalar& scalar : scalars()) column = std::max(column, scalar.name.size());
-  std::string text = "As in show(s, { field = \"speed\" }), of frames and movies too.\n\n";
+  std::string text = "Used as in show(s, { field = \"speed\" }), also for frames and movies.\n\n";
   for (const Scalar& scalar : scalars()) text += entry(scalar.name, column, meaning(scalar));
   text.pop_back();
   return text;
@@ -257,7 +257,7 @@ std::string reference_of(std::string_view name) {
   throw Error(ErrorKind::refused,
               fmt::format("help: nothing is known of '{}'{}", name.substr(0, 40),
                           did_you_mean(name, known)),
-              "help() is the beginning, help \"functions\" lists what there is");
+              "help() gives a tour, help \"functions\" lists all functions");
 }
 
 std::vector<std::string> topics() {

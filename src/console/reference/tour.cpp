@@ -21,16 +21,16 @@ constexpr std::array lines{
     Line{"p:traction { edge = \"bottom\", stress = {0, -12*MPa} }"},
     Line{"s = simulate(p, { spacing = 1*mm })", "puts it on a lattice"},
     Line{"s:run(20*us)", "Ctrl-C stops it after a step"},
-    Line{"s.energy", "where the energy went"},
+    Line{"s.energy", "the energy balance"},
     Line{"s:frame { \"crack.png\" }", "a picture, in out/prompt"},
     Line{"s:traction { edge = \"top\", stress = {0, 24*MPa} }", "another load"},
-    Line{"s:run(10*us)", "goes on"},
+    Line{"s:run(10*us)", "continues"},
 };
 
 constexpr std::array pages{
     Line{"help \"crack\"", "a function: options, units, ranges, an example"},
-    Line{"help \"horizon\"", "an option: what it means, and to which functions"},
-    Line{"help(p)", "what a plate can do; help(s): a simulation"},
+    Line{"help \"horizon\"", "an option: its meaning, and its functions"},
+    Line{"help(p)", "the methods of a plate; help(s): of a simulation"},
     Line{"help \"functions\"", "everything; also \"materials\" and \"units\""},
 };
 
@@ -46,9 +46,9 @@ std::string text_of(std::span<const Line> list, std::size_t column) {
 
 std::string tour() {
   return "Hackle breaks thin brittle plates. These lines break one; type or paste them:\n\n" +
-         text_of(lines, 38) + "\nMore is told by\n\n" + text_of(pages, 18) +
-         "\nTab completes names, options and choices. The Up key brings lines back. _ is the\n"
-         "last result. A script is run by: hackle run script.lua";
+         text_of(lines, 38) + "\nRead more with\n\n" + text_of(pages, 18) +
+         "\nTab completes names, options and choices. The Up key recalls lines. _ is the\n"
+         "last result. To run a script: hackle run script.lua";
 }
 
 std::vector<std::string_view> tour_lines() {
