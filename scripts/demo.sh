@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# From a fresh machine, one command breaks glass: installs what is missing, builds a release, runs the
-# paper's first plate and names the files it wrote.
+# Breaks glass with one command on a fresh machine: installs missing packages, builds a release, runs the
+# paper's first plate and lists the files it wrote.
 #
 #   scripts/demo.sh [OUTPUT FOLDER]      default: out/edge_crack beside this checkout
 set -euo pipefail

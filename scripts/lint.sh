@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks the formatting (clang-format 14), the spelling (codespell) and, with --tidy, the whole program with
-# clang-tidy 14. Installs what is missing when it may.
+# clang-tidy 14. Installs missing tools if it may.
 set -euo pipefail
 here=$(dirname -- "${BASH_SOURCE[0]}")
 cd "$("$here/plain_name.sh")"
@@ -24,8 +24,8 @@ git ls-files -z | xargs -0 codespell --quiet-level 3
 echo "spelling: clean"
 
 if [ "${1:-}" = --tidy ]; then
-  # A release is built in units of several sources, so that a header is read once for all of them. The kernels
-  # are compiled many times from one source, once a set of instructions: it is read once, too.
+  # A release is built in units of several sources, so each header is checked once for all of them. The kernels
+  # are compiled from one source, once per instruction set: it is also checked only once.
   cmake --preset release
   cmake --build --preset release --target hackle_git_hash
   units() {

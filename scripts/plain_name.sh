@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prints a name of this checkout that CMake, compilers and shells can take: its own when that consists of
-# letters, digits, blanks and _ . / + -, else a link to it. CMake 3.25 breaks at quotes, and at more than those.
+# Prints a name of this checkout that CMake, compilers and shells accept: its own if that consists of
+# letters, digits, blanks and _ . / + -, otherwise a link to it. CMake 3.25 breaks at quotes, and at more than those.
 set -euo pipefail
 here=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 LC_ALL=C
@@ -11,7 +11,7 @@ if is_plain "$here"; then
   printf '%s\n' "$here"
   exit
 fi
-# One name for ever, or a build would begin anew.
+# The name must never change, otherwise a build would start again.
 for folder in "${XDG_CACHE_HOME:-}" "${HOME:+$HOME/.cache}" "/tmp/hackle-$(id -u)"; do
   link=$folder/hackle/checkout-$(printf '%s' "$here" | sha256sum | head -c 12)
   if [ -n "$folder" ] && is_plain "$folder" && mkdir -p -- "${link%/*}" && ln -sfn -- "$here" "$link"; then

@@ -3,7 +3,7 @@
 #
 #   scripts/setup.sh [PRESET [TARGET]]      default: release, all that the preset builds
 #
-# Does nothing that is already done. Works as root, through sudo, or, when every package is there, as anybody.
+# Skips everything already done. Works as root, through sudo, or, if every package is installed, as any user.
 set -euo pipefail
 here=$(dirname -- "${BASH_SOURCE[0]}")
 cd "$("$here/plain_name.sh")"
@@ -24,7 +24,7 @@ if ! command -v dpkg-query >/dev/null; then
 fi
 missing=()
 for package in "${packages[@]}"; do
-  # It fails for a package that this machine has never heard of, which is as good as missing.
+  # It fails for a package unknown to this machine, which counts as missing.
   if ! status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) || [ "$status" != installed ]; then
     missing+=("$package")
   fi

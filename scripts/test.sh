@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds a release and passes every test.
+# Installs missing packages, builds a release and runs every test.
 #
 #   scripts/test.sh [PRESET] [CTEST OPTION ...]      default preset: release
 #   scripts/test.sh asan                             the same under address and UB sanitizers
-#   scripts/test.sh release -L unit                  only what is over in seconds
+#   scripts/test.sh release -L unit                  only the tests that take seconds
 set -euo pipefail
 scripts=$(dirname -- "${BASH_SOURCE[0]}")
 preset=${1:-release}

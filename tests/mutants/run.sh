@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Puts small faults into a clone of this checkout, one at a time, and tells which ones no test sees.
+# Puts small faults into a clone of this checkout, one at a time, and lists those that no test detects.
 #
 #   tests/mutants/run.sh                    all faults of faults.txt
-#   tests/mutants/run.sh random_cracks      those that have this in their file or their texts
-#   tests/mutants/run.sh --check            only whether every fault fits the source
-#   tests/mutants/run.sh --clone DIR ...    in that clone, which has its build in build/release
+#   tests/mutants/run.sh random_cracks      those with this in their file or texts
+#   tests/mutants/run.sh --check            only checks whether every fault fits the source
+#   tests/mutants/run.sh --clone DIR ...    uses that clone, with its build in build/release
 #
 # By default the clone is build/mutants, of the last commit; it and its build are kept, so that a
-# fault costs two compilations of one file and a link or two. Exit code 1 when a fault was not seen,
-# 2 when one could not be tried.
+# fault costs two compilations of one file and a link or two. Exit code 1 if a fault was not detected,
+# 2 if one could not be tried.
 set -euo pipefail
 here=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 list=$here/tests/mutants/faults.txt
@@ -28,7 +28,7 @@ done
 seen=0 unseen=0 untried=0
 declare -A passes=()  # what was tried without a fault: ok or bad
 
-# Whether `text` holds `part` exactly once.
+# Returns whether `text` contains `part` exactly once.
 once() {
   local text=$1 part=$2
   local rest=${text#*"$part"}
@@ -40,7 +40,7 @@ could_not() {
   echo "UNTRIED   $1: ${was%%$'\n'*}: $2"
 }
 
-# What faults are put into is built file by file, what sees them in large units, both in little time.
+# The code with faults is built file by file, the tests in large units: both take little time.
 configure() {
   local -a options=(-DCMAKE_UNITY_BUILD=OFF -DHACKLE_UNITY_TESTS=ON -DHACKLE_AVX512=OFF "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG")
   command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
@@ -54,7 +54,7 @@ build_tests() {
   nice -n 19 cmake --build "$clone/build/release" "${targets[@]}" >"$clone/build/mutants.log" 2>&1
 }
 
-# True when every test named passes, and there are such.
+# Returns success if every named test passes and at least one exists.
 pass_tests() {
   local entry said
   for entry in $tests; do
