@@ -43,7 +43,7 @@ int command_check(const RunRequest& request) {
       print_out("simulation {}\n{}\n", ++number, describe(rehearsal));
     if (number == 0) print_out("the script makes no simulation\n");
     if (failure)
-      print_out("then it wants results: {}\nwhat comes after that is unknown\n",
+      print_out("the script then needs results: {}\nthe rest is unknown\n",
                 failure->problems().front().what);
     return console.exit_code().value_or(0);
   });

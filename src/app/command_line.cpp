@@ -237,7 +237,7 @@ int with_output_checked(int code) {
   const auto reason = lost_output();
   if (!reason) return code;
   const bool unread = output_is_unread();
-  if (!unread) tell(Error(ErrorKind::files, "what was printed is lost: " + *reason));
+  if (!unread) tell(Error(ErrorKind::files, "output was lost: " + *reason));
   const bool stopped = unread && code == static_cast<int>(ErrorKind::interrupted);
   return code == 0 || stopped ? static_cast<int>(ErrorKind::files) : code;
 }

@@ -21,7 +21,7 @@ int command_new(const std::string& name) {
                   "take another name");
     make_folder_of(path);
     write_text(path, read_text(data_file("assets/new.lua")));
-    print_out("wrote {0}\nhackle check {0} tells what it takes, hackle run {0} runs it\n",
+    print_out("wrote {0}\nhackle check {0} estimates its cost, hackle run {0} runs it\n",
               path.string());
     return 0;
   });

@@ -16,7 +16,7 @@ constexpr std::array codes{
     ExitCode{2, "The command line makes no sense"},
     ExitCode{3, "There is an error in the script"},
     ExitCode{4, "Input was refused: it makes no physical or numerical sense"},
-    ExitCode{5, "A file could not be read or written, or what was printed was lost"},
+    ExitCode{5, "A file could not be read or written, or output was lost"},
     ExitCode{130, "Interrupted with Ctrl-C"},
 };
 

@@ -100,7 +100,7 @@ std::filesystem::path default_output_folder(const std::filesystem::path& script,
   throw Error(ErrorKind::refused,
               "the output folder '" + folder.string() + "' lies in '" +
                   real_path(folder).parent_path().string() + "'",
-              "say with -o that files may be written there");
+              "use -o to allow writing there");
 }
 
 // [-0, +0] Sets `_` to the value at 1, without calling a metamethod of _G.

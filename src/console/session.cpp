@@ -122,7 +122,7 @@ void Session::check_memory(const std::string& who, std::uint64_t bytes) const {
               fmt::format("{}: out of memory: {} are left, the simulations of this script hold "
                           "the rest",
                           who, quantity(static_cast<double>(left), "B")),
-              "let go of some: set what holds them to nil");
+              "release some: set the variables that hold them to nil");
 }
 
 int Session::number_of(const Run& run) const {

@@ -64,7 +64,8 @@ Font::Font(const char* family)
             cairo_font_face_destroy) {
   constexpr double any_size = 16.0;
   if (family_of(scaled(any_size).get()) == family) return;
-  throw Error(ErrorKind::files, fmt::format("pictures need the font {}, it is not there", family),
+  throw Error(ErrorKind::files,
+              fmt::format("pictures need the font {}, which is not installed", family),
               "install the Debian package fonts-dejavu-core");
 }
 

@@ -98,7 +98,7 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path) {
   std::string why;
   file_ = opened_growing(path, why);
   if (file_.get() >= 0) return;
-  if (H5Fis_hdf5(path.c_str()) == 0) refuse(why, "a run file is what s:record{} writes");
+  if (H5Fis_hdf5(path.c_str()) == 0) refuse(why, "s:record{} writes run files");
   refuse(why, why == locked ? "another program is writing it: wait for its end" : "");
 }
 
@@ -166,7 +166,7 @@ void Hdf5Reader::check_link(const std::string& name) const {
   if (link.type == H5L_TYPE_HARD) return;
   const bool leads_out = link.type == H5L_TYPE_EXTERNAL;
   refuse(fmt::format("its {} is {}", name, leads_out ? "a link to another file" : "only a link"),
-         "a run file holds all that belongs to it");
+         "a run file contains all of its data");
 }
 
 // Returns whether the name exists and is reached by plain links only.
@@ -197,7 +197,7 @@ void Hdf5Reader::check_storage(const Hdf5Handle& dataset, const std::string& nam
   const H5D_layout_t layout = H5Pget_layout(plan.get());
   if (layout == H5D_VIRTUAL || H5Pget_external_count(plan.get()) != 0)
     refuse(fmt::format("the data of its {} lie in another file", name),
-           "a run file holds all that belongs to it");
+           "a run file contains all of its data");
   if (layout < 0) refuse(fmt::format("its {} is missing or damaged", name));
   std::array<int, 3> found{};  // number of each of our filters
   for (int k = 0; k < H5Pget_nfilters(plan.get()); ++k) {

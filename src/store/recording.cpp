@@ -24,7 +24,7 @@ constexpr std::int64_t max_records = 1'000'000;
 void check_format(const Hdf5Reader& file) {
   if (!file.has_attribute("software") || file.attribute("software") != "Hackle" ||
       !file.has_attribute("format_version"))
-    file.refuse("it is no run file of Hackle", "a run file is what s:record{} writes");
+    file.refuse("it is no run file of Hackle", "s:record{} writes run files");
   const std::int64_t format = file.integer("format_version");
   if (format < run_file_format)
     file.refuse(fmt::format("it was written in format {}, which lacks the bonds", format),

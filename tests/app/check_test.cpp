@@ -90,7 +90,7 @@ TEST_F(CheckTest, AScriptThatWantsResultsIsNoFailure) {
   const auto ended =
       run("check", test::scene + "s:run(1*us) assert(s.damage.broken_bonds > 0, 'none broke')");
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("then it wants results: a.lua:7: none broke"));
+  EXPECT_THAT(ended.out, HasSubstr("the script then needs results: a.lua:7: none broke"));
 }
 
 TEST_F(CheckTest, AScriptThatWaitsForResultsEnds) {

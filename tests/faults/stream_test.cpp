@@ -77,7 +77,7 @@ TEST_F(Streaming, WhatIsPrintedAndLostIsSaidAtTheEnd) {
   for (const Stream out : {Stream::closed, Stream::full}) {
     const Ended ended = run({"run", "a.lua"}, {Stream::usual, out, Stream::usual});
     EXPECT_EQ(ended.code, 5);
-    EXPECT_THAT(ended.err, HasSubstr("what was printed is lost"));
+    EXPECT_THAT(ended.err, HasSubstr("output was lost"));
     EXPECT_EQ(read("out/a/a.txt"), "whole");
     fs::remove_all(folder_.path / "out");
   }

@@ -37,7 +37,7 @@ TEST_F(Steering, CtrlCOnAnEmptyLinePauses) {
   terminal_.say("s:status().state");
   terminal_.expect("\nrunning\n");
   terminal_.press("C-c");
-  terminal_.expect("note: paused; s:resume() goes on\n>");
+  terminal_.expect("note: paused; s:resume() continues\n>");
   terminal_.say("s:status().state");
   terminal_.expect("\npaused\n");
   terminal_.say("steps = s.steps");

@@ -136,7 +136,7 @@ int release(lua_State* L) {
       loads.supports, [&](const Support& support) { return !region || support.region == region; });
   if (gone == 0)
     throw Error(ErrorKind::refused, "release: nothing is clamped or moved there",
-                "name the area as clamp or move named it, or none for all");
+                "give the same area as for clamp or move, or none for all");
   scripted.run().set_loads(std::move(loads));
   return return_self(L);
 }

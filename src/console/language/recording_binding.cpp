@@ -26,7 +26,8 @@ namespace {
 void check_is_there(const Session& session, const std::filesystem::path& path) {
   std::error_code ignored;
   if (session.settings.purpose == Purpose::check && !std::filesystem::exists(path, ignored))
-    throw Error(ErrorKind::script, fmt::format("recording: '{}' is not there yet", path.string()));
+    throw Error(ErrorKind::script,
+                fmt::format("recording: '{}' does not exist yet", path.string()));
 }
 
 int open_recording(lua_State* L) {

@@ -86,7 +86,7 @@ const Simulation& simulation_at(lua_State* L, int index, const Arguments& argume
   if (const ScriptedRun* scripted = object_at<ScriptedRun>(L, index)) {
     if (arguments.has("time"))
       throw Error(ErrorKind::refused, "show: time is for recordings",
-                  "a simulation is shown as it is; s:run() goes on");
+                  "a simulation shows its present state; s:run() continues it");
     return scripted->simulation();
   }
   Recording& recording = *object_at<ScriptedRecording>(L, index)->recording;

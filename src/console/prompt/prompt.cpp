@@ -79,14 +79,14 @@ bool Prompt::work(const MakeRoom& make_room) {
 void Prompt::pause_work() {
   if (!console_.is_working()) return;
   console_.pause_work();
-  voice_.note("paused; s:resume() goes on");
+  voice_.note("paused; s:resume() continues");
 }
 
 // Explains that a local ends with its line, a common surprise when lines of a script are pasted.
 void Prompt::explain_local(const std::string& chunk) {
   if (local_is_explained_ || !chunk.starts_with("local ")) return;
   local_is_explained_ = true;
-  voice_.note("a local ends with the line that it stands in; leave out 'local' to keep it");
+  voice_.note("a local ends with its line; leave out 'local' to keep it");
 }
 
 }  // namespace hackle

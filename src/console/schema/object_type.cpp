@@ -46,7 +46,7 @@ int refuse_to_write(lua_State* L) {
   const TypeDoc& type = type_of_closure(L);
   throw Error(ErrorKind::refused,
               fmt::format("the {} cannot be changed by an assignment", type.name),
-              fmt::format("help({}) lists what it can do", type.name));
+              fmt::format("help({}) lists its methods and fields", type.name));
 }
 
 void set_closure(lua_State* L, const char* name, const TypeDoc& type, lua_CFunction function) {
