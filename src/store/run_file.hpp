@@ -21,9 +21,10 @@ struct Origin {
 //   /material                       N      u8        where they differ
 //   /time                           T      f64  s
 //   /step                           T      i64
-//   /records/0/00000/damage         N      f32       a group per thousand records, in it one per
-//   record /records/0/00000/displacement   N x 3  f32  m /records/0/00000/velocity       N x 3  f32
-//   m/s /records/0/00000/broken         N x W  u32       bits of the broken bonds that a node keeps
+//   /records/0/00000/damage         N      f32       a group per thousand records, one per record
+//   /records/0/00000/displacement   N x 3  f32  m
+//   /records/0/00000/velocity       N x 3  f32  m/s
+//   /records/0/00000/broken         N x W  u32       bits of the broken bonds that a node keeps
 //   /records/0/00000/thermal_strain N      f32       where something is heated
 //   /records/0/00000/discs          K x 5  f64       of K impactors, if there are any
 //   /script, /inputs                text             the script; plate and numerics in JSON

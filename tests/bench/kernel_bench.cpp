@@ -2,7 +2,7 @@
 // Times steps of the benchmark's plate in every configuration and three sizes: in the caches of a
 // core, in those of the processor, and in memory.
 //
-//    build/release/bin/bench_kernel --benchmark_filter=f64/64000
+//   build/release/bin/bench_kernel --benchmark_filter=f64/64000
 #include <string>
 
 #include <benchmark/benchmark.h>

@@ -188,7 +188,7 @@ extern "C" const char* __lsan_default_suppressions() {
   return "leak:libhdf5";
 }
 
-// While it lives, no file can grow beyond so many bytes: a disk that fills up.
+// Limits the size of files while it lives, like a disk that fills up.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) : former_handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -31,15 +31,15 @@ Simulation loaded_plate() {
   return Simulation(plate, test::numerics(), {1});
 }
 
-// The records that are counted; -1 when the file does not open.
+// Returns the number of committed records; -1 if the file does not open.
 long long committed_records(const fs::path& path) {
   const RunFileReader reader(path);
   return reader.opens() ? reader.committed() : -1;
 }
 
-// Each record of a run has its own number as time; -1 when something committed is not there.
-// Counted through an opening of its own: the library asks where the file ends when it opens it, and
-// does not see what is written and counted after that.
+// Returns the number of whole records. Each record has its own number as time; -1 if committed data
+// are missing. Counted through a separate opening: the library determines the end of a file on
+// opening, and does not see data committed after that.
 long long whole_records(const fs::path& path) {
   const long long count = committed_records(path);
   const RunFileReader reader(path);
@@ -55,8 +55,8 @@ long long whole_records(const fs::path& path) {
   return count;
 }
 
-// As above, for readers that are stopped in the middle of what they read while the writer goes on:
-// such a reading fails by a checksum or a length, and the next one does not.
+// Does the same for readers that are stopped while the writer continues: such a reading fails by a
+// checksum or a length, and the next one does not.
 long long whole_records_soon(const fs::path& path) {
   constexpr int max_trials = 20;
   long long count = -1;
@@ -110,7 +110,7 @@ TEST(ARunFileBeingWritten, IsARecordingOfWhatIsThere) {
   EXPECT_EQ(Recording(folder.path / "a.h5", {1}).times().size(), 3U);
 }
 
-// A program that is killed when it has recorded so much.
+// Runs a program that is killed after this many records.
 void record_and_die(const fs::path& path, int records) {
   const pid_t child = fork();
   ASSERT_GE(child, 0);
