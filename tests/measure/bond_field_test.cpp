@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stress and energy of nodes against closed forms (src/lattice/README.md 3.1).
+// Compares stress and energy of nodes with closed forms (src/lattice/README.md 3.1).
 #include "measure/bond_field.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace hackle {
 namespace {
 
-// A plate under the uniform strain, small enough to be linear.
+// Makes a plate under a uniform strain, small enough to be linear.
 Simulation strained(double exx, double eyy, double exy) {
   Simulation simulation(test::bare_plate(24, 20), test::numerics(), {1});
   simulation.restore(test::displaced(simulation, [&](const Vec2& x) {
@@ -35,7 +35,7 @@ TEST(Stress, OfAUniformStrainIsThatOfTheLatticeModuli) {
     const Lattice& lattice = simulation.lattice();
     const Moduli& moduli = lattice.calibration.moduli;
     const Stress inner = stresses(simulation)[lattice.grid.index(12, 10)];
-    // The stretch is linear in the strain to its own size.
+    // The stretch is linear up to a relative error of the size of the strain.
     const double tolerance = 4.0 * strain * moduli.C11 * strain;
     EXPECT_NEAR(inner.xx, moduli.C11 * c.exx + moduli.C12 * c.eyy, tolerance);
     EXPECT_NEAR(inner.yy, moduli.C12 * c.exx + moduli.C11 * c.eyy, tolerance);

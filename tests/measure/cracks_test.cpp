@@ -57,7 +57,7 @@ TEST(Cracks, TheTipIsTheFarthestNode) {
   plate.cracks.push_back({{10e-3, 10e-3}, {30e-3, 10e-3}});
   const Simulation simulation(plate, test::numerics(), {1});
   EXPECT_NEAR(tip_place(nodes_on_crack(damage(simulation)), simulation.lattice().grid), 30e-3,
-              2e-3);  // a horizon: there nodes have lost less
+              2e-3);  // a horizon: nodes there have lost fewer bonds
 }
 
 TEST(Fragments, AreListedTheLargestFirst) {
@@ -71,7 +71,7 @@ TEST(Foremost, IsTheFarthestNodeOnACrackInThatDirection) {
   EXPECT_FALSE(foremost(damage, grid, {1, 0}));
   damage.values[grid.index(2, 1)] = 0.5F;
   damage.values[grid.index(5, 3)] = 0.5F;
-  damage.values[grid.index(7, 4)] = on_crack;  // not on it
+  damage.values[grid.index(7, 4)] = on_crack;  // not above the threshold
   EXPECT_EQ(foremost(damage, grid, {1, 0}).value(), Vec2(5.5, 3.5));
   EXPECT_EQ(foremost(damage, grid, {-1, 0}).value(), Vec2(2.5, 1.5));
   EXPECT_EQ(foremost(damage, grid, {0, 1}).value(), Vec2(5.5, 3.5));
@@ -85,7 +85,7 @@ TEST(Foremost, OfTwoBranchesIsTheMiddle) {
   EXPECT_EQ(foremost(damage, grid, {1, 0}).value(), Vec2(6.5, 3.0));
 }
 
-// Seen a little from above or below, one branch lies a quarter of a spacing behind the other.
+// Seen slightly from above or below, one branch lies a quarter of a spacing behind the other.
 TEST(Foremost, OfBranchesWithinHalfASpacingIsTheirMiddleEitherWay) {
   Field damage = none();
   for (const int j : {1, 4}) damage.values[grid.index(6, j)] = 0.5F;

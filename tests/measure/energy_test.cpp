@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Energies against closed forms (src/lattice/README.md 3.1 and 3.4).
+// Compares energies with closed forms (src/lattice/README.md 3.1 and 3.4).
 #include "measure/energy.hpp"
 
 #include <cmath>
@@ -12,8 +12,8 @@
 namespace hackle {
 namespace {
 
-// The energy of a rectangle is bilinear in its sizes, so the mixed second difference leaves what
-// one inner cell holds, free of the soft rim.
+// The energy of a rectangle is bilinear in its sizes, so the mixed second difference is the energy
+// of one inner cell, without the soft rim.
 template <class Measure>
 double inner_cell(Measure measure) {
   return measure(21, 18) - measure(20, 18) - measure(21, 17) + measure(20, 17);

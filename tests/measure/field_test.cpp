@@ -42,13 +42,14 @@ TEST(Displacement, IsInMetres) {
 TEST(Velocity, IsInMetresPerSecond) {
   Simulation simulation(test::bare_plate(12, 12), test::numerics());
   State state = simulation.state();
-  state.set_v(5, 0, {0, 1e-3});  // lattice spacings a step
+  state.set_v(5, 0, {0, 1e-3});  // lattice spacings per step
   simulation.restore(state);
   EXPECT_FLOAT_EQ(velocity(simulation).values[11],
                   static_cast<float>(1e-3 * 0.5e-3 / simulation.dt()));
 }
 
-// One node at a time as all at once: inside, at edges, beside a crack, a hole and a broken bond.
+// The damage of one node must equal that of the field: inside, at edges, beside a crack, a hole and
+// a broken bond.
 TEST(Damage, OfOneNodeIsThatOfTheField) {
   Plate plate = test::bare_plate(24, 18);
   plate.cracks.push_back({{2e-3, 3e-3}, {7e-3, 6e-3}, Born::broken});
@@ -66,7 +67,7 @@ TEST(Damage, OfOneNodeIsThatOfTheField) {
   EXPECT_EQ(damage_of(simulation, 20, 2), 1.0);
 }
 
-// Each at its own place and of its own size, wherever the plate lies; in metres.
+// Each disc at its own position and with its own size, for any position of the plate; in metres.
 TEST(Impactors, FlyWhereTheyWereThrown) {
   Plate plate = test::bare_plate(40, 20);
   plate.loads.impactors.push_back({{-9e-3, 4e-3}, 2e-3, {30.0, -20.0}, 10.0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Forks of bands drawn by hand, and none where there is none: on straight bands of any width, in
-// any direction, torn and frayed.
+// Finds the forks of bands drawn by hand, and none on straight bands of any width, in any
+// direction, torn and frayed.
 #include "measure/fork.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 const Grid field{200, 160, 1.0, {100.0, 80.0}};
 
-// Nodes within half a width of a line; some are left out at random, none where `torn` is 0.
+// Draws the nodes within half a width of a line; omits some at random, none if `torn` is 0.
 void draw(Nodes& nodes, const Segment& line, double width, double torn = 0.0) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -45,9 +45,8 @@ TEST(Forks, AStraightBandHasNone) {
         }
 }
 
-// Whichever way the crack runs, with what was there at the start or without. Along the axes and the
-// diagonals a way is measured right, elsewhere up to 8 % too long, which bends what is taken for
-// the middle.
+// In any direction of the crack, with or without an initial crack. Path lengths are exact along the
+// axes and the diagonals, and elsewhere up to 8 % too long, which bends the computed middle line.
 TEST(Forks, LieWhereTheMiddleLinesOfTheBranchesMeet) {
   for (const double m : {3.0, 4.0, 8.0})
     for (const double angle : {0.0, std::numbers::pi / 2, std::numbers::pi, 4.0, 0.4})
@@ -93,14 +92,14 @@ TEST(Forks, OfSeveralAreNamedFromTheLeft) {
   draw(nodes, {{30, 80}, {170, 80}}, m);
   draw(nodes, {{60, 80}, {20, 110}}, m);
   draw(nodes, {{140, 80}, {180, 50}}, m);
-  draw(start, {{90, 80}, {110, 80}}, m);  // it ran both ways
+  draw(start, {{90, 80}, {110, 80}}, m);  // it ran in both directions
   const auto found = forks(nodes, start, field, m);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_LT((found[0] - Vec2(60, 80)).norm(), m);
   EXPECT_LT((found[1] - Vec2(140, 80)).norm(), m);
 }
 
-// As the scene cuts them: straight, oblique, beside a hole, from a notch, two beside each other.
+// Cracks as cut by the scene: straight, oblique, beside a hole, from a notch, two side by side.
 TEST(Forks, CracksOfTheSceneHaveNone) {
   for (const double m : {3.0, 6.0, 16.0}) {
     Plate plate = test::bare_plate(160, 120);

@@ -61,7 +61,7 @@ TEST(BondLines, ABlockMayReachBeyondTheLattice) {
             simulation.lattice().initial_bonds());
 }
 
-// By place, direction and whether it holds, against the question asked bond by bond.
+// Compares place, direction and state of each line with a query bond by bond.
 TEST(BondLines, AreTheBondsOfTheState) {
   Simulation simulation = cracked();
   State state = simulation.state();
@@ -76,7 +76,7 @@ TEST(BondLines, AreTheBondsOfTheState) {
     EXPECT_EQ(simulation.holds(line.i, line.j, line.column, line.row), line.holds);
     broken += line.holds ? 0 : 1;
   }
-  EXPECT_GT(broken, lattice.family.kept());  // those that other nodes keep, too
+  EXPECT_GT(broken, lattice.family.kept());  // including bonds that other nodes keep
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every field and every energy of a plate that has all at once, node by node, against sums over
-// pairs of nodes written down a second time: glass with steel, resin and a hole, unevenly strong,
-// unevenly warm, jolted, moving, with broken bonds.
+// Compares every field and every energy of a plate with all features, node by node, with sums over
+// pairs of nodes written down a second time: glass with steel, resin and a hole, of uneven strength
+// and temperature, displaced, moving, with broken bonds.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ namespace {
 constexpr int columns = 34, rows = 22, m = 3;
 constexpr double dx = 0.5e-3;
 
-// What a node is of, by where it lies.
+// The material of a node, by its position.
 enum Kind { glass, soft, hard, nothing };
 
 Kind kind_at(int i, int j) {
@@ -40,7 +40,7 @@ Material material_of(Kind kind) {
   return material;
 }
 
-Vec2 warmth(int i, int j) {  // K, of two changes
+Vec2 warmth(int i, int j) {  // K, from two changes
   return {3.0 * dx * i / 1e-3, 20.0 - 1.5 * j};
 }
 
@@ -71,8 +71,8 @@ Simulation mixed(Plane plane) {
   state = test::shaken(std::move(state), 1e-3, 4);
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i)
-      if (kind_at(i, j) == nothing) state.set_v(i, j, {0, 0});  // nothing moves it
-  // A cut through the whole plate and a node without bonds, as if they had broken in a run.
+      if (kind_at(i, j) == nothing) state.set_v(i, j, {0, 0});  // it never moves
+  // A cut through the whole plate and a node without bonds, as if the bonds had broken in a run.
   Plate cut = mixed_plate(plane);
   cut.cracks.push_back({{6.1e-3, 0.0}, {6.4e-3, 11e-3}, Born::broken});
   state.bonds = Lattice(cut, simulation.numerics()).bonds;
@@ -81,7 +81,7 @@ Simulation mixed(Plane plane) {
   return simulation;
 }
 
-// The same by plain loops over pairs.
+// Computes the same by plain loops over pairs.
 class ByHand {
  public:
   explicit ByHand(const Simulation& simulation) : simulation_(simulation) {
@@ -158,7 +158,7 @@ class ByHand {
     return std::sqrt(0.5 * (std::pow(xx - yy, 2) + std::pow(yy - zz, 2) + std::pow(zz - xx, 2)) +
                      3.0 * xy * xy);
   }
-  // Left of the cut, right of it, or alone.
+  // Returns the fragment: left of the cut, right of it, or single.
   static double piece(int i, int j) {
     if (kind_at(i, j) == nothing || (i == 25 && j == 18)) return 0.0;
     const double cut = 6.1e-3 + 0.3e-3 * (j + 0.5) * dx / 11e-3;
@@ -181,7 +181,7 @@ class ByHand {
     const double c = 0.5 * (p.c + q.c), V = dx * dx, length = dx * std::hypot(a, b);
     const double s0 = std::min(p.s0 * lattice.strength[one], q.s0 * lattice.strength[two]);
     if (!holds(grid, lattice.family, simulation_.state().bonds, i, j, a, b)) {
-      broken_ += 0.25 * c * length * V * V * s0 * s0;  // seen from either end
+      broken_ += 0.25 * c * length * V * V * s0 * s0;  // counted from either end
       lost_ += 1;
       return;
     }
@@ -198,7 +198,7 @@ class ByHand {
     energy_[one] += 0.25 * c * s * s * length * V;
     closest_[one] = std::max(closest_[one], s / s0);
   }
-  // The point of the bond that is nearest to the middle of the hole.
+  // Checks the point of the bond nearest to the centre of the hole.
   static bool passes_hole(int i, int j, int a, int b) {
     const Vec2 from = dx * Vec2(i + 0.5, j + 0.5) - Vec2(14e-3, 5e-3), along = dx * Vec2(a, b);
     const double share = std::clamp(-from.dot(along) / along.squaredNorm(), 0.0, 1.0);
@@ -217,7 +217,7 @@ class ByHand {
 
 class MixedPlate : public testing::TestWithParam<Plane> {};
 
-// To the rounding of single precision, of the largest value of the field.
+// Tolerance: the rounding of single precision, relative to the largest value of the field.
 TEST_P(MixedPlate, HasEveryFieldAtEveryNode) {
   const Simulation simulation = mixed(GetParam());
   const ByHand sums(simulation);
@@ -248,7 +248,7 @@ TEST_P(MixedPlate, HasItsEnergies) {
 
 INSTANTIATE_TEST_SUITE_P(Planes, MixedPlate, testing::Values(Plane::stress, Plane::strain));
 
-// Between walls on all sides the stress in the plate is known; across, it is nu times their sum.
+// Between walls on all sides the stress in the plate is known; across it is nu times the sum.
 TEST(VonMises, CountsTheStressAcrossAThickPlate) {
   const auto pressed = [](Plane plane) {
     Plate plate = test::bare_plate(24, 20);
@@ -257,7 +257,7 @@ TEST(VonMises, CountsTheStressAcrossAThickPlate) {
     simulation.restore(test::displaced(simulation, [](const Vec2& x) { return Vec2(-1e-6 * x); }));
     return scalar_of("von_mises").values(simulation)[10 * 24 + 12];
   };
-  // Both principal stresses in the plate are K e, the one across it nu of their sum.
+  // Both principal stresses in the plate are K e; that across it is nu times their sum.
   const auto wanted = [](Plane plane) {
     Plate plate = test::bare_plate(24, 20);
     plate.plane = plane;

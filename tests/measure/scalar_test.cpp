@@ -30,7 +30,8 @@ TEST(Scalars, HaveAFiniteValueForEveryNodeAndEndsThatDiffer) {
   }
 }
 
-// From what breaks the plate's own material; an inclusion moves those of temperature alone.
+// They follow from the strength of the plate's own material; an inclusion changes only those of
+// temperature.
 TEST(Scalars, HaveTheEndsOfTheirDefinition) {
   Plate plate = test::bare_plate(40, 24);  // 20 x 12 mm
   plate.material.alphaT = 4e-6;

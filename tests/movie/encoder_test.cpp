@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Movies are decoded again and compared with what went in.
+// Decodes movies and compares them with the input.
 #include "movie/encoder.hpp"
 
 #include <cmath>
@@ -37,7 +37,7 @@ TEST(Encoder, EveryFrameIsThereAtItsTime) {
   EXPECT_GT(encoder.seconds(), 0.0);
 }
 
-// Where the square of moving() begins in a row that crosses it.
+// Returns where the square of moving() begins in a row that crosses it.
 int left_end_of_square(const Image& image) {
   int x = 0;
   while (image.pixels[static_cast<std::size_t>(25 * image.stride() + 4 * x)] < 145) ++x;
@@ -51,7 +51,7 @@ TEST(Encoder, FramesAreShownInTheOrderTheyWereGiven) {
   encoder.finish();
   const Played played = play(path);
   ASSERT_EQ(played.frames.size(), 70U);
-  // The edge of the square is sharp: half-way between its colours it is where it was drawn.
+  // The edge of the square is sharp: the mean of its colours lies where it was drawn.
   for (std::size_t k = 0; k < 70; ++k)
     EXPECT_EQ(left_end_of_square(played.frames[k]), 10 + static_cast<int>(k));
 }
@@ -63,7 +63,7 @@ TEST(Encoder, TimesAreThoseOfARateThatIsNoWholeNumber) {
   encoder.finish();
   const Played played = play(path);
   ASSERT_EQ(played.times.size(), 100U);
-  // The container counts in ticks of at most 0.1 ms.
+  // The container has ticks of at most 0.1 ms.
   for (std::size_t k = 0; k < 100; ++k)
     EXPECT_NEAR(played.times[k], static_cast<double>(k) / 29.97, 1e-4);
 }

@@ -10,7 +10,7 @@ namespace {
 
 using Colour = Palette::Colour;
 
-// One row of pixels.
+// Makes one row of pixels.
 Image row_of(const std::vector<Colour>& colours) {
   Image image(static_cast<int>(colours.size()), 1);
   for (std::size_t k = 0; k < colours.size(); ++k) {
@@ -34,8 +34,8 @@ Colour with(const Colour& base, int channel, int value) {
   return colour;
 }
 
-// Shades that differ in one channel alone, a few at a time: exact as long as half the places are
-// free, whichever channel it is.
+// Shades that differ in one channel only, a few at a time: exact in every channel while half the
+// places are free.
 TEST(Palette, TellsShadesOfEveryChannelApart) {
   for (const int channel : {0, 1, 2}) {
     std::vector<Colour> shades;
@@ -60,7 +60,7 @@ TEST(Palette, TakesShadesWithinThreeLevelsTogetherInEveryChannel) {
   }
 }
 
-// Many colours: each is as near as what counts as near when all places are taken.
+// With many colours, each is as near as the threshold of nearness once all places are taken.
 TEST(Palette, IsNeverFartherThanItsLastStep) {
   std::vector<Colour> all;
   for (int r = 0; r < 256; r += 51)

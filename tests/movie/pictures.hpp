@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures to film.
+// Pictures for movies.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ inline Image plain(int width, int height, std::uint8_t red, std::uint8_t green, 
   return image;
 }
 
-// A square that moves a pixel a frame, down its first column at 10 + frame.
+// Makes a square that moves by a pixel per frame, with its first column at 10 + frame.
 inline Image moving(int width, int height, int frame) {
   Image image = plain(width, height, 20, 30, 50);
   for (int y = 10; y < 40; ++y)
@@ -32,7 +32,7 @@ inline Image moving(int width, int height, int frame) {
   return image;
 }
 
-// The hardest there is: every pixel another of all colours, or of the greys of a few levels.
+// Makes the hardest picture: every pixel has a random colour, or a random grey of a few levels.
 inline Image noise(int width, int height, unsigned seed, bool grey = false) {
   std::mt19937 random(seed);
   Image image(width, height);

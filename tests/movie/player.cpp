@@ -97,7 +97,7 @@ int number(View bytes, std::size_t at, int count) {
   return value;
 }
 
-// One picture of an animated WebP, as a file of its own.
+// Decodes one picture of an animated WebP as a separate file.
 Image decode_webp(View chunks) {
   std::vector<std::uint8_t> file{'R', 'I', 'F', 'F'};
   for (int k = 0; k < 4; ++k)
@@ -116,7 +116,7 @@ Image decode_webp(View chunks) {
   const int code = avcodec_receive_frame(codec, frame);
   Image image;
   if (code == 0) {
-    // Limited-range BT.601 is what the format has; the scaler takes it by itself.
+    // The format has limited-range BT.601, the default of the scaler.
     image = Image(frame->width, frame->height);
     SwsContext* scaler = sws_getContext(
         frame->width, frame->height, static_cast<AVPixelFormat>(frame->format), frame->width,
@@ -132,7 +132,7 @@ Image decode_webp(View chunks) {
   return image;
 }
 
-// Lays a part over the canvas; alpha is 0 or 255 in what we film.
+// Lays a part over the canvas; alpha is 0 or 255 in our movies.
 void lay_over(Image& canvas, const Image& part, int left, int top, bool blend) {
   for (int y = 0; y < part.height; ++y)
     for (int x = 0; x < part.width; ++x) {

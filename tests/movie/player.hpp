@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a player sees of a movie.
+// Plays a movie.
 #pragma once
 
 #include <filesystem>
@@ -23,16 +23,16 @@ struct Played {
   AVColorPrimaries primaries = AVCOL_PRI_UNSPECIFIED;
   AVColorTransferCharacteristic transfer = AVCOL_TRC_UNSPECIFIED;
   std::map<std::string, std::string> metadata;  // names in lower case
-  std::vector<double> times;                    // s, at which each frame is first shown
+  std::vector<double> times;                    // s, start of each frame
   std::vector<Image> frames;                    // BGRA
   std::vector<std::size_t> keyframes;
   double seconds = 0.0;  // of an animated WebP
 };
 
-// Of a file of any kind; what is cut off at its end does not count.
+// Plays a file of any kind; a truncated end is ignored.
 Played play(const std::filesystem::path& path);
 
-// The greatest difference of any channel but alpha, in levels.
+// Returns the largest difference of any channel except alpha, in levels.
 int difference(const Image& one, const Image& other);
 
 }  // namespace hackle::test

@@ -15,7 +15,7 @@ using test::plain;
 
 constexpr int width = 38, height = 22, stride = 48;
 
-// Planes with room at the end of each row, which nobody may touch.
+// Planes with extra room at the end of each row, which must stay untouched.
 struct Filled {
   std::array<std::vector<std::uint8_t>, 3> planes{
       std::vector<std::uint8_t>(stride * height, 99),
@@ -29,14 +29,14 @@ struct Filled {
   }
 };
 
-// ITU-R BT.709-6, items 3.2 to 3.5, of red, green and blue from 0 to 255.
+// Computes ITU-R BT.709-6, items 3.2 to 3.5, for red, green and blue from 0 to 255.
 std::array<double, 3> bt709(double red, double green, double blue) {
   const double luma = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
   return {16.0 + 219.0 / 255.0 * luma, 128.0 + 224.0 / 255.0 * (blue - luma) / 1.8556,
           128.0 + 224.0 / 255.0 * (red - luma) / 1.5748};
 }
 
-// The mean of `size` by `size` pixels.
+// Returns the mean of `size` by `size` pixels.
 std::array<double, 3> mean_of(const Image& image, int left, int top, int size) {
   std::array<double, 3> sum{};
   for (int y = top; y < top + size; ++y)
@@ -49,7 +49,7 @@ std::array<double, 3> mean_of(const Image& image, int left, int top, int size) {
 }
 
 void expect_right(const Image& image, const Filled& filled) {
-  // Half a level by rounding, and 2^-16 of each of the weights.
+  // Half a level from rounding, and 2^-16 from each weight.
   constexpr double off = 0.5 + 0.01;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int nx = 100, ny = 10;
 
-// u_x grows along x from `first` to `last`, in spacings.
+// Makes a state in which u_x grows along x from `first` to `last`, in spacings.
 Simulation stretched(double first, double last) {
   Simulation simulation(test::bare_plate(nx, ny), test::numerics(), {1});
   simulation.restore(test::displaced(simulation, [&](const Vec2& place) {
@@ -41,7 +41,8 @@ TEST(AutomaticRange, SpansAllValuesAtHundredPercent) {
   EXPECT_FLOAT_EQ(static_cast<float>(ends.most), static_cast<float>(0.2 * dx));
 }
 
-// Values lie evenly, so that the quantiles are known to one column and to the grain of the counts.
+// The values are evenly distributed, so the quantiles are known to one column and to the bins of
+// the counts.
 TEST(AutomaticRange, LeavesHalfOfTheRestOutOnEitherSide) {
   const Ends ends = automatic_range(options_for("displacement", 80.0), stretched(0.1, 0.2));
   const double grain = 0.2 * dx / 512 + 0.1 * dx * one_column;

@@ -121,7 +121,7 @@ TEST(LoadCurve, NamesEveryKindOfLoadAndItsPlace) {
   const Chart stresses = load_curve(Simulation(plate, test::numerics(), {1}));
   EXPECT_EQ(stresses.heading, "load");
   EXPECT_EQ(stresses.unit, "Pa");
-  EXPECT_DOUBLE_EQ(stresses.until, 2.5e-6);  // a quarter more than the last moment
+  EXPECT_DOUBLE_EQ(stresses.until, 2.5e-6);  // a quarter more than the last time
   ASSERT_EQ(stresses.curves.size(), 2U);
   EXPECT_EQ(stresses.curves[0].place, "left");
   EXPECT_EQ(stresses.curves[0].points.back(), Vec2(stresses.until, 5.0));
@@ -140,7 +140,7 @@ TEST(LoadCurve, NamesEveryKindOfLoadAndItsPlace) {
   }
 }
 
-// Three entries that are all above 0 and all different.
+// Three entries, all above 0 and all different.
 TEST(EnergyChart, TellsItsEntriesApart) {
   Simulation s(test::edge_crack(30e6), test::numerics(1e-3, 3e-3), {1});
   s.run(15e-6);
@@ -156,7 +156,7 @@ TEST(EnergyChart, TellsItsEntriesApart) {
   EXPECT_EQ(chart.unit, "J/m");
 }
 
-// What rest has taken has a curve of its own, once there is any.
+// The energy released on the way to equilibrium has its own curve, once there is any.
 TEST(EnergyChart, ShowsWhatWasReleased) {
   Plate plate = test::bare_plate(20, 10);
   plate.initial_conditions.push_back(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every field as a picture of a state whose values are known: the colour of a cell in the middle.
+// Paints every field for a state with known values, and checks the colour of a cell in the middle.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,9 +20,9 @@ constexpr double exx = 4e-5, eyy = 1e-5, exy = 2e-5;  // small: s is linear in t
 constexpr double vx = 3.0, vy = -4.0;                 // m/s
 constexpr int wide = 40, tall = 24, node_i = 22,
               node_j = 13;         // a node more than a horizon from every edge
-constexpr double thickness = 0.1;  // m, so that there are fringes
+constexpr double thickness = 0.1;  // m, large enough for fringes
 
-// A plate under a uniform strain that moves as a whole.
+// Makes a plate under a uniform strain that moves as a whole.
 Simulation strained() {
   Simulation simulation(test::bare_plate(wide, tall), test::numerics(), {1});
   const double unit = simulation.dt() / simulation.lattice().grid.dx;
@@ -35,7 +35,7 @@ Simulation strained() {
   return simulation;
 }
 
-// What each field is at the node, by closed forms.
+// Returns the value of each field at the node, by closed forms.
 std::map<std::string, double> expected(const Simulation& simulation) {
   const Lattice& lattice = simulation.lattice();
   const auto [C11, C12, E, nu, zener] = lattice.calibration.moduli;
@@ -43,7 +43,7 @@ std::map<std::string, double> expected(const Simulation& simulation) {
   const Vec2 u(exx * place.x() + exy * place.y(), exy * place.x() + eyy * place.y());
   const double sxx = C11 * exx + C12 * eyy, syy = C12 * exx + C11 * eyy, sxy = 2.0 * C12 * exy;
   const double shear = std::hypot(0.5 * (sxx - syy), sxy), mean = 0.5 * (sxx + syy);
-  // The bond of the family that is stretched most: s = e . E . e of its direction.
+  // The most stretched bond of the family: s = e . E . e for its direction.
   double most = 0.0;
   lattice.family.for_each_bond([&](int, int, const Vec2& xi, double, int) {
     const Vec2 e = xi.normalized();
@@ -72,7 +72,7 @@ std::map<std::string, double> expected(const Simulation& simulation) {
           {"temperature", 0.0}};
 }
 
-// Of a map between its entries.
+// Interpolates between entries of a map.
 std::array<double, 3> colour_at(const ColourMap& map, double share) {
   const double place = share * static_cast<double>(map.colours.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), map.colours.size() - 2);
@@ -82,7 +82,7 @@ std::array<double, 3> colour_at(const ColourMap& map, double share) {
           one.blue + t * (other.blue - one.blue)};
 }
 
-// A third of the range lies below the value, so that it is seen and not clamped.
+// A third of the range lies below the value, so that it is not clamped.
 Ends ends_around(double value) {
   const double size = value == 0.0 ? 1.0 : std::abs(value);
   return {value - size / 3.0, value + 2.0 * size / 3.0};
@@ -108,7 +108,7 @@ TEST_P(FieldPicture, ShowsItsValueInTheColourOfTheMap) {
                             ? fringe_map(style.field.least, style.field.most)
                             : load_colour_map(style.field.colour_map);
   const std::array<double, 3> colour = colour_at(map, 1.0 / 3.0);
-  // The value is right to 1e-3, which is a fourth of an entry of the map; maps change by at most 4
+  // The value is exact to 1e-3, which is a fourth of an entry of the map; maps change by at most 4
   // levels from entry to entry, and rounding adds one.
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(pixel[2 - k], colour[k], 2.0) << k;
 }

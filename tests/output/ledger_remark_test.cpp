@@ -45,8 +45,8 @@ TEST(LedgerRemark, NamesWhatTheSceneHas) {
   EXPECT_THAT(of(plate), HasSubstr("step = 1.05e-07 or less"));
 }
 
-// A plate that was only carried away, or warmed freely, has nothing in its ledger but rounding and
-// what is beyond linear.
+// The ledger of a plate that was only moved, or heated freely, contains nothing but rounding and
+// nonlinear terms.
 TEST(LedgerRemark, IsSilentWhereNothingHappened) {
   Plate plate = test::bare_plate(20, 10);
   plate.material.alphaT = 1e-5;

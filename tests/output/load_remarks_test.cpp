@@ -41,9 +41,9 @@ TEST(ShortestSwing, OfAPulseIsItsLength) {
   for (const double start : {0.0, 3.3e-6})
     for (const double length : {1e-12, 0.1e-6, 0.5e-6, 5e-6})
       EXPECT_NEAR(swing(pulse(length, start)), length, 1e-6 * length + 1e-20) << start;
-  // What is there at the start and goes, too.
+  // A load that acts at the start and then ends also counts.
   EXPECT_NEAR(swing(Amplitude({{0.0, 1.0}, {1e-12, 0.0}})), 0.5e-12, 1e-18);
-  // After it nothing swings.
+  // Nothing oscillates after it.
   EXPECT_EQ(swing(pulse(1e-12, 3e-6), 4e-6), forever);
 }
 
@@ -55,7 +55,7 @@ TEST(ShortestSwing, OfASpikeIsItsWidthAtHalfItsHeight) {
   EXPECT_NEAR(swing(on_a_slope), 0.03e-6, 1e-15);
   const Amplitude dip({{0.0, 1.0}, {5e-6, 1.0}, {5.01e-6, 0.2}, {5.02e-6, 1.0}});
   EXPECT_NEAR(swing(dip), 0.01e-6, 1e-15);
-  // One of a hundredth is noise.
+  // A change of a hundredth is noise.
   EXPECT_GT(swing(Amplitude({{0.0, 0.0}, {5e-6, 1.0}, {5.01e-6, 0.99}, {5.02e-6, 1.0}})), 1e-6);
 }
 
@@ -65,7 +65,7 @@ TEST(ShortestSwing, OfAFunctionIsFoundBetweenTheSteps) {
         swing(function([=](double t) { return std::sin(2.0 * std::numbers::pi * t / period); })) /
             period,
         1.0 / 3.0, 0.2)
-        << period;  // that of the first rise, or half the period
+        << period;  // of the first rise, or half the period
   EXPECT_GT(swing(function([](double t) { return std::sin(2e6 * t); })), steps_a_swing * dt);
   const double spike =
       swing(function([](double t) { return t > 7.01e-6 && t < 7.03e-6 ? 1.0 : 0.0; }));
@@ -103,7 +103,7 @@ TEST(ShockRemarks, TellOfColdThatBreaksBondsAtOnce) {
   };
   EXPECT_THAT(of(-1000.0), ElementsAre(HasSubstr("it stretches bonds by 0.0033 at once")));
   EXPECT_THAT(of(-100.0), IsEmpty());
-  EXPECT_THAT(of(1000.0), IsEmpty());  // which presses
+  EXPECT_THAT(of(1000.0), IsEmpty());  // which compresses
   const Simulation cold(heated(-1000.0), test::numerics());
   EXPECT_THAT(shock_remarks(cold, cold.thermal_strain()), IsEmpty());
 }
@@ -146,7 +146,7 @@ TEST(AtOnceRemarks, TellOfGripsThatTearBondsInOneStep) {
   EXPECT_THAT(
       remarks_on_grip(Kind::velocity, 100.0, {}),
       ElementsAre(HasSubstr("give a step of " + quantity(s0 * 0.5e-3 / 100.0, "s") + " or less")));
-  // What has acted before does not come at once.
+  // A load that has acted before does not act suddenly.
   EXPECT_THAT(remarks_on_grip(Kind::velocity, 100.0, {}, false), IsEmpty());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Movies as runs ask for them.
+// Movies of runs.
 #include "output/movie_output.hpp"
 
 #include <functional>
@@ -103,7 +103,7 @@ TEST(MovieOutput, RefusesWhatCannotBe) {
   EXPECT_THAT(both, HasSubstr("crf has no meaning in .gif"));
 }
 
-// As a run that is killed leaves it.
+// Leaves a partial movie like a killed run.
 void leave_half_a_film(const fs::path& path) {
   MovieFormat format{64, 48};
   const auto film = make_film(path, format);
@@ -143,7 +143,7 @@ TEST(MovieOutput, EstimatesWhatItsKindTakes) {
   EXPECT_GT(bytes("a.mkv"), 5.0 * bytes("a.mp4"));
 }
 
-// At 25 frames a second, each a microsecond after the one before, a second of the film is 25 us.
+// At 25 frames per second and a microsecond between frames, a second of the movie is 25 us.
 TEST(MovieOutput, SaysHowMuchSlowerItIs) {
   MovieOptions options;
   options.every = 1e-6;

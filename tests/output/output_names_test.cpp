@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 class Names : public testing::Test {
  protected:
-  // What claiming says, "" when it is free.
+  // Returns the message of claiming a name, "" if it is free.
   std::string claim(const std::string& who, const fs::path& name, FileKind kind) {
     try {
       names.claim(who, folder.path / name, kind);
@@ -43,7 +43,8 @@ TEST_F(Names, ASecondWriterOfARunFileIsRefusedAndTheFirstNamed) {
 TEST_F(Names, AFileHasManyNames) {
   fs::create_directory(folder.path / "sub");
   fs::create_directory_symlink(folder.path / "sub", folder.path / "link");
-  fs::create_symlink(folder.path / "sub/c.h5", folder.path / "to_c.h5");  // which is not there yet
+  // which does not exist yet
+  fs::create_symlink(folder.path / "sub/c.h5", folder.path / "to_c.h5");
   EXPECT_EQ(record("a.h5"), "");
   EXPECT_EQ(record("sub/b.h5"), "");
   EXPECT_EQ(record("sub/c.h5"), "");

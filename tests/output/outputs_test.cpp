@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Cannot complete its file.
+// An output that cannot complete its file.
 class Hopeless : public Output {
  public:
   explicit Hopeless(std::string name) : name_(std::move(name)) {}

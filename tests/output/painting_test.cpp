@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Of the edge-cracked plate at 0.5 mm.
+// The grid of the edge-cracked plate at 0.5 mm.
 const Grid grid{200, 80, 0.5e-3, {0.05, 0.02}};
 
 PictureOptions zoomed(double x, double y, double half_width) {
@@ -114,7 +114,7 @@ TEST(Painting, AShotHoldsNoMoreThanItsPictureShows) {
   EXPECT_EQ(shot_of(options, simulation).links.size(), nodes);
 }
 
-// No two values are alike.
+// All values differ.
 TEST(Painting, AStyleHasEveryOptionInItsPlace) {
   const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
   PictureOptions options;
@@ -157,7 +157,7 @@ TEST(Painting, AStyleHasEveryOptionInItsPlace) {
   EXPECT_EQ(style.title, "T");
   EXPECT_FALSE(style.overlay.clock);
   EXPECT_EQ(style.overlay.markers.size(), 1U);
-  options.pixels_a_metre = 5e3;  // 5 px a cell of 1 mm
+  options.pixels_a_metre = 5e3;  // 5 px per cell of 1 mm
   EXPECT_EQ(style_of(options, simulation).cell, 5.0);
 }
 
@@ -178,7 +178,7 @@ TEST(Painting, EndsOfALogarithmAreFourDecadesAndFringesGrowWithTheThickness) {
   EXPECT_EQ(style_of(options, simulation).title, "Duran 50 glass, 6 mm thick");
 }
 
-// Values as the fields have them, nothing where nothing is, and gaps in 255ths.
+// Values as in the fields, nothing outside the material, and gaps in 1/255.
 TEST(Painting, AShotHasTheValuesOfItsFields) {
   Plate plate = test::edge_crack(12e6);
   plate.cutouts.push_back({rectangle({70e-3, 10e-3}, {80e-3, 20e-3}), ""});

@@ -97,7 +97,7 @@ TEST_F(ProspectTest, WhatIsLetGoOfSwingsAsFarAsItWasHeld) {
   EXPECT_NE(verdict(), Verdict::nothing_loads_it);
 }
 
-// A wave of E v/c at once; with time the strain that the way makes.
+// A velocity acts at once by a wave of E v/c, and with time by the strain of its displacement.
 TEST_F(ProspectTest, AVelocityActsAtOnceAsAWaveAndInTimeAsAStrain) {
   const double E = 65e9, impedance = std::sqrt(E * 2235.0);
   exchange(led(1.0));

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// A small plate under so much stress, a record every microsecond.
+// Records a small plate under this stress, a record every microsecond.
 std::shared_ptr<Recording> recorded(const fs::path& path, double stress, int records, int nx = 40) {
   Plate plate = test::bare_plate(nx, 20);
   plate.loads.tractions.push_back({Edge::top, {0.0, stress}});
@@ -83,7 +83,7 @@ TEST_F(ReplayTest, ACommonClockLastsAsLongAsTheLongestRun) {
   const std::vector<double> times = frame_times("both", {{shorter, ""}, {longer, ""}}, {});
   EXPECT_EQ(times.size(), 5U);
   EXPECT_DOUBLE_EQ(times.back(), longer->times().back());
-  EXPECT_EQ(shorter->nearest(times.back()), 2U);  // as it was in the end
+  EXPECT_EQ(shorter->nearest(times.back()), 2U);  // stays in its final state
 }
 
 TEST_F(ReplayTest, TheCommonRangeHoldsForEverythingThatIsSeen) {

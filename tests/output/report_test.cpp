@@ -86,7 +86,7 @@ TEST(Remarks, TellWhatThePapersConstantsAmountTo) {
                                              "0.774 of its G0")));
 }
 
-// Each line from values that are all different.
+// Checks each line with values that all differ.
 TEST(Report, HasEveryNumberInItsPlace) {
   Plate plate = test::bare_plate(40, 20);
   plate.material.nu = 0.17;
@@ -134,7 +134,7 @@ TEST(Report, HasEveryNumberInItsPlace) {
     EXPECT_THAT(text, HasSubstr(part));
 }
 
-// Everything that a kernel or a step may have, each by itself.
+// Checks every feature of a kernel or a step separately.
 TEST(Report, NamesEachFeatureByItself) {
   struct Case {
     const char* text;

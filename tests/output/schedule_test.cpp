@@ -14,7 +14,7 @@ Simulation small() {
   return Simulation(test::bare_plate(20, 10), test::numerics(), {1});
 }
 
-// The steps at which an output asking for `every` sees the state.
+// Returns the steps at which an output with interval `every` sees the state.
 std::vector<std::int64_t> served(double every, std::int64_t steps) {
   Simulation simulation = small();
   Schedule schedule("movie", every, simulation);
@@ -59,7 +59,7 @@ TEST(Schedule, RefusesLessThanAStepAndNonsense) {
   }
 }
 
-// Its moments count from where the simulation was when the output was asked for.
+// Its times count from the present time of the simulation when the output was added.
 TEST(Schedule, CountsFromItsOwnStart) {
   Simulation simulation = small();
   simulation.step();
@@ -74,7 +74,7 @@ TEST(Schedule, CountsFromItsOwnStart) {
   EXPECT_THAT(list, testing::ElementsAre(2, 7, 12));
 }
 
-// Slow loading goes by many moments at once: they are not made up for in the steps that follow.
+// Quasi-static loading passes many times at once: the following steps do not make up for them.
 TEST(Schedule, MomentsThatHavePassedAreNotMadeUpFor) {
   Simulation simulation = small();
   const double dt = simulation.dt();
@@ -88,7 +88,7 @@ TEST(Schedule, MomentsThatHavePassedAreNotMadeUpFor) {
   EXPECT_TRUE(schedule.reached(simulation));
 }
 
-// How many moments there are until a time, those that have passed included.
+// Counts the times until a given time, including those that have passed.
 TEST(Schedule, SaysHowManyMomentsThereAre) {
   Simulation simulation = small();
   simulation.step();

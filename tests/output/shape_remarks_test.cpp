@@ -19,7 +19,7 @@ std::vector<std::string> remarks_of(const Plate& plate) {
   return shape_remarks(plate, Lattice(plate, test::numerics()));
 }
 
-// A node of the plate stands at 5.25 mm.
+// A node of the plate lies at 5.25 mm.
 Plate cut(const Shape& shape, const std::string& name = "") {
   Plate plate = test::bare_plate(40, 20);
   plate.cutouts.push_back({shape, name});
@@ -37,7 +37,7 @@ TEST(ShapeRemarks, TellOfANotchThatIsThinnerThanTheSpacing) {
                                     "mm: it removes no node and works as a crack")));
 }
 
-// In the corner beyond the outermost nodes.
+// A hole in the corner beyond the outermost nodes.
 TEST(ShapeRemarks, TellOfAHoleThatNoBondMeets) {
   EXPECT_THAT(remarks_of(cut(rectangle({0.05e-3, 0.05e-3}, {0.1e-3, 0.1e-3}))),
               ElementsAre(HasSubstr("so small that it changes nothing at a spacing of 0.5 mm")));
@@ -52,7 +52,7 @@ TEST(ShapeRemarks, TellOfAnInclusionWithoutANode) {
               ElementsAre(HasSubstr("inclusion 1 covers no node at a spacing of 0.5 mm")));
 }
 
-// A node fenced in by four slits on the borders of its cell, which end in the cells beside it.
+// A node enclosed by four slits along the borders of its cell, which end in the neighbouring cells.
 TEST(ShapeRemarks, TellOfNodesWithoutABond) {
   Plate plate = test::bare_plate(40, 20);
   const double a = 4.9e-3, b = 5.1e-3, c = 5.4e-3, d = 5.6e-3;
@@ -62,7 +62,7 @@ TEST(ShapeRemarks, TellOfNodesWithoutABond) {
   EXPECT_THAT(remarks_of(plate), testing::Contains(HasSubstr("1 node is left without any bond")));
 }
 
-// What is cut out has no damage to show.
+// Cut-outs have no damage to show.
 TEST(Painting, LeavesOutWhatIsCutOut) {
   const Simulation simulation(cut(rectangle({4e-3, 4e-3}, {8e-3, 8e-3})), test::numerics(), {1});
   const Shot shot = shot_of({}, simulation);

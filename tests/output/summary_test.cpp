@@ -48,7 +48,7 @@ TEST(Summary, BeforeTheFirstStepTheRateIsZeroNotNaN) {
   EXPECT_EQ(Summary{}.node_steps_per_second(), 0.0);
 }
 
-// No two values are alike, so that none stands under the key of another.
+// All values differ, so that none can be under the key of another.
 TEST(Summary, HasEveryValueUnderItsKey) {
   Summary summary;
   summary.script = "a.lua";
@@ -113,7 +113,7 @@ TEST(Summary, HasEveryValueUnderItsKey) {
               static_cast<double>(1 << path) / all);
 }
 
-// What a run says of itself is what its simulation says.
+// The summary of a run equals the values of its simulation.
 TEST(Summary, OfARunIsThatOfItsSimulation) {
   Plate plate = test::edge_crack(30e6);
   plate.contact = Contact{};

@@ -123,7 +123,7 @@ TEST(View, ThePlateAtRestIsNotMagnified) {
 }
 
 // At the critical stretch, 0.0015, an edge of the plate 40 mm high has moved by 15 um: 20 times as
-// much is 0.3 mm, the neat number below 1 % of 40 mm.
+// much is 0.3 mm, the round number below 1 % of 40 mm.
 TEST(View, TheUsualMagnificationIsNeatAndHasRoom) {
   PictureOptions options;
   options.deformed = true;
@@ -133,11 +133,11 @@ TEST(View, TheUsualMagnificationIsNeatAndHasRoom) {
   EXPECT_EQ(window.left, window.bottom);
   EXPECT_NEAR(-window.left, 12.0 * 20.0 * 15.25e-6 / 0.5e-3, 1.0);
   EXPECT_EQ(window.nx, 200 - 2 * window.left);
-  options.magnification = 1e6;  // half the plate at most
+  options.magnification = 1e6;  // at most half the plate
   EXPECT_EQ(window_of(options, simulation).bottom, -40);
 }
 
-// A cross whose arms end 20 mm right and left of its middle and 10 mm above and below it.
+// A cross whose arms end 20 mm right and left of its centre and 10 mm above and below it.
 TEST(View, FollowsInEveryDirection) {
   Plate cross = test::bare_plate(200, 80);
   cross.cracks.push_back({{30e-3, 20e-3}, {70e-3, 20e-3}});

@@ -36,8 +36,8 @@ TEST(Fidelity, NoneMeansNoLinearisedForce) {
   EXPECT_GT(tiles(solved(test::edge_crack(12e6), with_fidelity(0.5), {1}, 60), Path::linear), 1000);
 }
 
-// A linearised force lacks terms of the second order in the strain, which is below `fidelity` of
-// the critical stretch wherever it is used; by waves alone no error grows faster than that share.
+// A linearised force lacks terms of second order in the strain, which is below `fidelity` times the
+// critical stretch wherever it is used; with waves only, no error grows faster than that share.
 TEST(Fidelity, TheErrorBeforeTheFirstBondBreaksIsOfTheSizeOfTheStrain) {
   const Simulation exact = solved(test::edge_crack(12e6), with_fidelity(0.0), {1}, 45);
   ASSERT_EQ(exact.state().bonds, exact.lattice().bonds);
@@ -110,7 +110,8 @@ TEST(Fused, IsRefusedWhereThereIsNone) {
 #endif
 }
 
-// A plate that is stretched evenly: bonds along y break where the weaker end is below the stretch.
+// In a uniformly stretched plate, bonds along y break where the stretch exceeds that of the weaker
+// end.
 TEST(Strength, ABondBreaksByTheWeakerOfItsEnds) {
   const Plate plate = test::bare_plate(30, 20);
   const Lattice lattice(plate, test::numerics());

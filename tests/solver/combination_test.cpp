@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever a scene may have, all combinations: materials, warmth, history, uneven strength, safe
-// zones, planes, quadratures, micromoduli and moments of breaking, against plain loops.
+// Compares all combinations of features with plain loops: materials, temperature, history,
+// scattered strength, no-fail zones, planes, quadratures, micromoduli and breaking rules.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using test::Reference;
 
-// A bit for each thing that a scene may have.
+// One bit per feature of a scene.
 constexpr int mixed = 1, warm = 2, history = 4, scattered = 8, late = 16, other_family = 32;
 constexpr int all = 64;
 
@@ -39,7 +39,8 @@ Numerics numerics(int what) {
   return numerics;
 }
 
-// What no bond may tell late: the least stretch of one that breaks in this step.
+// Excludes history with late breaking: a bond that breaks in this step must not report its smallest
+// stretch late.
 bool makes_sense(int what) {
   return (what & late) == 0 || (what & history) == 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plates of several materials and of changing temperature: against the same rules written down a
-// second time, and what they must have in common with plain plates.
+// Plates of several materials and of changing temperature: compared with the same rules written
+// down a second time, and with the properties of plain plates.
 #include "support/composite.hpp"
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 using test::Mixture;
 using test::Reference;
 
-// The largest difference to the reference over the largest acceleration.
+// Returns the largest difference from the reference over the largest acceleration.
 double difference(const Simulation& simulation, const std::vector<Reference::Vector>& expected) {
   const std::vector<Vec2> found = test::accelerations(simulation);
   long double worst = 0.0, most = 0.0;
@@ -34,7 +34,7 @@ double difference(const Simulation& simulation, const std::vector<Reference::Vec
   return static_cast<double>(worst / most);
 }
 
-// Between the displacements of the two, in units of dx.
+// Returns the largest difference of the two displacements, in units of dx.
 double largest_gap(const Simulation& simulation, const Reference& reference) {
   const Grid& grid = simulation.lattice().grid;
   double worst = 0.0;
@@ -53,7 +53,7 @@ class Composite : public testing::TestWithParam<Mixture> {
     return numerics;
   }
 
-  // Torn apart along a crack; a strip at the top is safe.
+  // Makes a plate torn apart along a crack, with a no-fail strip at the top.
   static Plate torn(int nx = 60, int ny = 40) {
     Plate plate = test::composite(nx, ny, GetParam());
     plate.cracks.push_back(
@@ -65,11 +65,11 @@ class Composite : public testing::TestWithParam<Mixture> {
   }
 };
 
-// What a history does not go with, or changes nothing about.
+// Tests that a history excludes, or does not affect.
 class CompositeWithoutHistory : public Composite {};
 
-// In both precisions, from strains far below the critical stretch to many bonds beyond it, and to
-// bonds of half their length.
+// In both precisions, from strains far below the critical stretch to many overstretched bonds, and
+// to bonds of half their length.
 TEST_P(Composite, AccelerationsAreThoseOfTheReference) {
   for (const double m : {2.0, 3.0, 5.0, 9.0})
     for (const double jolt : {1e-5, 1e-3, 0.25}) {
@@ -133,7 +133,7 @@ TEST_P(Composite, FusedArithmeticGivesTheSameBitsOnEveryMachineThatHasIt) {
   }
 }
 
-// Turned by 0.3 rad, a plate is too wide for single precision.
+// A plate turned by 0.3 rad is too wide for single precision.
 TEST_P(CompositeWithoutHistory, ARunInSinglePrecisionGoesOnInDouble) {
   Plate plate = test::composite(45, 50, GetParam());
   Simulation simulation(plate, in(Precision::f32), {1});
@@ -147,13 +147,13 @@ TEST_P(CompositeWithoutHistory, ARunInSinglePrecisionGoesOnInDouble) {
     reference.step();
     simulation.step();
   }
-  // Found: 4e-15 dx; single precision would round u, up to 10 dx, to 1e-6.
+  // Measured: 4e-15 dx; single precision would round u, up to 10 dx, to 1e-6.
   EXPECT_LT(largest_gap(simulation, reference), 1e-12);
 }
 
 TEST_P(Composite, AKeptStateGoesOnToTheSameBits) {
   for (const Precision precision : {Precision::f64, Precision::f32}) {
-    // In the middle of the ramp of temperature, and after it.
+    // During the ramp of temperature, and after it.
     for (const double moment : {1e-6, 5e-6}) {
       Simulation simulation(torn(), in(precision), {1});
       simulation.run(moment);
@@ -196,7 +196,7 @@ TEST_P(Composite, MirrorImagesStaySoToTheLastBit) {
   }
 }
 
-// Forces are linearised on plates of one cold material only.
+// Forces are linearised only on plates of one cold material.
 TEST_P(CompositeWithoutHistory, FidelityFallsBackToTheExactForce) {
   Numerics numerics = in(Precision::f64);
   const auto hash = [&] {
@@ -210,7 +210,7 @@ TEST_P(CompositeWithoutHistory, FidelityFallsBackToTheExactForce) {
   EXPECT_EQ(hash(), exact);
 }
 
-// The largest share of the ledger that is missing in some microseconds without breaking.
+// Returns the largest residual share of the ledger in some microseconds without breaking.
 double leak(const Mixture& mixture, double dt) {
   Plate plate = test::composite(40, 30, mixture);
   plate.no_fail.push_back(strip(plate, Edge::top, plate.height));

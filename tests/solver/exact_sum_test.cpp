@@ -27,12 +27,12 @@ TEST(ExactSum, LosesNothingBetweenLargeTerms) {
   EXPECT_EQ(sum_of({1e100, 1.0, -1e100}), 1.0);
   EXPECT_EQ(sum_of({1.0, 1e100, 3.0, -1e100}), 4.0);
   EXPECT_EQ(sum_of({0.5, -0.5, 0x1p-1000}), 0x1p-1000);
-  // Half a unit in the last place, and a trace that says to which side.
+  // Half a unit in the last place, and a tiny term that decides the direction.
   EXPECT_EQ(sum_of({1.0, 0x1p-53, 0x1p-120}), 1.0 + 0x1p-52);
   EXPECT_EQ(sum_of({1.0, 0x1p-53, -0x1p-120}), 1.0);
 }
 
-// Eight integers below 2^60 have a sum that is known exactly.
+// Eight integers below 2^60, whose sum is known exactly.
 TEST(ExactSum, IsRoundedOnceInEveryOrderAndForBothSigns) {
   std::mt19937_64 random(1);
   for (int n = 0; n < 2000; ++n) {

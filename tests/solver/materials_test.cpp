@@ -27,7 +27,7 @@ TEST(Materials, OneMaterialByTwoNamesIsOne) {
   EXPECT_EQ(hash(), plain);
 }
 
-// Through the kernels for several materials; factors of 1 round nothing.
+// Uses the kernels for several materials; factors of 1 round nothing.
 TEST(Materials, ASecondMaterialThatNoNodeIsOfChangesNoBit) {
   Plate plate = test::edge_crack(24e6);
   const auto hash = [&](const Numerics& numerics) {
@@ -44,17 +44,18 @@ TEST(Materials, ASecondMaterialThatNoNodeIsOfChangesNoBit) {
   EXPECT_EQ(hash(numerics), plain);
 }
 
-// A pulse that runs along a bar of 1 by 1600 nodes, glass on the left of its middle.
+// A pulse along a bar of 1 by 1600 nodes, glass on the left of its middle.
 struct Pulse {
   explicit Pulse(const Material& right) : plate(test::bare_plate(nodes, 1)) {
     plate.inclusions.push_back(
         {rectangle({0.5 * plate.width, 0.0}, {plate.width, plate.height}), right});
   }
-  // The largest u on either side once the pulse has passed the middle, over that at the start.
+  // Returns the largest u on either side once the pulse has passed the middle, over that at the
+  // start.
   std::pair<double, double> reflected_and_transmitted() const {
     Simulation simulation(plate, test::numerics(0.5e-3, 1.5e-3), {1});
     const Lattice& lattice = simulation.lattice();
-    double speed2 = 0.0;  // of long waves in the glass, squared, in spacings a step
+    double speed2 = 0.0;  // of long waves in the glass, squared, in spacings per step
     lattice.family.for_each_bond([&](int a, int b, const Vec2&, double weight, int) {
       if (b == 0) speed2 += weight * std::abs(a);
     });
@@ -84,8 +85,9 @@ struct Pulse {
   Plate plate;
 };
 
-// With impedances Z = sqrt(E rho), of a wave of displacement (Z1 - Z2)/(Z1 + Z2) comes back and
-// 2 Z1/(Z1 + Z2) goes on. Lattice waves of length 2 pi 30 spacings are slower by 1e-3 or less.
+// With impedances Z = sqrt(E rho), a displacement wave is reflected by (Z1 - Z2)/(Z1 + Z2) and
+// transmitted by 2 Z1/(Z1 + Z2). Lattice waves of length 2 pi 30 spacings are slower by at most
+// 1e-3.
 TEST(Materials, WavesAreReflectedByTheRatioOfImpedances) {
   for (const Material& right : {test::steel(), test::resin()}) {
     const Pulse pulse(right);
@@ -97,7 +99,8 @@ TEST(Materials, WavesAreReflectedByTheRatioOfImpedances) {
   }
 }
 
-// Of the linearised plate: omega^2 dt^2 of all modes, from its response to every displacement.
+// Returns the largest omega^2 dt^2 of all modes of the linearised plate, from its response to every
+// displacement.
 double largest_frequency(const Simulation& simulation) {
   constexpr double small = 1e-7;
   const Grid& grid = simulation.lattice().grid;
@@ -129,13 +132,14 @@ TEST(Materials, NoModeIsFasterThanTheStepLimitAllows) {
       plate.inclusions.push_back({rectangle({2e-3, 0.0}, {3.1e-3, 2.6e-3}), other});
       const Simulation simulation(plate, test::numerics(0.5e-3, 1e-3), {1});
       const double share = simulation.lattice().step_limit / simulation.dt();
-      // 1e-6 for what is not linear in a displacement of 1e-7.
+      // 1e-6 for nonlinear terms at a displacement of 1e-7.
       EXPECT_LT(largest_frequency(simulation) * share * share, 4.0 * (1.0 + 1e-6))
           << E << " " << rho;
     }
 }
 
-// Kinetic and strain energy after many steps at a share of the limit, relative to the start.
+// Returns kinetic and strain energy after many steps at a share of the limit, relative to the
+// start.
 double growth(double share) {
   Numerics numerics = test::numerics(0.5e-3, 1.5e-3);
   Plate plate = test::composite(48, 40, {.mixed = true});
@@ -173,7 +177,7 @@ TEST(Materials, AStepAboveTheLimitOfAnInclusionIsRefused) {
   }
 }
 
-// A body at a uniform stretch along y between glass and a material of half its critical stretch.
+// A body with a uniform stretch along y between glass and a material of half its critical stretch.
 TEST(Materials, ABondBetweenTwoBreaksByTheWeaker) {
   Plate plate = test::bare_plate(20, 20);
   Material weak = plate.material;
@@ -186,12 +190,12 @@ TEST(Materials, ABondBetweenTwoBreaksByTheWeaker) {
   simulation.step();
   for (int j = 0; j + 1 < 20; ++j) EXPECT_EQ(simulation.holds(10, j, 0, 1), j >= 10) << j;
   EXPECT_TRUE(simulation.holds(10, 12, 1, 0));
-  // What broke is charged with the weaker's energy: a quarter.
+  // Broken bonds take the energy of the weaker material: a quarter.
   const Energy now = energy(simulation);
   EXPECT_GT(now.broken, 0.0);
 }
 
-// Momentum is that of masses: it does not change in a body of several materials left alone.
+// Momentum includes the masses: it is constant in a free body of several materials.
 TEST(Materials, MomentumIsConserved) {
   Simulation simulation(test::composite(50, 40, {.mixed = true}), test::numerics(), {1});
   simulation.restore(test::shaken(simulation.state(), 1e-6, 3));
@@ -207,7 +211,7 @@ TEST(Materials, MomentumIsConserved) {
   const Vec2 before = momentum();
   for (int n = 0; n < 300; ++n) simulation.step();
   ASSERT_EQ(simulation.state().bonds, simulation.lattice().bonds);
-  // 2000 nodes, 300 steps, rounding of eps of a velocity each, at random.
+  // 2000 nodes, 300 steps, random rounding errors of eps of a velocity each.
   EXPECT_LT((momentum() - before).norm(), 1e-6 * 1e-12);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is said of a scene's memory before anything is allocated is what its simulation holds.
+// The memory estimate of a scene, made before anything is allocated, must equal the memory that its
+// simulation holds.
 #include <functional>
 
 #include <gtest/gtest.h>

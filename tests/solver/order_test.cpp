@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene holds does not depend on the order in which it was said, where the order means
-// nothing.
+// A scene does not depend on the order of its statements, except where the order has a meaning.
 #include <algorithm>
 #include <set>
 
@@ -13,7 +12,7 @@
 namespace hackle {
 namespace {
 
-// Hashes after a few steps of a plate on which `put` places five things in ten orders.
+// Returns hashes after a few steps of a plate on which `put` places five things in ten orders.
 template <class Put>
 std::set<std::string> hashes(Precision precision, const Put& put) {
   std::set<std::string> found;
@@ -32,7 +31,7 @@ std::set<std::string> hashes(Precision precision, const Put& put) {
   return found;
 }
 
-// Values whose plain sums differ from order to order.
+// Values whose plain sums depend on the order.
 constexpr std::array odd{1.1, 2.3, -0.7, 3.1, 0.9};
 
 Shape max_of(const Plate& plate, int k) {
@@ -85,7 +84,7 @@ TEST_P(Order, OfCracksZonesAndCutoutsMeansNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Precisions, Order, testing::Values(Precision::f64, Precision::f32));
 
-// Heat and cold that are too much alone may be said when what they make together is not.
+// Heating and cooling may each be too large if their sum is not.
 TEST(Order, OfHeatAndColdThatTakeEachOtherBackMeansNothing) {
   Plate plate = test::bare_plate(12, 10);
   plate.material.alphaT = 1e-3;
@@ -94,7 +93,7 @@ TEST(Order, OfHeatAndColdThatTakeEachOtherBackMeansNothing) {
   EXPECT_NO_THROW(Simulation(plate, test::numerics(), {1}));
 }
 
-// The sum of loads is that of their mirror images, mirrored.
+// The sum of mirrored loads is the mirror image of their sum.
 TEST(Order, OfAMirrorImageIsTheSame) {
   const auto run = [](double sign) {
     Plate plate = test::bare_plate(12, 10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What single precision costs, and numbers too small for either.
+// Errors of single precision, and numbers too small for either precision.
 #include <cmath>
 #include <limits>
 
@@ -35,10 +35,10 @@ TEST(SinglePrecision, BreaksTheSameBondsAsDoublePrecision) {
   EXPECT_FALSE(rounded.widened_at());
 }
 
-// At 1e-3 dx a step the plate drifts by 5 dx: more than f32 could bear in u.
+// At 1e-3 dx per step the plate drifts by 5 dx: more than f32 can represent in u.
 TEST(SinglePrecision, BearsADriftOfTheWholePlate) {
   Plate whole = test::bare_plate(30, 20), holed = whole;
-  holed.cutouts.push_back({rectangle({1e-3, 1e-3}, {4e-3, 7e-3}), ""});  // which stays behind
+  holed.cutouts.push_back({rectangle({1e-3, 1e-3}, {4e-3, 7e-3}), ""});  // which does not move
   const auto drift = [](const Plate& plate, Precision precision) {
     Numerics numerics = test::numerics();
     numerics.precision = precision;
@@ -52,8 +52,8 @@ TEST(SinglePrecision, BearsADriftOfTheWholePlate) {
     const Simulation exact = drift(plate, Precision::f64), rounded = drift(plate, Precision::f32);
     EXPECT_FALSE(rounded.widened_at());
     EXPECT_NEAR(rounded.state().origin.x(), 5.0, 0.05);
-    // v rounds to 6e-11 of a step's way at random, 5000 times: 2e-7 of all 5 dx once, and as much
-    // again from u. What is left of the shake, 1e-5 by 5 steps, is not compared to the bit.
+    // v rounds randomly by 6e-11 of a step's displacement, 5000 times: 2e-7 of all 5 dx once, and
+    // as much again from u. The remaining vibration, 1e-5 in 5 steps, is not compared to the bit.
     EXPECT_LT(test::relative_difference(exact, rounded), 1e-5);
     EXPECT_EQ(rounded.state().bonds, rounded.lattice().bonds);
   }
@@ -66,7 +66,7 @@ TEST(SinglePrecision, GoesOverToDoubleWhenThePlateGrowsTooWide) {
   while (simulation.state().step < 2000 && !simulation.widened_at()) simulation.step();
   ASSERT_TRUE(simulation.widened_at());
   EXPECT_EQ(simulation.state().precision(), Precision::f64);
-  // 6e-8 of the half width of u exceeds what may be rounded away.
+  // 6e-8 of the half width of u exceeds the rounding allowed.
   EXPECT_GT(simulation.state().u(29, 19).norm() * 6e-8, max_rounding * s0);
   simulation.run(10.0 * simulation.dt());
   EXPECT_NO_THROW(simulation.check_finite());
@@ -81,7 +81,7 @@ class Denormals : public testing::TestWithParam<Precision> {
     numerics.precision = GetParam();
     return Simulation(plate, numerics, {2});
   }
-  // The smallest normal number of the precision.
+  // Returns the smallest normal number of the precision.
   double least() const {
     return GetParam() == Precision::f64 ? std::numeric_limits<double>::min()
                                         : std::numeric_limits<float>::min();
@@ -91,7 +91,7 @@ class Denormals : public testing::TestWithParam<Precision> {
 TEST_P(Denormals, AreFlushedInTheStepOnly) {
   volatile double tiny = std::numeric_limits<double>::min();
 #ifdef __SSE__
-  constexpr unsigned flags = 0x3F;  // of exceptions, which stay
+  constexpr unsigned flags = 0x3F;  // of exceptions, which remain set
   const unsigned before = _mm_getcsr() & ~flags;
 #endif
   Simulation simulation = loaded_on_top();
@@ -115,7 +115,7 @@ TEST_P(Denormals, AreNeverInAState) {
   }
 }
 
-// A step carries a load by m rows.
+// A load advances by m rows per step.
 TEST_P(Denormals, AheadOfTheWaveAllIsExactlyZeroAndStill) {
   Simulation simulation = loaded_on_top();
   for (int n = 1; n <= 20; ++n) {
@@ -129,8 +129,8 @@ TEST_P(Denormals, AheadOfTheWaveAllIsExactlyZeroAndStill) {
   const PathCounts& counts = simulation.path_counts();
   std::int64_t all = 0;
   for (const std::int64_t count : counts) all += count;
-  // 50 by 8 tiles, for a border of two groups of 16 columns lies on the midline. The wave takes 80
-  // of 400 rows, half of them in the mean, and two tiles more.
+  // 50 by 8 tiles, because a border of two groups of 16 columns lies on the midline. The wave
+  // covers 80 of 400 rows, half of them on average, and two more tiles.
   EXPECT_EQ(all, 20 * 50 * 8);
   EXPECT_GT(counts[static_cast<int>(Path::still)], all * 8 / 10);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine against the same rules written down a second time (support/reference.hpp).
+// Compares the engine with the same rules written down a second time (support/reference.hpp).
 #include "support/reference.hpp"
 
 #include <cmath>
@@ -22,7 +22,7 @@ struct Size {
 // The last is wider than a block of columns in either precision.
 constexpr Size sizes[] = {{1, 1}, {1, 50}, {50, 1}, {7, 5}, {33, 17}, {40, 100}, {530, 20}};
 
-// A plate with an oblique crack, `toughness` times as tough as glass.
+// Makes a plate with an oblique crack, `toughness` times as tough as glass.
 Plate cracked_plate(const Size& size, double toughness) {
   Plate plate = test::bare_plate(size.nx, size.ny);
   plate.material.G0 *= toughness;
@@ -33,7 +33,7 @@ Plate cracked_plate(const Size& size, double toughness) {
   return plate;
 }
 
-// The largest difference to the reference over the largest acceleration.
+// Returns the largest difference from the reference over the largest acceleration.
 double difference(const Simulation& simulation, const std::vector<Reference::Vector>& expected) {
   const std::vector<Vec2> found = test::accelerations(simulation);
   long double worst = 0.0, most = 0.0;
@@ -47,7 +47,7 @@ double difference(const Simulation& simulation, const std::vector<Reference::Vec
 
 class Accelerations : public testing::TestWithParam<std::tuple<double, Quadrature>> {
  protected:
-  // In both precisions, for random displacements of this size.
+  // Compares both precisions, for random displacements of this size.
   void compare(const Size& size, double jolt, double toughness) {
     const auto [m, quadrature] = GetParam();
     Numerics numerics = test::numerics(0.5e-3, m * 0.5e-3);
@@ -60,8 +60,8 @@ class Accelerations : public testing::TestWithParam<std::tuple<double, Quadratur
     single.restore(test::jolted(single.state(), jolt, 7));
     const auto expected = Reference(exact).accelerations();
     const std::string what = fmt::format("{} x {}", size.nx, size.ny);
-    // Rounding of some hundred terms of the size of the largest, half an ulp each at random; in
-    // single precision also that of the tables.
+    // Rounding errors of some hundred terms of the size of the largest, half an ulp each at random;
+    // in single precision also those of the tables.
     EXPECT_LT(difference(exact, expected), 1e-13) << what;
     EXPECT_LT(difference(single, expected), 3e-6) << what;
   }
@@ -82,7 +82,7 @@ TEST_P(Accelerations, AreRightForLargeStrains) {
   for (const Size& size : sizes) compare(size, 0.25, 1e8);
 }
 
-// A fair share of the bonds is found stretched too far.
+// A considerable share of the bonds is overstretched.
 TEST_P(Accelerations, AreRightWhereBondsBreak) {
   for (const Size& size : {Size{7, 5}, Size{33, 17}, Size{40, 100}}) compare(size, 1e-3, 1.0);
 }
@@ -147,7 +147,8 @@ TEST_P(BreakingRule, TakesTheSameBondsAsTheReference) {
     for (int i = 0; i < 44; ++i)
       worst =
           std::max(worst, (simulation.state().u(i, j) - reference.u(i, j).cast<double>()).norm());
-  // Found: 2e-14 dx. Far too little to decide about a bond, as breaking multiplies differences.
+  // Measured: 2e-14 dx. This is far too small to affect a bond, though breaking multiplies
+  // differences.
   EXPECT_LT(worst, 1e-12);
 }
 

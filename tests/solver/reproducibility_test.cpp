@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same bits every time: whatever the threads, the instruction set, the pieces of a run.
+// The same bits for any number of threads, any instruction set, and any division of a run into
+// parts.
 #include <algorithm>
 #include <random>
 
@@ -87,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Precisions, Deck, testing::Values(Precision::f64, Preci
                            return std::string(name_of(precision.param));
                          });
 
-// One of a table in which every pair of choices occurs, for every m.
+// One row of a table in which every pair of choices occurs, for every m.
 struct Choice {
   double m;
   Precision precision;
@@ -115,7 +116,8 @@ std::vector<Choice> choices() {
 
 class EveryChoice : public testing::TestWithParam<Choice> {
  protected:
-  // A plate that shakes more and more from left to right: there a good part of its bonds break.
+  // Makes a plate whose vibration increases from left to right, where a considerable share of its
+  // bonds break.
   Simulation plate(Execution execution) const {
     const Choice& choice = GetParam();
     Plate plate = test::bare_plate(39, 50);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The step limit, and what happens at the extremes.
+// The step limit, and the behaviour at the extremes.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -12,7 +12,8 @@
 namespace hackle {
 namespace {
 
-// Kinetic and strain energy after many steps at a share of the limit, relative to the start.
+// Returns kinetic and strain energy after many steps at a share of the limit, relative to the
+// start.
 double growth(double share, double m) {
   Numerics numerics = test::numerics(0.5e-3, m * 0.5e-3);
   const Simulation probe(test::bare_plate(48, 40), numerics);
@@ -27,7 +28,7 @@ double growth(double share, double m) {
 }
 
 TEST(Stability, BelowTheLimitEnergyStaysBounded) {
-  // Near the limit the energy of the shortest waves swings by 1/(1 - share^2), here 25.
+  // Near the limit the energy of the shortest waves varies by the factor 1/(1 - share^2), here 25.
   for (const double m : {2.0, 3.0, 4.0}) EXPECT_LT(growth(0.98, m), 30.0) << m;
 }
 
@@ -43,7 +44,7 @@ TEST(Stability, DivergenceIsReportedWithItsCause) {
   numerics.step = 600e-9;
   numerics.force_step = true;
   Plate plate = test::bare_plate(30, 20);
-  plate.no_fail.push_back(strip(plate, Edge::top, plate.height));  // breaking would calm it
+  plate.no_fail.push_back(strip(plate, Edge::top, plate.height));  // breaking would damp it
   plate.loads.tractions.push_back({Edge::top, {0.0, 1e9}});
   Simulation simulation(plate, numerics);
   try {
