@@ -111,7 +111,8 @@ inline constexpr auto description_of<Numerics> = describe_noun(
     member("step", &Numerics::step,
            {.unit = "s",
             .range = above(0.0),
-            .fallback = "0.9 of the stability limit, or in which an impactor crosses 0.1 spacings",
+            .fallback =
+                "0.9 of the stability limit, or the time in which an impactor crosses 0.1 spacings",
             .nothing = "default",
             .sentence = "The time step."}),
     member("force_step", &Numerics::force_step,

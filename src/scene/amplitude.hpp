@@ -53,7 +53,7 @@ Amplitude pulse(double duration, double start);
 void check(const Amplitude& amplitude, const std::string& who, Problems& problems);
 
 // The member that every load has for its amplitude.
-inline constexpr About about_amplitude{.fallback = "1 for ever",
+inline constexpr About about_amplitude{.fallback = "constant 1",
                                        .sentence =
                                            "Amplitude, a factor over time: ramp(2*us), "
                                            "pulse(1*us), {{t, factor}, ...} or function(t)."};

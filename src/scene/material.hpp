@@ -59,7 +59,7 @@ inline constexpr auto description_of<Material> = describe_noun(
     member("fringe", &Material::fringe,
            {.unit = "N/m",
             .range = at_least(0.0),
-            .fallback = "0, not known",
+            .fallback = "0, unknown",
             .sentence = "Stress-optic fringe value, for pictures of fringes.",
             .remedy = "glass has 140e3 to 210e3, Homalite-100 22e3"}),
     member("alpha", &Material::alpha,

@@ -11,7 +11,7 @@ namespace hackle {
 
 inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
 // The default where each field has its own.
-inline constexpr std::string_view suits_the_field = "what suits the field";
+inline constexpr std::string_view suits_the_field = "depends on the field";
 
 inline constexpr std::string_view not_chosen = "none";
 
@@ -98,7 +98,7 @@ inline constexpr std::array view_options{
            .sentence = "Shows the deformed plate, with displacements magnified."},
     Option{.name = "magnify",
            .range = between(0.0, 1e9),
-           .fallback = "what suits the plate",
+           .fallback = "depends on the plate",
            .sentence = "Magnification of displacements in a deformed plate."},
     Option{.name = "bonds",
            .type = OptionType::flag,

@@ -46,7 +46,7 @@ inline constexpr std::array moment_options{
     Option{.name = "every",
            .unit = "s",
            .range = above(0.0),
-           .fallback = "a frame for each record",
+           .fallback = "one frame per record",
            .sentence = "Simulated time between frames; each shows the nearest record."},
     Option{.name = "from",
            .unit = "s",
@@ -74,7 +74,7 @@ inline constexpr Option recordings_option{.name = "recordings",
 inline constexpr Option run_titles_option{.name = "titles",
                                           .type = OptionType::texts,
                                           .range = at_least(1.0),
-                                          .fallback = "the names of the files",
+                                          .fallback = "the file names",
                                           .sentence = "Caption below each."};
 
 inline constexpr auto side_by_side_options =
