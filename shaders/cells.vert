@@ -1,5 +1,5 @@
 #version 330 core
-// Corners of quadrilaterals that show one block of cells or several.
+// Corners of quadrilaterals, each of which shows one or more blocks of cells.
 
 layout(location = 0) in vec2 place;   // -1..1 over the viewport
 layout(location = 1) in vec2 point;   // in blocks

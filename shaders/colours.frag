@@ -1,29 +1,29 @@
 #version 330 core
-// Values of one field, or of two, in colours: one texel for one fragment.
+// Turns the values of one field, or of two, into colours: one texel per fragment.
 
 out vec4 colour;
 
-uniform sampler2D values;      // row 0 at the bottom; nan where there is no material
-uniform sampler2D second;      // the same of a second field, where there is one
-uniform sampler2D damage;      // the same, 0..1, where cracks are to be seen as gaps
+uniform sampler2D values;      // row 0 at the bottom; nan without material
+uniform sampler2D second;      // of a second field, if there is one
+uniform sampler2D damage;      // 0..1, if cracks are shown as gaps
 uniform sampler2D colour_map;  // one row
 uniform sampler2D second_map;
-uniform vec2 range;         // values at the two ends of the colour map; their logarithms if need be
+uniform vec2 range;         // values at the two ends of the colour map, or their logarithms
 uniform vec2 second_range;
 uniform bool logarithmic;
 uniform bool second_logarithmic;
-uniform int arrangement;  // where the second field is seen: 0 nowhere, 1 below and 2 right of `split`,
-                          // 3 over the first one, the more the larger it is
+uniform int arrangement;  // place of the second field: 0 nowhere, 1 below and 2 right of `split`,
+                          // 3 over the first, more opaque for larger values
 uniform vec2 split;       // texels
 uniform bool gaps;
-uniform vec4 background;  // where there is no material; premultiplied
-uniform vec2 corner;      // of what is drawn, px
+uniform vec4 background;  // shown without material; premultiplied
+uniform vec2 corner;      // of the drawn area, px
 
 // Damage of both sides of a straight crack is 0.4 to 0.5.
 const vec2 gap = vec2(0.25, 0.4);
 
 float share(float value, vec2 ends, bool is_logarithmic) {
-  // 0 has no logarithm; what is below the range has its least colour anyway.
+  // 0 has no logarithm; values below the range have its lowest colour in any case.
   float at = is_logarithmic ? log(max(value, 1e-30)) : value;
   return clamp((at - ends.x) / (ends.y - ends.x), 0.0, 1.0);
 }
