@@ -80,6 +80,7 @@ Calibration calibrate(const Family& family, const Material& material, double dx,
       break;
   }
   if (material.s0 > 0.0) result.s0 = material.s0;
+  if (material.c > 0.0) result.c = material.c;
   result.moduli = moduli(family, result.c, dx, plane);
   result.G0 = fracture_energy(family, result.c, result.s0, dx, across);
   return result;

@@ -34,7 +34,7 @@ std::vector<Material> distinct_materials(const Plate& plate) {
 }
 
 std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& grid) {
-  if (plate.cutouts.empty() && plate.inclusions.empty()) return {};
+  if (plate.cutouts.empty() && plate.outlines.empty() && plate.inclusions.empty()) return {};
   const std::vector<Material> materials = distinct_materials(plate);
   std::vector<std::uint8_t> material(grid.nodes());
   for (const Inclusion& inclusion : plate.inclusions) {
@@ -48,38 +48,76 @@ std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& gri
       if (is_inside(shape, grid.from_centre(i, j), tie)) material[grid.index(i, j)] = void_node;
     });
   }
+  for (const Outline& outline : plate.outlines) {
+    const Outline scaled = transformed(outline, grid.centre, 1.0 / grid.dx);
+    for_nodes(grid, [&](int i, int j) {
+      if (!covers(scaled, grid.from_centre(i, j), tie)) material[grid.index(i, j)] = void_node;
+    });
+  }
   if (std::ranges::count(material, void_node) == static_cast<std::ptrdiff_t>(material.size()))
-    throw Error(ErrorKind::refused, "plate: its cut-outs leave no node of it",
-                "make them smaller, or the spacing finer");
+    throw Error(ErrorKind::refused, "plate: its cut-outs and outlines leave no node of it",
+                "make cut-outs smaller, outlines larger, or the spacing finer");
   return material;
 }
 
 namespace {
 
-// Removes bonds that node (i, j) keeps.
-void carve_at(int i, int j, const Shape& shape, const std::vector<std::uint8_t>& material,
-              const Grid& grid, const Family& family, BondBits& bonds) {
-  const auto is_void = [&](int column, int row) {
-    return material[grid.index(column, row)] == void_node;
-  };
-  if (is_void(i, j)) return bonds.clear_all(grid.layout().at(i, j));
-  const Vec2 here = grid.from_centre(i, j), reach = Vec2::Constant(family.reach());
-  const bool near = may_cut(shape, {here - reach, here + reach}, tie);
+// Clears the bonds of node (i, j) for which cut(segment) is true, in lattice units.
+template <class Cut>
+void clear_at(int i, int j, const Grid& grid, const Family& family, BondBits& bonds,
+              const Cut& cut) {
+  const Vec2 here = grid.from_centre(i, j);
   family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-    if (!grid.contains(i + a, j + b)) return;
-    if (is_void(i + a, j + b) || (near && cuts(shape, {here, grid.from_centre(i + a, j + b)}, tie)))
+    if (grid.contains(i + a, j + b) && cut(Segment{here, grid.from_centre(i + a, j + b)}))
       bonds.clear(grid.layout().at(i, j), bit);
+  });
+}
+
+void clear_void(const NodeRange& range, const std::vector<std::uint8_t>& material, const Grid& grid,
+                const Family& family, BondBits& bonds) {
+  const auto is_void = [&](int i, int j) { return material[grid.index(i, j)] == void_node; };
+  for_nodes(range, [&](int i, int j) {
+    if (is_void(i, j)) return bonds.clear_all(grid.layout().at(i, j));
+    family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+      if (grid.contains(i + a, j + b) && is_void(i + a, j + b))
+        bonds.clear(grid.layout().at(i, j), bit);
+    });
+  });
+}
+
+void cut_through(const Shape& shape, const NodeRange& range, const Grid& grid, const Family& family,
+                 BondBits& bonds) {
+  const Vec2 reach = Vec2::Constant(family.reach());
+  for_nodes(range, [&](int i, int j) {
+    const Vec2 here = grid.from_centre(i, j);
+    if (may_cut(shape, {here - reach, here + reach}, tie))
+      clear_at(i, j, grid, family, bonds,
+               [&](const Segment& bond) { return cuts(shape, bond, tie); });
+  });
+}
+
+void cut_around(const Outline& outline, const std::vector<std::uint8_t>& material, const Grid& grid,
+                const Family& family, BondBits& bonds) {
+  for_nodes(grid, [&](int i, int j) {
+    if (material[grid.index(i, j)] == void_node) return;
+    clear_at(i, j, grid, family, bonds,
+             [&](const Segment& bond) { return leaves(outline, bond, tie); });
   });
 }
 
 }  // namespace
 
-void carve(const std::vector<Cutout>& cutouts, const std::vector<std::uint8_t>& material,
-           const Grid& grid, const Family& family, BondBits& bonds) {
-  for (const Cutout& cutout : cutouts) {
+void carve(const Plate& plate, const std::vector<std::uint8_t>& material, const Grid& grid,
+           const Family& family, BondBits& bonds) {
+  for (const Cutout& cutout : plate.cutouts) {
     const Shape shape = transformed(cutout.shape, grid.centre, 1.0 / grid.dx);
-    for_nodes(nodes_near(bounds(shape), grid, family.reach()),
-              [&](int i, int j) { carve_at(i, j, shape, material, grid, family, bonds); });
+    const NodeRange range = nodes_near(bounds(shape), grid, family.reach());
+    clear_void(range, material, grid, family, bonds);
+    if (cutout.bonds == Bridging::cut) cut_through(shape, range, grid, family, bonds);
+  }
+  for (const Outline& outline : plate.outlines) {
+    clear_void({0, grid.nx - 1, 0, grid.ny - 1}, material, grid, family, bonds);
+    cut_around(transformed(outline, grid.centre, 1.0 / grid.dx), material, grid, family, bonds);
   }
 }
 

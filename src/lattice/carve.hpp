@@ -71,12 +71,14 @@ void for_nodes_in(const Region& region, const Grid& grid, const Work& work) {
 std::vector<Material> distinct_materials(const Plate& plate);
 
 // Returns one value per node: the index in distinct_materials of the last inclusion that covers it
-// (rim included), or Lattice::void_node inside a cut-out (a node on the rim stays). Empty without
-// inclusions and cut-outs. Throws Error (refused) if no node is left.
+// (rim included), or Lattice::void_node inside a cut-out or outside an outline (a node on a rim
+// stays). Empty without inclusions, cut-outs and outlines. Throws Error (refused) if no node is
+// left.
 std::vector<std::uint8_t> materials_of_nodes(const Plate& plate, const Grid& grid);
 
-// Clears the bonds of void nodes and those that pass through the inside of a cut-out.
-void carve(const std::vector<Cutout>& cutouts, const std::vector<std::uint8_t>& material,
-           const Grid& grid, const Family& family, BondBits& bonds);
+// Clears the bonds of void nodes, those that pass through the inside of a cut-out that cuts them,
+// and those that leave an outline.
+void carve(const Plate& plate, const std::vector<std::uint8_t>& material, const Grid& grid,
+           const Family& family, BondBits& bonds);
 
 }  // namespace hackle

@@ -42,7 +42,9 @@ void cut(const Crack& crack, const Grid& grid, const Family& family, BondBits& b
              [&](const Segment& bond) { return distance(bond, point) <= tie; });
   };
   for (std::size_t k = 1; k + 1 < points.size(); ++k) cut_at(points[k]);
-  if (points.size() > 2 && crack.points.front() == crack.points.back()) cut_at(points.front());
+  const bool closed = points.size() > 2 && crack.points.front() == crack.points.back();
+  if (closed || crack.ends == CrackEnds::cut) cut_at(points.front());
+  if (crack.ends == CrackEnds::cut) cut_at(points.back());
 }
 
 }  // namespace hackle

@@ -82,7 +82,7 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
       bonds(uncut_bonds(grid, family)),
       unbreakable(bonds_in_zones(plate.no_fail, grid, family)),
       strength(plate.scatter ? strengths(*plate.scatter, grid) : std::vector<float>()) {
-  carve(plate.cutouts, material, grid, family, bonds);
+  carve(plate, material, grid, family, bonds);
   const BondBits uncut = plate.contact ? bonds : BondBits();
   cut_all(plate.cracks, Born::absent, grid, family, bonds);
   initial_neighbours = degrees(grid, family, bonds);

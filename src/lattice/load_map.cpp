@@ -104,6 +104,11 @@ NodeForces spread(const Pressure& pressure, const Plate& plate, const Lattice& l
       for_nodes_in(cutout.shape, grid, [&](int i, int j) {
         open[grid.index(i, j)] = static_cast<char>(lattice.is_void(i, j));
       });
+  for (const Outline& outline : plate.outlines)
+    if (outline.name == pressure.rim)
+      for_nodes(grid, [&](int i, int j) {
+        if (!covers(outline, grid.position(i, j), tie * grid.dx)) open[grid.index(i, j)] = 1;
+      });
   NodeForces forces;
   for_nodes(grid, [&](int i, int j) {
     if (lattice.is_void(i, j)) return;

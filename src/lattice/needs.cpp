@@ -115,7 +115,7 @@ double statics(const Grid& grid, const Family& family, const Needs& needs, doubl
 Needs needs_of(const Plate& plate, const Numerics& numerics) {
   const Family family(numerics.m(), numerics.quadrature, numerics.micromodulus);
   const auto materials = materials_of(plate, family, numerics);
-  return {.kinds = !plate.inclusions.empty() || !plate.cutouts.empty(),
+  return {.kinds = !plate.inclusions.empty() || !plate.cutouts.empty() || !plate.outlines.empty(),
           .mixed = differ(materials),
           .history = have_history(materials),
           .heated = !plate.loads.thermal_loads.empty(),

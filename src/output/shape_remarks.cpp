@@ -79,7 +79,7 @@ std::vector<std::string> shape_remarks(const Plate& plate, const Lattice& lattic
   std::vector<std::string> list;
   add_cutouts(plate, lattice, list);
   add_inclusions(plate, lattice, list);
-  if (!plate.cutouts.empty()) add_loose_nodes(lattice, list);
+  if (!plate.cutouts.empty() || !plate.outlines.empty()) add_loose_nodes(lattice, list);
   return list;
 }
 

@@ -24,6 +24,7 @@ struct Material {
   // unknown.
   double fringe = 0.0;
   double s0 = 0.0;  // critical stretch, given instead of G0; 0: follows from G0
+  double c = 0.0;   // N/m6, micromodulus, given to repeat another code's; 0: follows from E
 
   friend bool operator==(const Material&, const Material&) = default;
 };
@@ -50,6 +51,12 @@ inline constexpr auto description_of<Material> = describe_noun(
            {.range = strictly_between(0.0, 1.0),
             .alternative = true,
             .sentence = "Critical stretch instead of G0, which then follows from it."}),
+    member("c", &Material::c,
+           {.unit = "N/m6",
+            .range = at_least(0.0),
+            .fallback = "from E",
+            .sentence = "Micromodulus, to repeat the deck of another code; the modulus that it "
+                        "makes is printed, E serves estimates only."}),
     member("alphaT", &Material::alphaT,
            {.unit = "1/K",
             .range = at_least(0.0),

@@ -32,11 +32,13 @@ bool on_plate(const Plate& plate, const Vec2& point) {
 void check_rims(const Plate& plate, Problems& problems) {
   for (const Pressure& pressure : plate.loads.pressures) {
     std::vector<std::string_view> rims;
+    for (const Outline& outline : plate.outlines)
+      if (!outline.name.empty()) rims.push_back(outline.name);
     for (const Cutout& cutout : plate.cutouts)
       if (!cutout.name.empty()) rims.push_back(cutout.name);
     if (std::ranges::find(rims, pressure.rim) != rims.end()) continue;
-    problems.add(fmt::format("pressure: there is no hole or notch named '{}'{}", pressure.rim,
-                             did_you_mean(pressure.rim, rims)),
+    problems.add(fmt::format("pressure: there is no hole, notch or outline named '{}'{}",
+                             pressure.rim, did_you_mean(pressure.rim, rims)),
                  rims.empty() ? "give it a name: p:hole { name = \"bore\", ... }"
                               : "named are " + comma_list(rims));
   }
@@ -107,6 +109,7 @@ Shape strip(const Plate& plate, Edge edge, double depth) {
 void check(const Plate& plate, Problems& problems) {
   check_members(plate, problems);
   check(plate.material, problems);
+  for (const Outline& outline : plate.outlines) check(plate, outline, problems);
   for (const Cutout& cutout : plate.cutouts) check_cutout(plate, cutout.shape, "cut-out", problems);
   for (const Inclusion& inclusion : plate.inclusions) {
     check(plate, inclusion.shape, "inclusion", problems);
@@ -161,6 +164,12 @@ void check_cutout(const Plate& plate, const Shape& shape, const std::string& who
                  extent_text(plate));
 }
 
+void check(const Plate& plate, const Outline& outline, Problems& problems) {
+  if (outline.areas.empty())
+    problems.add("keep: there is no area", "give at least one, or the plate has nothing");
+  for (const Shape& area : outline.areas) check(plate, area, "keep", problems);
+}
+
 double contact_stiffness(const Plate& plate) {
   return plate.contact ? plate.contact->stiffness : 0.0;
 }
@@ -185,12 +194,12 @@ std::string describe(const Scatter& scatter) {
 
 std::string describe(const Plate& plate) {
   return fmt::format(
-      "plate {} x {} mm, {}{}{}{}{}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
+      "plate {} x {} mm, {}{}{}{}{}{}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
       shortest(std::round(plate.height * 1e9) * 1e-6),
       plate.plane == Plane::strain ? "plane strain, " : "", describe(plate.material),
-      counted(plate.cutouts.size(), "cut-out"), counted(plate.inclusions.size(), "inclusion"),
-      counted(plate.cracks.size(), "crack"), describe(plate.loads),
-      counted(plate.no_fail.size(), "no-fail zone"),
+      counted(plate.outlines.size(), "outline"), counted(plate.cutouts.size(), "cut-out"),
+      counted(plate.inclusions.size(), "inclusion"), counted(plate.cracks.size(), "crack"),
+      describe(plate.loads), counted(plate.no_fail.size(), "no-fail zone"),
       plate.scatter ? ", " + describe(*plate.scatter) : "", plate.contact ? ", contact" : "");
 }
 

@@ -15,6 +15,7 @@
 #include "scene/loads.hpp"
 #include "scene/loads/initial_condition.hpp"
 #include "scene/material.hpp"
+#include "scene/outline.hpp"
 #include "scene/shape.hpp"
 #include "scene/vec2.hpp"
 
@@ -26,15 +27,23 @@ enum class Born { broken, absent };
 template <>
 inline constexpr auto enum_names<Born> = std::to_array<std::string_view>({"broken", "absent"});
 
+// Whether the two ends of a crack belong to it: whether a bond that meets only an end is cut.
+enum class CrackEnds { open, cut };
+
+template <>
+inline constexpr auto enum_names<CrackEnds> = std::to_array<std::string_view>({"open", "cut"});
+
 // A crack of zero width along straight segments. It cuts every bond that shares a point with it;
-// its two ends do not belong to it, unless they coincide. The rule holds under every mirror.
+// its two ends belong to it if it says so, or if they coincide. The rule holds under every mirror.
 struct Crack {
   Crack() = default;
   Crack(const Vec2& from, const Vec2& to, Born how = Born::broken) : points{from, to}, born(how) {}
-  Crack(std::vector<Vec2> along, Born how) : points(std::move(along)), born(how) {}
+  Crack(std::vector<Vec2> along, Born how, CrackEnds tips = CrackEnds::open)
+      : points(std::move(along)), born(how), ends(tips) {}
 
   std::vector<Vec2> points;  // m, on the plate; at least two
   Born born = Born::broken;
+  CrackEnds ends = CrackEnds::open;
 };
 
 template <>
@@ -48,13 +57,24 @@ inline constexpr auto description_of<Crack> = describe_noun(
                         "last coincide."}),
     member("born", &Crack::born,
            {.fallback = "broken",
-            .sentence = "Whether the bonds it cuts count as damage or never existed."}));
+            .sentence = "Whether the bonds it cuts count as damage or never existed."}),
+    member("ends", &Crack::ends,
+           {.fallback = "open",
+            .sentence = "Whether a bond that meets the crack only at an end of it is cut, as in "
+                        "PDMATLAB2D, or holds."}));
+
+// What becomes of a bond that passes through removed material.
+enum class Bridging { cut, keep };
+
+template <>
+inline constexpr auto enum_names<Bridging> = std::to_array<std::string_view>({"cut", "keep"});
 
 // Removed material: a hole or a notch. Nodes inside are void; bonds that pass through it are
-// absent.
+// absent, or are kept, as in codes that remove nodes alone.
 struct Cutout {
   Shape shape;
   std::string name;  // used by pressures to find this rim; "" for none
+  Bridging bonds = Bridging::cut;
 };
 
 template <>
@@ -62,7 +82,10 @@ inline constexpr auto description_of<Cutout> = describe_noun(
     "cut-out", "cut-out", member("shape", &Cutout::shape, {.required = true}),
     member("name", &Cutout::name,
            {.alternative = true,
-            .sentence = "Name for p:pressure to find the rim; several rims may share one."}));
+            .sentence = "Name for p:pressure to find the rim; several rims may share one."}),
+    member("bonds", &Cutout::bonds,
+           {.fallback = "cut",
+            .sentence = "Whether bonds that pass through are cut, or kept between nodes beyond."}));
 
 // A region of another material. A node takes the material of the last inclusion that covers it.
 struct Inclusion {
@@ -153,6 +176,7 @@ struct Plate {
   double height = 0.0;  // m, along y, > 0
   Material material;
   Plane plane = Plane::stress;
+  std::vector<Outline> outlines;  // a node is kept that all of them cover
   std::vector<Cutout> cutouts;
   std::vector<Inclusion> inclusions;  // at most 254
   std::vector<Crack> cracks;
@@ -175,10 +199,11 @@ inline constexpr auto description_of<Plate> = describe_noun(
     member("plane", &Plate::plane,
            {.fallback = "stress",
             .sentence = "Plane stress for a thin plate, plane strain for a thick one."}),
-    member("cutouts", &Plate::cutouts), member("inclusions", &Plate::inclusions),
-    member("cracks", &Plate::cracks), member("no_fail", &Plate::no_fail),
-    member("starts", &Plate::initial_conditions), member("strength", &Plate::scatter),
-    member("contact", &Plate::contact), member("", &Plate::loads));
+    member("outlines", &Plate::outlines), member("cutouts", &Plate::cutouts),
+    member("inclusions", &Plate::inclusions), member("cracks", &Plate::cracks),
+    member("no_fail", &Plate::no_fail), member("starts", &Plate::initial_conditions),
+    member("strength", &Plate::scatter), member("contact", &Plate::contact),
+    member("", &Plate::loads));
 
 // Returns 0 without contact.
 double contact_stiffness(const Plate& plate);
@@ -196,6 +221,8 @@ void check(const Plate& plate, const Shape& shape, const std::string& who, Probl
 // Also checks that the cut-out leaves a part of the plate.
 void check_cutout(const Plate& plate, const Shape& shape, const std::string& who,
                   Problems& problems);
+// Also checks that the outline keeps a part of the plate.
+void check(const Plate& plate, const Outline& outline, Problems& problems);
 void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems);
 
 // Returns "strength scattered (Weibull modulus 10, correlated over 2 mm, seed 1)".

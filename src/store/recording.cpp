@@ -57,6 +57,7 @@ void check_scene(const Hdf5Reader& file, Plate plate, const Numerics& numerics) 
   plate.material.name.clear();
   for (Inclusion& inclusion : plate.inclusions) inclusion.material.name.clear();
   for (Cutout& cutout : plate.cutouts) cutout.name.clear();
+  for (Outline& outline : plate.outlines) outline.name.clear();
   Problems problems;
   check(plate, problems);
   check(plate, numerics, available_memory(), problems);

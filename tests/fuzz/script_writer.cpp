@@ -169,6 +169,11 @@ std::string value(Bytes& bytes, const Option& option) {
       return list(bytes, [] { return std::string("r"); });
     case OptionType::choice:
       return fmt::format("'{}'", bytes.pick(option.choices));
+    case OptionType::areas: {
+      const std::string centre = point(bytes, "m"), radius = number(bytes, "m");
+      const std::string area = fmt::format("{{centre = {}, radius = {}}}", centre, radius);
+      return bytes.once_in(2) ? area : fmt::format("{{{0}, {0}}}", area);
+    }
     case OptionType::material:
       return bytes.once_in(2) ? "m" : "'soda_lime'";
     case OptionType::vector_field:

@@ -147,6 +147,19 @@ TEST(Calibration, DoesNotDependOnTheUnitOfLength) {
   EXPECT_NEAR(fine.moduli.E / coarse.moduli.E, 1.0, 1e-13);
 }
 
+TEST(Calibration, AGivenMicromodulusHoldsAndTheModulusFollowsFromIt) {
+  const Family family(3, Quadrature::full);
+  Material material = test::duran50();
+  const Calibration own = calibrate(family, material, dx, Constants::lattice);
+  for (const Constants constants : {Constants::lattice, Constants::continuum, Constants::paper}) {
+    material.c = 2.0 * own.c;
+    const Calibration given = calibrate(family, material, dx, constants);
+    EXPECT_EQ(given.c, 2.0 * own.c);
+    EXPECT_DOUBLE_EQ(given.moduli.E, 2.0 * material.E);
+    EXPECT_DOUBLE_EQ(given.G0, fracture_energy(family, given.c, given.s0, dx, {0.0, 1.0}));
+  }
+}
+
 // Round trip: giving the critical stretch that follows from G0 must result in that G0.
 TEST(Calibration, AGivenCriticalStretchHoldsAndG0FollowsFromIt) {
   const Family family(4, Quadrature::area);

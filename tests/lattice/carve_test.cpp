@@ -34,6 +34,10 @@ struct Mirror {
   Shape operator()(const Capsule& s) const {
     return Capsule{{(*this)(s.axis.from), (*this)(s.axis.to)}, s.radius};
   }
+  Shape operator()(Ring s) const {
+    s.centre = (*this)(s.centre);
+    return s;
+  }
   Shape operator()(const Bitmap& s) const {
     const Vec2 one = (*this)(s.least), other = (*this)(s.most);
     Bitmap seen{one.cwiseMin(other), one.cwiseMax(other), s.columns, s.rows, s.inside};
@@ -75,6 +79,7 @@ std::vector<Shape> random_shapes(std::mt19937& random, bool snapped) {
       Ellipse{point(), {0.5e-3 + pick(2.0), 0.5e-3 + pick(2.0)}, snapped ? 0.0 : pick(3.0) * 1e3},
       Polygon{{point(), point(), point(), point(), point()}},
       Capsule{{point(), point()}, 0.25e-3 + pick(1.0)},
+      Ring{point(), 1.5e-3 + pick(1.5), 0.25e-3 + pick(1.0)},
       Bitmap{{1e-3, 1e-3}, {5e-3, 4e-3}, 4, 3, cells}};
 }
 
@@ -94,6 +99,89 @@ TEST(Carve, CommutesWithMirrorsForAnyShape) {
       }
     }
   }
+}
+
+Lattice kept(int nx, int ny, const std::vector<Shape>& areas) {
+  Plate plate = test::bare_plate(nx, ny);
+  plate.outlines.push_back({areas, ""});
+  return Lattice(plate, test::numerics(0.5e-3, 1.5e-3));
+}
+
+TEST(Carve, OutlinesCommuteWithMirrors) {
+  std::mt19937 random(4);
+  for (int trial = 0; trial < 12; ++trial) {
+    const int nx = 12 + trial % 2, ny = 12 + trial / 2 % 2;
+    std::vector<Shape> areas = random_shapes(random, trial % 3 == 0);
+    std::erase_if(areas, [](const Shape& area) {
+      Problems problems;
+      check(area, "keep", problems);
+      return !problems.empty();
+    });
+    const Lattice plain = kept(nx, ny, areas);
+    for (const int axis : {0, 1}) {
+      std::vector<Shape> seen;
+      for (const Shape& area : areas)
+        seen.push_back(std::visit(Mirror{axis, 0.5e-3 * (axis == 0 ? nx : ny)}, area));
+      expect_mirrored(plain, kept(nx, ny, seen), axis, "outline");
+    }
+  }
+}
+
+// Bond by bond, by points along it: a bond holds when all of it is kept, its ends included.
+TEST(Carve, AnOutlineKeepsTheBondsThatStayInIt) {
+  const std::vector<Shape> l{Polygon{{{1e-3, 1e-3},
+                                      {7e-3, 1e-3},
+                                      {7e-3, 3.1e-3},
+                                      {3.1e-3, 3.1e-3},
+                                      {3.1e-3, 7e-3},
+                                      {1e-3, 7e-3}}},
+                             Ring{{5e-3, 5e-3}, 1.8e-3, 0.9e-3}};
+  const Lattice lattice = kept(16, 16, l);
+  const Outline outline{l, ""};
+  const Grid& grid = lattice.grid;
+  int cut = 0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      EXPECT_EQ(lattice.is_void(i, j), !covers(outline, grid.position(i, j), 1e-12));
+      lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int) {
+        if (!grid.contains(i + a, j + b)) return;
+        const Vec2 from = grid.position(i, j), along = grid.position(i + a, j + b) - from;
+        bool stays = true;
+        for (int k = 0; k <= 500; ++k)
+          stays = stays && covers(outline, from + k / 500.0 * along, 1e-12);
+        const bool ends = !lattice.is_void(i, j) && !lattice.is_void(i + a, j + b);
+        cut += ends && !stays ? 1 : 0;
+        EXPECT_EQ(holds(grid, lattice.family, lattice.bonds, i, j, a, b), stays)
+            << i << ' ' << j << ' ' << a << ' ' << b;
+      });
+    }
+  EXPECT_GT(cut, 20);
+}
+
+TEST(Carve, OfSeveralOutlinesWhatAllKeepIsLeft) {
+  Plate plate = test::bare_plate(12, 12);
+  plate.outlines = {{{rectangle({0, 0}, {4e-3, 6e-3})}, ""},
+                    {{rectangle({2e-3, 0}, {6e-3, 6e-3})}, ""}};
+  const Lattice lattice(plate, test::numerics(0.5e-3, 1.5e-3));
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(lattice.is_void(i, 5), i < 4 || i > 7) << i;
+}
+
+TEST(Carve, AHoleMayLeaveTheBondsThatPassThrough) {
+  Plate plate = test::bare_plate(12, 12);
+  const Shape hole = Ellipse{{2.75e-3, 2.75e-3}, {0.3e-3, 0.3e-3}, 0};  // around node (5, 5)
+  plate.cutouts = {{hole, "", Bridging::keep}};
+  const Lattice kept(plate, test::numerics(0.5e-3, 1.5e-3));
+  plate.cutouts.front().bonds = Bridging::cut;
+  const Lattice cut(plate, test::numerics(0.5e-3, 1.5e-3));
+  const auto bridge = [](const Lattice& lattice, int a, int b) {
+    return holds(lattice.grid, lattice.family, lattice.bonds, 4, 5, a, b);
+  };
+  for (const Lattice* lattice : {&kept, &cut}) {
+    EXPECT_TRUE(lattice->is_void(5, 5));
+    EXPECT_FALSE(bridge(*lattice, 1, 0));  // to the node that is gone
+  }
+  EXPECT_TRUE(bridge(kept, 2, 0));
+  EXPECT_FALSE(bridge(cut, 2, 0));
 }
 
 TEST(Carve, WhatIsCulledWouldNotHaveBeenCut) {

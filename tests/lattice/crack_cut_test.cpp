@@ -54,6 +54,19 @@ TEST(CrackCut, ABondThatOnlyTouchesAnEndHolds) {
   EXPECT_TRUE(holds(lattice, 10, 9, 0, 1));
 }
 
+TEST(CrackCut, EndsThatBelongToItCutWhatTouchesThem) {
+  Crack one = crack(0, 5, 5, 5);
+  one.ends = CrackEnds::cut;
+  const Lattice lattice = cut_plate(20, 20, one);
+  EXPECT_FALSE(holds(lattice, 9, 9, 1, 1));
+  EXPECT_FALSE(holds(lattice, 10, 9, -1, 1));
+  EXPECT_TRUE(holds(lattice, 10, 9, 0, 1));
+  one.points = {{5e-3, 5e-3}, {10e-3, 5e-3}};  // from the other side
+  EXPECT_FALSE(holds(cut_plate(20, 20, one), 9, 9, 1, 1));
+  one.ends = CrackEnds::open;
+  EXPECT_TRUE(holds(cut_plate(20, 20, one), 9, 9, 1, 1));
+}
+
 TEST(CrackCut, ANodeOnTheCrackLosesAllItsBonds) {
   // 21 rows: row 10 lies at mid-height, 5.25 mm.
   const Lattice lattice = cut_plate(20, 21, crack(0, 5.25, 5, 5.25));

@@ -28,6 +28,7 @@ double area(const Shape& shape) {
 TEST(Shape, HasItsArea) {
   const double pi = std::numbers::pi;
   EXPECT_NEAR(area(Ellipse{{1, 2}, {3, 1}, 0.4}), 3.0 * pi, 0.02 * 3.0 * pi);
+  EXPECT_NEAR(area(Ring{{1, 2}, 3, 2}), 5.0 * pi, 0.04 * 5.0 * pi);
   EXPECT_NEAR(area(Capsule{{{0, 0}, {3, 4}}, 0.5}), 5.0 + 0.25 * pi, 0.02 * 14.0);
   EXPECT_NEAR(area(Polygon{{{0, 0}, {4, 0}, {4, 3}}}), 6.0, 0.06);
   EXPECT_NEAR(area(Polygon{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}), 8.0, 0.08);  // even-odd
@@ -80,10 +81,10 @@ TEST(Shape, ABitmapIsInsideWhereItIsMarked) {
 TEST(Shape, ASegmentCutsWhenAnyOfItsPointsIsInside) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-3.0, 3.0);
-  const std::vector<Shape> shapes{Ellipse{{0.3, 0.1}, {2, 0.5}, 0.7},
-                                  Capsule{{{-1, 0}, {1, 1}}, 0.4},
-                                  Polygon{{{-2, -2}, {2, -1}, {0, 0}, {1, 2}}},
-                                  Bitmap{{-2, -2}, {2, 2}, 3, 3, {1, 0, 1, 0, 0, 1, 1, 1, 0}}};
+  const std::vector<Shape> shapes{
+      Ellipse{{0.3, 0.1}, {2, 0.5}, 0.7}, Capsule{{{-1, 0}, {1, 1}}, 0.4},
+      Polygon{{{-2, -2}, {2, -1}, {0, 0}, {1, 2}}}, Ring{{0.4, -0.3}, 1.9, 1.2},
+      Bitmap{{-2, -2}, {2, 2}, 3, 3, {1, 0, 1, 0, 0, 1, 1, 1, 0}}};
   for (const Shape& shape : shapes)
     for (int trial = 0; trial < 300; ++trial) {
       const Segment segment{{place(random), place(random)}, {place(random), place(random)}};
@@ -102,9 +103,10 @@ TEST(Shape, ASegmentCutsWhenAnyOfItsPointsIsInside) {
 }
 
 TEST(Shape, WithoutAreaIsRefused) {
-  for (const Shape& shape : std::vector<Shape>{
-           Polygon{{{0, 0}, {1, 1}}}, Polygon{{{0, 0}, {1, 1}, {3, 3}}}, Ellipse{{0, 0}, {0, 1}, 0},
-           Ellipse{{0, 0}, {1.0, INFINITY}, 0}, rectangle({1, 1}, {1, 2})}) {
+  for (const Shape& shape :
+       std::vector<Shape>{Polygon{{{0, 0}, {1, 1}}}, Polygon{{{0, 0}, {1, 1}, {3, 3}}},
+                          Ellipse{{0, 0}, {0, 1}, 0}, Ellipse{{0, 0}, {1.0, INFINITY}, 0},
+                          Ring{{0, 0}, 1, 1}, Ring{{0, 0}, 1, 2}, rectangle({1, 1}, {1, 2})}) {
     Problems problems;
     check(shape, "hole", problems);
     EXPECT_FALSE(problems.empty()) << kind_of(shape);
@@ -126,10 +128,11 @@ TEST(Shape, AnEllipseIsTurnedAnticlockwise) {
 
 // The outermost samples of the area touch every side of the box, to one sample.
 TEST(Shape, HasTheLeastBoxThatHoldsIt) {
-  for (const Shape& shape : std::vector<Shape>{
-           Ellipse{{1, 2}, {3, 1}, 0.4}, Ellipse{{-1, 2}, {1, 3}, -1.1},
-           Capsule{{{0, 0}, {-3, 4}}, 0.5}, Capsule{{{5, -1}, {3, -4}}, 1.5},
-           Polygon{{{4, 3}, {-1, 0}, {4, -2}}}, Bitmap{{1, 2}, {4, 3}, 2, 2, {1, 0, 0, 1}}}) {
+  for (const Shape& shape :
+       std::vector<Shape>{Ellipse{{1, 2}, {3, 1}, 0.4}, Ellipse{{-1, 2}, {1, 3}, -1.1},
+                          Capsule{{{0, 0}, {-3, 4}}, 0.5}, Capsule{{{5, -1}, {3, -4}}, 1.5},
+                          Polygon{{{4, 3}, {-1, 0}, {4, -2}}}, Ring{{1, -2}, 3, 2.5},
+                          Bitmap{{1, 2}, {4, 3}, 2, 2, {1, 0, 0, 1}}}) {
     const Box box = bounds(shape);
     constexpr int n = 600;
     const Vec2 from(-8, -8), sample = Vec2(16, 16) / n;
@@ -155,7 +158,7 @@ TEST(Shape, MovedAndScaledCoversTheSamePlaces) {
   const Vec2 origin(0.7, -1.3);
   for (const Shape& shape :
        std::vector<Shape>{Ellipse{{0.3, 0.1}, {2, 0.5}, 0.7}, Capsule{{{-1, 0}, {1, 1}}, 0.4},
-                          Polygon{{{-2, -2}, {2, -1}, {0, 0}, {1, 2}}},
+                          Polygon{{{-2, -2}, {2, -1}, {0, 0}, {1, 2}}}, Ring{{0.4, -0.3}, 1.9, 1.2},
                           Bitmap{{-2, -1}, {2, 2}, 2, 3, {1, 0, 0, 1, 1, 1}}}) {
     const Shape moved = transformed(shape, origin, 2.5);
     for (int trial = 0; trial < 400; ++trial) {

@@ -91,6 +91,7 @@ Material material_like(double seed) {
   material.alphaT = seed * 1e-7;
   material.fringe = seed * 1e3;
   material.s0 = seed * 1e-4;
+  material.c = seed * 1e20;
   return material;
 }
 
@@ -125,10 +126,13 @@ Plate every_member() {
   plate.height = 0.053;
   plate.material = material_like(61.0);
   plate.plane = Plane::strain;
-  plate.cutouts = {{Ellipse{{0.03, 0.031}, {2e-3, 3e-3}, 0.3}, "bore"}, {some_bitmap(), "slit"}};
+  plate.cutouts = {{Ellipse{{0.03, 0.031}, {2e-3, 3e-3}, 0.3}, "bore"},
+                   {some_bitmap(), "slit", Bridging::keep}};
+  plate.outlines = {{{Ring{{0.03, 0.02}, 0.05, 0.002}, some_bitmap()}, "rim"},
+                    {{Ellipse{{0.03, 0.03}, {0.08, 0.07}, 0.2}}, ""}};
   plate.inclusions = {{Polygon{{{0.04, 0.01}, {0.05, 0.011}, {0.045, 0.02}}}, material_like(7.0)}};
   plate.cracks = {{{{0.0, 0.02}, {0.01, 0.021}, {0.012, 0.023}}, Born::absent},
-                  {{0.06, 0.04}, {0.07, 0.041}, Born::broken}};
+                  {{{0.06, 0.04}, {0.07, 0.041}}, Born::broken, CrackEnds::cut}};
   plate.no_fail = {rectangle({0.0, 0.0}, {0.001, 0.053}),
                    Capsule{{{0.05, 0.05}, {0.06, 0.052}}, 1.5e-3}};
   plate.initial_conditions = {{Ellipse{{0.01, 0.01}, {1e-3, 1e-3}, 0.0}, {1e-6, 2e-6}, {3.0, 4.0}},
@@ -203,9 +207,15 @@ bool same(const InitialCondition& one, const InitialCondition& other) {
 }
 
 bool same(const Cutout& one, const Cutout& other) {
-  const auto& [shape, name] = one;
-  const auto& [other_shape, other_name] = other;
-  return shape == other_shape && name == other_name;
+  const auto& [shape, name, bonds] = one;
+  const auto& [other_shape, other_name, other_bonds] = other;
+  return shape == other_shape && name == other_name && bonds == other_bonds;
+}
+
+bool same(const Outline& one, const Outline& other) {
+  const auto& [areas, name] = one;
+  const auto& [other_areas, other_name] = other;
+  return areas == other_areas && name == other_name;
 }
 
 bool same(const Inclusion& one, const Inclusion& other) {
@@ -215,9 +225,9 @@ bool same(const Inclusion& one, const Inclusion& other) {
 }
 
 bool same(const Crack& one, const Crack& other) {
-  const auto& [points, born] = one;
-  const auto& [other_points, other_born] = other;
-  return points == other_points && born == other_born;
+  const auto& [points, born, ends] = one;
+  const auto& [other_points, other_born, other_ends] = other;
+  return points == other_points && born == other_born && ends == other_ends;
 }
 
 bool same(const Scatter& one, const Scatter& other) {
@@ -257,12 +267,13 @@ TEST(Inputs, KeepEveryMemberOfEveryLoad) {
 TEST(Inputs, KeepEveryMemberOfAPlate) {
   const Plate wanted = every_member();
   const Plate found = read_inputs(inputs_of(wanted, every_choice())).plate;
-  const auto& [width, height, material, plane, cutouts, inclusions, cracks, no_fail,
+  const auto& [width, height, material, plane, outlines, cutouts, inclusions, cracks, no_fail,
                initial_conditions, scatter, contact, loads] = found;
   EXPECT_EQ(width, wanted.width);
   EXPECT_EQ(height, wanted.height);
   EXPECT_EQ(material, wanted.material);
   EXPECT_EQ(plane, wanted.plane);
+  expect_same(outlines, wanted.outlines, "outlines");
   expect_same(cutouts, wanted.cutouts, "cutouts");
   expect_same(inclusions, wanted.inclusions, "inclusions");
   expect_same(cracks, wanted.cracks, "cracks");

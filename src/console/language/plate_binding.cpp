@@ -2,24 +2,45 @@
 #include "console/language/plate_binding.hpp"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "base/units.hpp"
 #include "console/language/contact_binding.hpp"
 #include "console/language/load_binding.hpp"
 #include "console/language/noun_options.hpp"
 #include "console/language/region_options.hpp"
 #include "console/language/scripted_plate.hpp"
 #include "console/language/shape_binding.hpp"
+#include "console/language/shape_options.hpp"
 #include "console/language/strength_binding.hpp"
 #include "console/schema/object_type.hpp"
 
 namespace hackle {
 namespace {
 
+// With an outline, sizes follow from it.
+constexpr auto plate_options = [] {
+  auto options = joined(
+      options_of<Plate>,
+      std::array{Option{.name = "outline",
+                        .type = OptionType::areas,
+                        .read = read_areas,
+                        .alternative = true,
+                        .sentence = "What is kept of the rectangle, as by p:keep; without width "
+                                    "and height the plate is as large as the outline."}});
+  for (Option& option : options)
+    if (option.name == "width" || option.name == "height") option.unless = "outline";
+  return options;
+}();
+
 constexpr FunctionDoc plate_doc{
     .name = "plate",
-    .sentence = "Makes a rectangular plate; its lower left corner is the origin, x right, y up.",
-    .options = options_of<Plate>,
+    .sentence =
+        "Makes a plate; the lower left corner of its rectangle is the origin, x right, y up.",
+    .options = plate_options,
     .example = "p = plate { width = 100*mm, height = 40*mm, material = \"duran50\" }"};
 
 constexpr FunctionDoc nofail_doc{
@@ -29,10 +50,31 @@ constexpr FunctionDoc nofail_doc{
     .options = region_options,
     .example = "p:nofail { edge = \"top\", depth = 2*mm }"};
 
+// Adds a problem where a size is neither given nor follows from an outline that begins at the
+// origin.
+void size_by(const Outline& outline, const Arguments& arguments, Plate& plate, Problems& problems) {
+  const Box box = bounds(outline);
+  if (!arguments.has("width")) plate.width = box.most.x();
+  if (!arguments.has("height")) plate.height = box.most.y();
+  const double slack = 1e-9 * (box.most - box.least).maxCoeff();
+  const bool off = (!arguments.has("width") && std::abs(box.least.x()) > slack) ||
+                   (!arguments.has("height") && std::abs(box.least.y()) > slack);
+  if (off)
+    problems.add(fmt::format("plate: the outline begins at ({}, {})", quantity(box.least.x(), "m"),
+                             quantity(box.least.y(), "m")),
+                 "move it to the origin, or give width and height");
+}
+
 int make_plate(lua_State* L) {
   Arguments arguments = Arguments::from_table(L, 1, plate_doc);
+  const bool outlined = arguments.has("outline");
   arguments.problems.throw_if_any();
   auto plate = noun_of<Plate>(arguments);
+  if (outlined) {
+    plate.outlines = {{arguments.get<std::vector<Shape>>("outline", {}), ""}};
+    size_by(plate.outlines.front(), arguments, plate, arguments.problems);
+    arguments.problems.throw_if_any();
+  }
   check(plate, arguments.problems);
   arguments.problems.throw_if_any();
   push_object(L, std::move(plate));

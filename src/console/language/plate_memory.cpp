@@ -27,6 +27,11 @@ std::size_t beyond(const Shape& shape) {
 std::size_t beyond(const Crack& crack) {
   return bytes_of(crack.points);
 }
+std::size_t beyond(const Outline& outline) {
+  std::size_t bytes = bytes_of(outline.areas);
+  for (const Shape& area : outline.areas) bytes += beyond(area);
+  return bytes;
+}
 template <class Part>
 std::size_t beyond(const Part& part) {
   std::size_t bytes = 0;
@@ -53,7 +58,7 @@ std::size_t PlateMemory::grown(const Plate& plate) {
                       added(plate.initial_conditions, counted_[4]) +
                       added(loads.tractions, counted_[5]) + added(loads.pressures, counted_[6]) +
                       added(loads.body_forces, counted_[7]) + added(loads.supports, counted_[8]) +
-                      added(loads.thermal_loads, counted_[9]);
+                      added(loads.thermal_loads, counted_[9]) + added(plate.outlines, counted_[10]);
   total_ += bytes;
   return bytes;
 }

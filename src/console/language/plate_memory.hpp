@@ -18,7 +18,7 @@ class PlateMemory {
   std::size_t total() const { return total_; }
 
  private:
-  std::array<std::size_t, 10> counted_{};
+  std::array<std::size_t, 11> counted_{};
   std::size_t total_ = 0;
 };
 

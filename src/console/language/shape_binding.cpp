@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "console/language/shape_binding.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -24,7 +25,24 @@ int add_hole(lua_State* L) {
   const std::optional<Shape> shape = shape_of(arguments, "hole");
   if (shape) check_cutout(plate, *shape, "hole", arguments.problems);
   arguments.problems.throw_if_any();
-  plate.cutouts.push_back({*shape, arguments.text("name")});
+  plate.cutouts.push_back({*shape, arguments.text("name"), arguments.choice<Bridging>("bonds")});
+  return return_plate(L);
+}
+
+int add_keep(lua_State* L) {
+  Plate& plate = self<Plate>(L, keep_doc);
+  Arguments arguments = Arguments::from_table(L, 2, keep_doc);
+  Outline outline{arguments.get<std::vector<Shape>>("any", {}), arguments.text("name")};
+  const bool shaped = std::ranges::any_of(
+      shape_options, [&](const Option& option) { return arguments.has(option.name); });
+  if (arguments.has("any") && shaped)
+    arguments.problems.add("keep: any and another area are given",
+                           "put all areas into any = { {...}, {...} }");
+  if (!arguments.has("any") && arguments.good({"any"}))
+    if (const std::optional<Shape> shape = shape_of(arguments, "keep")) outline.areas = {*shape};
+  if (!outline.areas.empty()) check(plate, outline, arguments.problems);
+  arguments.problems.throw_if_any();
+  plate.outlines.push_back(std::move(outline));
   return return_plate(L);
 }
 
@@ -69,7 +87,9 @@ int add_crack(lua_State* L) {
   Arguments arguments = Arguments::from_table(L, 2, crack_doc);
   const auto form = form_of(arguments, crack_forms, "crack", "its course");
   Crack crack;
-  if (form) crack = {points_of(arguments, *form), arguments.choice<Born>("born")};
+  if (form)
+    crack = {points_of(arguments, *form), arguments.choice<Born>("born"),
+             arguments.choice<CrackEnds>("ends")};
   if (!crack.points.empty()) check(plate, crack, arguments.problems);
   arguments.problems.throw_if_any();
   plate.cracks.push_back(std::move(crack));
@@ -143,6 +163,7 @@ std::span<const Function> shape_methods() {
                                       Function{&random_cracks_doc, guarded<add_random_cracks>},
                                       Function{&notch_doc, guarded<add_notch>},
                                       Function{&hole_doc, guarded<add_hole>},
+                                      Function{&keep_doc, guarded<add_keep>},
                                       Function{&inclusion_doc, guarded<add_inclusion>},
                                       Function{&mask_doc, guarded<add_mask>}};
   return methods;

@@ -20,10 +20,28 @@ inline constexpr auto name_options = options_of<Cutout>;
 
 inline constexpr auto hole_options = joined(shape_options, name_options);
 
+inline constexpr auto keep_options = joined(
+    joined(shape_options,
+           std::array{Option{.name = "any",
+                             .type = OptionType::areas,
+                             .read = read_areas,
+                             .alternative = true,
+                             .sentence = "Several areas: what any of them covers is kept."}}),
+    options_of<Outline>);
+
+inline constexpr FunctionDoc keep_doc{
+    .name = "keep",
+    .owner = "p",
+    .sentence =
+        "Keeps what an area covers and removes the rest of the plate; of several calls, "
+        "what all of them keep.",
+    .options = keep_options,
+    .example = "p:keep { centre = {50*mm, 20*mm}, radius = 20*mm }"};
+
 inline constexpr FunctionDoc hole_doc{
     .name = "hole",
     .owner = "p",
-    .sentence = "Cuts out a circle, an ellipse, a polygon or a slot.",
+    .sentence = "Cuts out a circle, a ring, an ellipse, a polygon, a star or a slot.",
     .options = hole_options,
     .example = "p:hole { centre = {70*mm, 20*mm}, radius = 5*mm, name = \"bore\" }"};
 

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "console/lua/description.hpp"
+#include "console/schema/given_value.hpp"
 
 namespace hackle {
 namespace {
@@ -24,6 +26,7 @@ constexpr auto turned = std::to_array<std::string_view>({"angle"});
 constexpr auto polygon = std::to_array<std::string_view>({"points"});
 constexpr auto slot = std::to_array<std::string_view>({"from", "to", "width"});
 constexpr auto regular = std::to_array<std::string_view>({"centre", "radius", "corners"});
+constexpr auto ring = std::to_array<std::string_view>({"centre", "radius", "inner"});
 constexpr auto pointed = std::to_array<std::string_view>({"centre", "radius", "inner", "corners"});
 
 Shape make_circle(const Arguments& arguments) {
@@ -47,6 +50,10 @@ Shape make_regular(const Arguments& arguments) {
               static_cast<int>(arguments.integer("corners")), arguments.number("angle"));
 }
 
+Shape make_ring(const Arguments& arguments) {
+  return Ring{arguments.point("centre"), arguments.number("radius"), arguments.number("inner")};
+}
+
 Shape make_star(const Arguments& arguments) {
   return star(arguments.point("centre"), arguments.number("radius"),
               static_cast<int>(arguments.integer("corners")), arguments.number("angle"),
@@ -54,9 +61,13 @@ Shape make_star(const Arguments& arguments) {
 }
 
 constexpr std::array shapes{
-    ShapeForm{{circle}, make_circle},           ShapeForm{{ellipse, turned}, make_ellipse},
-    ShapeForm{{polygon}, make_polygon},         ShapeForm{{slot}, make_slot},
-    ShapeForm{{regular, turned}, make_regular}, ShapeForm{{pointed, turned}, make_star},
+    ShapeForm{{circle}, make_circle},
+    ShapeForm{{ellipse, turned}, make_ellipse},
+    ShapeForm{{polygon}, make_polygon},
+    ShapeForm{{slot}, make_slot},
+    ShapeForm{{ring}, make_ring},
+    ShapeForm{{regular, turned}, make_regular},
+    ShapeForm{{pointed, turned}, make_star},
 };
 constexpr auto shape_forms = [] {
   std::array<Form, shapes.size()> forms;
@@ -87,7 +98,41 @@ std::string ways(std::span<const Form> forms) {
   return text;
 }
 
+// The area at the top of the stack.
+std::optional<Shape> area_at_top(const GivenValue& given) {
+  const std::string name = given.name();
+  const FunctionDoc doc{.name = name, .options = shape_options};
+  if (lua_type(given.L, -1) != LUA_TTABLE) {
+    given.wrong(fmt::format("{} holds {}, expected {}", given.name(), description(given.L, -1),
+                            expectation(given.option)));
+    return std::nullopt;
+  }
+  Arguments arguments = Arguments::from_table(given.L, lua_gettop(given.L), doc);
+  std::optional<Shape> shape = shape_of(arguments, name);
+  if (shape) check(*shape, name, arguments.problems);
+  for (const Problem& problem : arguments.problems.list())
+    given.problems.add(problem.what, problem.remedy);
+  return arguments.problems.empty() ? shape : std::nullopt;
+}
+
 }  // namespace
+
+std::any read_areas(const GivenValue& given) {
+  if (lua_type(given.L, given.index) != LUA_TTABLE) return given.wrong_type();
+  const lua_Unsigned count = lua_rawlen(given.L, given.index);
+  std::vector<Shape> areas;
+  for (lua_Unsigned k = 1; k <= std::max(count, lua_Unsigned{1}); ++k) {
+    if (count == 0)
+      lua_pushvalue(given.L, given.index);
+    else
+      lua_rawgeti(given.L, given.index, static_cast<lua_Integer>(k));
+    const std::optional<Shape> area = area_at_top(given);
+    lua_pop(given.L, 1);
+    if (!area) return {};
+    areas.push_back(*area);
+  }
+  return areas;
+}
 
 std::optional<std::size_t> form_of(Arguments& arguments, std::span<const Form> forms,
                                    std::string_view who, std::string_view what) {

@@ -3,6 +3,7 @@
 // a star.
 #pragma once
 
+#include <any>
 #include <array>
 #include <optional>
 #include <span>
@@ -42,11 +43,12 @@ inline constexpr std::array shape_options{
            .range = between(3, max_corners),
            .alternative = true,
            .sentence = "Number of corners of a regular polygon, or of tips of a star."},
-    Option{.name = "inner",
-           .unit = "m",
-           .range = above(0.0),
-           .alternative = true,
-           .sentence = "Radius of the corners between the tips of a star."},
+    Option{
+        .name = "inner",
+        .unit = "m",
+        .range = above(0.0),
+        .alternative = true,
+        .sentence = "Radius of the corners between the tips of a star, or of the hole of a ring."},
     Option{.name = "points",
            .type = OptionType::points,
            .unit = "m",
@@ -80,6 +82,9 @@ struct Form {
 // forms; returns nothing then, and also if some of their options were wrong. `what` is "the shape".
 std::optional<std::size_t> form_of(Arguments& arguments, std::span<const Form> forms,
                                    std::string_view who, std::string_view what);
+
+// Reads a std::vector<Shape>: one area, given by the options above, or a list of such.
+std::any read_areas(const GivenValue& given);
 
 // Returns the shape given by the arguments of a function with shape_options. Adds a problem and
 // returns nothing if they do not make one.

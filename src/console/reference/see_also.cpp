@@ -9,7 +9,7 @@ namespace {
 
 constexpr auto groups = std::to_array<std::string_view>({
     "plate material simulate help",
-    "crack random_cracks notch hole mask",
+    "crack random_cracks notch hole mask keep",
     "inclusion material mask hole",
     "traction pressure body_force impactor temperature move",
     "clamp move release nofail",

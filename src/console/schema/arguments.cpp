@@ -107,9 +107,12 @@ void Arguments::unknown_name(std::string_view name) {
 }
 
 void Arguments::require_all() {
+  const auto given = [&](std::string_view name) {
+    return !name.empty() && (has(name) || at(name).bad);
+  };
   for (std::size_t k = 0; k < slots_.size(); ++k) {
     const Option& option = doc_->options[k];
-    if (!option.required || has(option.name) || slots_[k].bad) continue;
+    if (!option.required || given(option.unless) || given(option.name)) continue;
     slots_[k].bad = true;
     problems.add(fmt::format("{}: {} is missing", doc_->name, option.name), expectation(option));
   }

@@ -42,6 +42,8 @@ std::string_view type_word(OptionType type) {
       return "choice";
     case OptionType::material:
       return "material";
+    case OptionType::areas:
+      return "area or list of areas";
     case OptionType::vector_field:
       return "{x, y} or function";
     case OptionType::scalar_field:
@@ -67,6 +69,7 @@ std::string values_text(const Option& option) {
 }
 
 std::string presence_text(const Option& option) {
+  if (!option.unless.empty()) return fmt::format("required, or {}", option.unless);
   if (option.required) return "required";
   if (option.alternative) return "one way";
   return option.fallback.empty() ? "optional" : fmt::format("default {}", option.fallback);

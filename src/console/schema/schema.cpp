@@ -67,6 +67,8 @@ std::string expectation(const Option& option) {
       return "one of " + comma_list(option.choices);
     case OptionType::material:
       return "the name of a material, or material { ... }";
+    case OptionType::areas:
+      return "an area, {centre = ..., radius = ...} for one, or a list of areas";
     case OptionType::vector_field:
       return "{x, y}" + in_unit + ", or a function of x and y that returns two numbers";
     case OptionType::scalar_field:

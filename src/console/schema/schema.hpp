@@ -31,6 +31,7 @@ enum class OptionType {
   recordings,    // a list of values of recording{...}; range of its length
   choice,        // one of `choices`
   material,      // its name, or a value of material{...}
+  areas,         // {centre = ..., radius = ...}, the options of a shape, or a list of such
   vector_field,  // {x, y}, or a function of x and y that returns two numbers
   scalar_field,  // a number, or a function of x and y that returns one
   amplitude,     // {{t, factor}, ...} in time, or a function of t
@@ -44,10 +45,11 @@ using ValueReader = std::any (*)(const GivenValue& given);
 struct Option {
   std::string_view name;
   OptionType type = OptionType::number;
-  ValueReader read = nullptr;  // of markers, recordings and material; beside their bindings
+  ValueReader read = nullptr;  // of markers, recordings, material and areas; beside their bindings
   std::string_view unit{};     // "" for none
   Range range{};
   bool required = false;
+  std::string_view unless{};    // an option that makes this one needless
   bool positional = false;      // may be given as [1], without its name
   std::string_view fallback{};  // default as told to the user
   std::span<const std::string_view> choices{};

@@ -303,6 +303,7 @@ std::any read_value(const GivenValue& given) {
     case OptionType::markers:
     case OptionType::recordings:
     case OptionType::material:
+    case OptionType::areas:
       break;
   }
   assert(given.option.read != nullptr);

@@ -89,16 +89,16 @@ void expect_box(const Region& region, const Vec2& least, const Vec2& most) {
 TEST_F(Members, OfAMaterial) {
   const std::string script =
       "m = material { name = 'slate', E = 1*GPa, rho = 2, nu = 0.3, G0 = 4, alpha = 0.05, alphaT = "
-      "6e-6, fringe = 7 }\n"
+      "6e-6, fringe = 7, c = 8e20 }\n"
       "n = material { like = m, s0 = 0.08 }";
   expect_all_named(*material_functions().front().doc, script);
   run(script);
   lua_getglobal(L, "m");
   const Material& m = *object_at<Material>(L, -1);
-  EXPECT_EQ(m, (Material{"slate", 1e9, 2.0, 0.3, 4.0, 0.05, 6e-6, 7.0, 0.0}));
+  EXPECT_EQ(m, (Material{"slate", 1e9, 2.0, 0.3, 4.0, 0.05, 6e-6, 7.0, 0.0, 8e20}));
   lua_getglobal(L, "n");
   const Material& n = *object_at<Material>(L, -1);
-  EXPECT_EQ(n, (Material{"like slate", 1e9, 2.0, 0.3, 0.0, 0.05, 6e-6, 7.0, 0.08}));
+  EXPECT_EQ(n, (Material{"like slate", 1e9, 2.0, 0.3, 0.0, 0.05, 6e-6, 7.0, 0.08, 8e20}));
 }
 
 TEST_F(Members, OfAPlate) {
@@ -113,7 +113,7 @@ TEST_F(Members, OfAPlate) {
 
 TEST_F(Members, OfHoles) {
   const std::string calls =
-      "p:hole { centre = {11*mm, 12*mm}, radius = 3*mm, name = 'a' }\n"
+      "p:hole { centre = {11*mm, 12*mm}, radius = 3*mm, name = 'a', bonds = 'keep' }\n"
       "p:hole { centre = {21*mm, 22*mm}, radii = {3*mm, 2*mm}, angle = 0.5, name = 'b' }\n"
       "p:hole { points = {{31*mm, 1*mm}, {35*mm, 2*mm}, {33*mm, 6*mm}} }\n"
       "p:hole { from = {41*mm, 11*mm}, to = {45*mm, 12*mm}, width = 3*mm, name = 'd' }\n"
@@ -124,6 +124,8 @@ TEST_F(Members, OfHoles) {
   ASSERT_EQ(plate.cutouts.size(), 7U);
   EXPECT_EQ(plate.cutouts[0].name, "bore");
   EXPECT_EQ(plate.cutouts[1].name, "a");
+  EXPECT_EQ(plate.cutouts[1].bonds, Bridging::keep);
+  EXPECT_EQ(plate.cutouts[2].bonds, Bridging::cut);
   EXPECT_EQ(plate.cutouts[1].shape, Shape(Ellipse{{0.011, 0.012}, {3e-3, 3e-3}, 0.0}));
   EXPECT_EQ(plate.cutouts[2].name, "b");
   EXPECT_EQ(plate.cutouts[2].shape, Shape(Ellipse{{0.021, 0.022}, {3e-3, 2e-3}, 0.5}));
@@ -139,6 +141,24 @@ TEST_F(Members, OfHoles) {
   EXPECT_EQ(plate.cutouts[5].shape, Shape(star({51 * 1e-3, 12 * 1e-3}, 3 * 1e-3, 6, 0.2)));
   EXPECT_EQ(plate.cutouts[6].shape,
             Shape(star({61 * 1e-3, 12 * 1e-3}, 4 * 1e-3, 5, 0.0, 2 * 1e-3)));
+}
+
+TEST_F(Members, OfOutlines) {
+  const Plate& plate = plate_after(
+      "p:keep { centre = {11*mm, 12*mm}, radius = 30*mm, inner = 1*mm, name = 'a' }\n"
+      "p:keep { any = { centre = {11*mm, 12*mm}, radius = 3*mm } }\n"
+      "p:keep { any = { { centre = {11*mm, 12*mm}, radius = 3*mm },\n"
+      "                 { points = {{1*mm, 1*mm}, {5*mm, 2*mm}, {3*mm, 6*mm}} } }, name = 'c' }");
+  const Shape disc = Ellipse{{11 * 1e-3, 12 * 1e-3}, {3 * 1e-3, 3 * 1e-3}, 0.0};
+  ASSERT_EQ(plate.outlines.size(), 3U);
+  EXPECT_EQ(plate.outlines[0].areas,
+            std::vector<Shape>{(Ring{{11 * 1e-3, 12 * 1e-3}, 30 * 1e-3, 1e-3})});
+  EXPECT_EQ(plate.outlines[0].name, "a");
+  EXPECT_EQ(plate.outlines[1].areas, std::vector<Shape>{disc});
+  EXPECT_EQ(plate.outlines[2].areas,
+            (std::vector<Shape>{
+                disc, Polygon{{{1e-3, 1e-3}, {5 * 1e-3, 2 * 1e-3}, {3 * 1e-3, 6 * 1e-3}}}}));
+  EXPECT_EQ(plate.outlines[2].name, "c");
 }
 
 TEST_F(Members, OfInclusions) {
@@ -219,7 +239,8 @@ TEST_F(Members, OfCracks) {
   const std::string calls =
       "p:crack { from = {1*mm, 2*mm}, to = {3*mm, 4*mm}, born = 'absent' }\n"
       "p:crack { points = {{5*mm, 6*mm}, {7*mm, 8*mm}, {9*mm, 1*mm}} }\n"
-      "p:crack { centre = {40*mm, 20*mm}, radius = 5*mm, angles = {90*deg, 180*deg} }";
+      "p:crack { centre = {40*mm, 20*mm}, radius = 5*mm, angles = {90*deg, 180*deg}, ends = 'cut' "
+      "}";
   expect_all_named(crack_doc, calls);
   const Plate& plate = plate_after(calls);
   ASSERT_EQ(plate.cracks.size(), 3U);
@@ -228,6 +249,8 @@ TEST_F(Members, OfCracks) {
   EXPECT_TRUE(near(plate.cracks[0].points[0], {1e-3, 2e-3}));
   EXPECT_TRUE(near(plate.cracks[0].points[1], {3e-3, 4e-3}));
   EXPECT_EQ(plate.cracks[1].born, Born::broken);
+  EXPECT_EQ(plate.cracks[1].ends, CrackEnds::open);
+  EXPECT_EQ(plate.cracks[2].ends, CrackEnds::cut);
   ASSERT_EQ(plate.cracks[1].points.size(), 3U);
   EXPECT_TRUE(near(plate.cracks[1].points[2], {9e-3, 1e-3}));
   EXPECT_TRUE(near(plate.cracks[2].points.front(), {40e-3, 25e-3}));

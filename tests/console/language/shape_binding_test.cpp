@@ -40,6 +40,44 @@ TEST(ShapeBinding, EveryWayToSayAShapeIsTaken) {
       "");
 }
 
+// Nodes are counted by their fragments: s.nodes counts void ones, too.
+TEST(ShapeBinding, APlateIsCutToItsOutline) {
+  EXPECT_EQ(test::message_of(R"(
+    local d = plate { outline = { centre = {25*mm, 25*mm}, radius = 25*mm }, material = 'duran50' }
+    assert(math.abs(d.width - 50*mm) < 1e-9 and math.abs(d.height - 50*mm) < 1e-9)
+    local nodes = simulate(d, { spacing = 0.5*mm }):fragments()[1]
+    assert(math.abs(nodes / (math.pi * 50^2) - 1) < 0.01, 'nodes: ' .. nodes)
+    d:keep { points = {{0, 0}, {50*mm, 0}, {50*mm, 25*mm}, {0, 25*mm}} }
+    assert(math.abs(simulate(d, { spacing = 0.5*mm }):fragments()[1] / nodes - 0.5) < 0.01)
+    assert(tostring(d):find('2 outlines', 1, true), tostring(d))
+  )"),
+            "");
+}
+
+TEST(ShapeBinding, SeveralAreasAreKeptTogether) {
+  EXPECT_EQ(test::message_of(test::plate_p + R"(
+    p:keep { any = { { centre = {20*mm, 20*mm}, radius = 10*mm, inner = 5*mm },
+                     { from = {60*mm, 20*mm}, to = {80*mm, 20*mm}, width = 10*mm } }, name = 'rim' }
+    local s = simulate(p, { spacing = 0.25*mm, horizon = 0.75*mm })
+    local slot, ring = s:fragments()[1] * 0.25^2, s:fragments()[2] * 0.25^2
+    assert(#s:fragments() == 2)
+    assert(math.abs(slot / (20*10 + math.pi * 5^2) - 1) < 0.02, 'slot: ' .. slot)
+    assert(math.abs(ring / (math.pi * (10^2 - 5^2)) - 1) < 0.02, 'ring: ' .. ring)
+    p:pressure { rim = 'rim', pressure = 1*MPa }
+    simulate(p, { spacing = 0.5*mm }):run(1*us)
+  )"),
+            "");
+}
+
+TEST(ShapeBinding, AnOutlineAwayFromTheOriginNeedsSizes) {
+  const char* const plate = "plate { outline = { centre = {30*mm, 25*mm}, radius = 25*mm }, ";
+  EXPECT_THAT(test::message_of(std::string(plate) + "material = 'duran50' }"),
+              HasSubstr("the outline begins at (5 mm, 0 m)"));
+  EXPECT_EQ(test::message_of(std::string(plate) + "width = 60*mm, height = 50*mm, material = "
+                                                  "'duran50' }"),
+            "");
+}
+
 TEST(ShapeBinding, WhatMakesNoSenseIsRefusedByName) {
   for (const Case& bad : {
            Case{"hole { }", "hole: the shape is not clear"},
@@ -49,7 +87,14 @@ TEST(ShapeBinding, WhatMakesNoSenseIsRefusedByName) {
            {"hole { centre = {0, 0}, radius = 1*mm, angle = 1 }", "the shape is not clear"},
            {"hole { centre = {0, 0}, radius = 1*mm, corners = 2 }", "between 3 and 1000"},
            {"hole { centre = {0, 0}, radius = 1*mm, inner = 0, corners = 5 }", "inner is 0 m"},
-           {"hole { centre = {0, 0}, radius = 1*mm, inner = 1*mm }", "the shape is not clear"},
+           {"hole { centre = {50*mm, 20*mm}, radius = 1*mm, inner = 1*mm }",
+            "inner is below radius"},
+           {"keep { }", "keep: the shape is not clear"},
+           {"keep { centre = {1, 1}, radius = 1*mm }", "lies outside the plate"},
+           {"keep { any = {}, name = 'a' }", "the shape is not clear"},
+           {"keep { any = { centre = {0, 0}, radius = 1*mm }, radius = 1*mm }",
+            "any and another area are given"},
+           {"keep { any = { 5 } }", "holds 5, expected an area"},
            {"hole { centre = {0, 0}, radius = 0 }", "radius is 0 m, it must be above 0 m"},
            {"hole { centre = {0, 0}, radius = 0/0 }", "radius is nan"},
            {"hole { centre = {0, 0}, radius = 1/0 }", "expected a finite number"},

@@ -120,9 +120,9 @@ TEST_F(CompletionTest, NothingIsOfferedWhereNothingIsKnown) {
 }
 
 TEST_F(CompletionTest, OptionsThatAreGivenAreLeftOut) {
-  EXPECT_THAT(offered("plate { "), ElementsAre("height", "material", "plane", "width"));
+  EXPECT_THAT(offered("plate { "), ElementsAre("height", "material", "outline", "plane", "width"));
   EXPECT_THAT(offered("plate { width = f(1, {a = 2}), "),
-              ElementsAre("height", "material", "plane"));
+              ElementsAre("height", "material", "outline", "plane"));
   EXPECT_THAT(offered("s:movie { \"a.mp4\", "),
               AllOf(Contains("every"), Contains("title"), Contains("zoom"), Not(Contains("file"))));
   EXPECT_THAT(offered("s:movie { "), Contains("file"));

@@ -70,6 +70,17 @@ Values nonsense(OptionType type) {
       return {"5", "r", "{}", "{5}", "{'r.h5'}", "{s}", "{r, p}", "{r, x = r}"};
     case OptionType::material:
       return {"5", "'glas'", "{}", "true", "print"};
+    case OptionType::areas:
+      return {"5",
+              "'a'",
+              "{}",
+              "true",
+              "{5}",
+              "{centre = {0, 0}}",
+              "{centre = {0, 0}, radius = -1}",
+              "{{points = {{0, 0}, {1, 1}}}}",
+              "{{centre = {0, 0}, radius = 1}, 5}",
+              "{centre = {0, 0}, radius = 1, colour = 'red'}"};
     case OptionType::vector_field:
       return no_pairs;
     case OptionType::scalar_field:

@@ -69,9 +69,9 @@ TEST(Schema, EveryExampleRuns) {
 }
 
 TEST(Schema, EveryUnitIsOneThatIsUsed) {
-  const std::set<std::string_view> known{"",   "m",    "s",     "Pa",   "N/m3", "m/s",
-                                         "K",  "1/K",  "kg/m3", "kg/m", "N/m",  "1/s",
-                                         "px", "J/m2", "rad",   "steps"};
+  const std::set<std::string_view> known{"",   "m",    "s",     "Pa",    "N/m3", "m/s",
+                                         "K",  "1/K",  "kg/m3", "kg/m",  "N/m",  "1/s",
+                                         "px", "J/m2", "rad",   "steps", "N/m6"};
   for (const FunctionDoc* doc : all_docs())
     for (const Option& option : doc->options)
       EXPECT_TRUE(known.contains(option.unit)) << doc->name << ", " << option.name;
@@ -94,7 +94,8 @@ TEST(Schema, EveryRangeHoldsSomethingAndTheDefaultToo) {
 }
 
 TEST(Schema, EveryTypeThatTheCheckerDoesNotKnowHasItsOwnReader) {
-  const std::set<OptionType> own{OptionType::markers, OptionType::recordings, OptionType::material};
+  const std::set<OptionType> own{OptionType::markers, OptionType::recordings, OptionType::material,
+                                 OptionType::areas};
   for (const FunctionDoc* doc : all_docs())
     for (const Option& option : doc->options)
       EXPECT_EQ(option.read != nullptr, own.contains(option.type))
