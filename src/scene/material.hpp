@@ -55,8 +55,8 @@ inline constexpr auto description_of<Material> = describe_noun(
            {.unit = "N/m6",
             .range = at_least(0.0),
             .fallback = "from E",
-            .sentence = "Micromodulus, to repeat the deck of another code; the modulus that it "
-                        "makes is printed, E serves estimates only."}),
+            .sentence = "Micromodulus, to repeat the deck of another code; the resulting modulus "
+                        "is printed, and E serves only for estimates."}),
     member("alphaT", &Material::alphaT,
            {.unit = "1/K",
             .range = at_least(0.0),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a plate keeps of its rectangle: all that any of some areas covers. The rest is void.
+// The part of its rectangle that a plate keeps: everything covered by any of some areas. The rest
+// is void.
 #pragma once
 
 #include <string>

@@ -60,16 +60,16 @@ inline constexpr auto description_of<Crack> = describe_noun(
             .sentence = "Whether the bonds it cuts count as damage or never existed."}),
     member("ends", &Crack::ends,
            {.fallback = "open",
-            .sentence = "Whether a bond that meets the crack only at an end of it is cut, as in "
-                        "PDMATLAB2D, or holds."}));
+            .sentence = "Whether a bond that meets the crack only at its end is cut, as in "
+                        "PDMATLAB2D, or stays."}));
 
-// What becomes of a bond that passes through removed material.
+// The treatment of bonds that pass through removed material.
 enum class Bridging { cut, keep };
 
 template <>
 inline constexpr auto enum_names<Bridging> = std::to_array<std::string_view>({"cut", "keep"});
-
-// Removed material: a hole or a notch. Nodes inside are void; bonds that pass through it are
+// Removed material: a hole or a notch. Nodes inside are void; bonds that pass through it are absent,
+// or are kept, as in codes that only remove nodes.
 // absent, or are kept, as in codes that remove nodes alone.
 struct Cutout {
   Shape shape;
@@ -85,7 +85,8 @@ inline constexpr auto description_of<Cutout> = describe_noun(
             .sentence = "Name for p:pressure to find the rim; several rims may share one."}),
     member("bonds", &Cutout::bonds,
            {.fallback = "cut",
-            .sentence = "Whether bonds that pass through are cut, or kept between nodes beyond."}));
+            .sentence = "Whether bonds that pass through it are cut, or kept between the nodes on "
+                        "either side."}));
 
 // A region of another material. A node takes the material of the last inclusion that covers it.
 struct Inclusion {
@@ -176,7 +177,7 @@ struct Plate {
   double height = 0.0;  // m, along y, > 0
   Material material;
   Plane plane = Plane::stress;
-  std::vector<Outline> outlines;  // a node is kept that all of them cover
+  std::vector<Outline> outlines;  // a node is kept if all of them cover it
   std::vector<Cutout> cutouts;
   std::vector<Inclusion> inclusions;  // at most 254
   std::vector<Crack> cracks;

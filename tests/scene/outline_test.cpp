@@ -9,8 +9,7 @@
 namespace hackle {
 namespace {
 
-
-constexpr double rim = 1e-9;  // what lies nearer lies on it
+constexpr double rim = 1e-9;  // points nearer lie on it
 
 std::vector<Outline> some_outlines() {
   const Shape disc = Ellipse{{0, 0}, {2, 2}, 0}, turned = Ellipse{{0.5, 0}, {2.5, 0.7}, 0.6};
@@ -22,7 +21,7 @@ std::vector<Outline> some_outlines() {
           {{disc, slot}, ""}, {{l, turned}, ""}, {{ring, Ellipse{{0.2, 0.1}, {0.6, 0.6}, 0}}, ""}};
 }
 
-// Against 2000 points along the segment: what lies between two of them is less than a sample.
+// Compares with 2000 points along the segment: a part between two of them is shorter than a sample.
 TEST(Outline, ASegmentLeavesItWhenAnyOfItsPointsIsOutside) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> place(-2.0, 2.0);

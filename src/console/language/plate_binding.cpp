@@ -29,8 +29,8 @@ constexpr auto plate_options = [] {
                         .type = OptionType::areas,
                         .read = read_areas,
                         .alternative = true,
-                        .sentence = "What is kept of the rectangle, as by p:keep; without width "
-                                    "and height the plate is as large as the outline."}});
+                        .sentence = "Area of the rectangle that is kept, as by p:keep; without "
+                                    "width and height the plate has the size of the outline."}});
   for (Option& option : options)
     if (option.name == "width" || option.name == "height") option.unless = "outline";
   return options;

@@ -20,21 +20,22 @@ inline constexpr auto name_options = options_of<Cutout>;
 
 inline constexpr auto hole_options = joined(shape_options, name_options);
 
-inline constexpr auto keep_options = joined(
-    joined(shape_options,
-           std::array{Option{.name = "any",
-                             .type = OptionType::areas,
-                             .read = read_areas,
-                             .alternative = true,
-                             .sentence = "Several areas: what any of them covers is kept."}}),
-    options_of<Outline>);
+inline constexpr auto keep_options =
+    joined(joined(shape_options,
+                  std::array{Option{
+                      .name = "any",
+                      .type = OptionType::areas,
+                      .read = read_areas,
+                      .alternative = true,
+                      .sentence = "Several areas; everything that any of them covers is kept."}}),
+           options_of<Outline>);
 
 inline constexpr FunctionDoc keep_doc{
     .name = "keep",
     .owner = "p",
     .sentence =
-        "Keeps what an area covers and removes the rest of the plate; of several calls, "
-        "what all of them keep.",
+        "Keeps the part of the plate inside an area and removes the rest; several calls keep the "
+        "part common to all.",
     .options = keep_options,
     .example = "p:keep { centre = {50*mm, 20*mm}, radius = 20*mm }"};
 

@@ -98,7 +98,7 @@ std::string ways(std::span<const Form> forms) {
   return text;
 }
 
-// The area at the top of the stack.
+// Reads the area at the top of the stack.
 std::optional<Shape> area_at_top(const GivenValue& given) {
   const std::string name = given.name();
   const FunctionDoc doc{.name = name, .options = shape_options};

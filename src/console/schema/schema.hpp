@@ -49,7 +49,7 @@ struct Option {
   std::string_view unit{};     // "" for none
   Range range{};
   bool required = false;
-  std::string_view unless{};    // an option that makes this one needless
+  std::string_view unless{};    // an option that makes this one unnecessary
   bool positional = false;      // may be given as [1], without its name
   std::string_view fallback{};  // default as told to the user
   std::span<const std::string_view> choices{};

@@ -31,7 +31,7 @@ inline constexpr auto description_of<Bitmap> = describe_noun(
     member("rows", &Bitmap::rows, {.required = true}),
     member("run_lengths", &Bitmap::inside, {.required = true}));
 
-// What every shape answers; see shape.hpp.
+// The functions of every shape; see shape.hpp.
 Box bounds_of(const Bitmap& bitmap);
 Bitmap moved(Bitmap bitmap, const Vec2& origin, double factor);
 bool lies_inside(const Bitmap& bitmap, const Vec2& point, double tie);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes along the axes, and what shapes share.
+// Boxes along the axes, and functions shared by shapes.
 #pragma once
 
 #include <algorithm>

@@ -28,7 +28,7 @@ inline constexpr auto description_of<Capsule> =
     describe_noun("slot", "slot", member("", &Capsule::axis),
                   member("radius", &Capsule::radius, {.unit = "m", .required = true}));
 
-// What every shape answers; see shape.hpp.
+// The functions of every shape; see shape.hpp.
 Box bounds_of(const Capsule& capsule);
 Capsule moved(const Capsule& capsule, const Vec2& origin, double factor);
 bool lies_inside(const Capsule& capsule, const Vec2& point, double tie);

@@ -25,7 +25,7 @@ inline constexpr auto description_of<Ellipse> = describe_noun(
     member("radii", &Ellipse::radii, {.unit = "m", .required = true}),
     member("angle", &Ellipse::angle, {.unit = "rad", .fallback = "0"}));
 
-// What every shape answers; see shape.hpp.
+// The functions of every shape; see shape.hpp.
 Box bounds_of(const Ellipse& ellipse);
 Ellipse moved(const Ellipse& ellipse, const Vec2& origin, double factor);
 bool lies_inside(const Ellipse& ellipse, const Vec2& point, double tie);

@@ -25,7 +25,7 @@ inline constexpr auto description_of<Polygon> =
                   member("points", &Polygon::points,
                          {.unit = "m", .range = between(3, max_points), .required = true}));
 
-// What every shape answers; see shape.hpp.
+// The functions of every shape; see shape.hpp.
 Box bounds_of(const Polygon& polygon);
 Polygon moved(Polygon polygon, const Vec2& origin, double factor);
 bool lies_inside(const Polygon& polygon, const Vec2& point, double tie);

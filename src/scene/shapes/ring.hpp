@@ -25,7 +25,7 @@ inline constexpr auto description_of<Ring> =
                   member("outer", &Ring::outer, {.unit = "m", .required = true}),
                   member("inner", &Ring::inner, {.unit = "m", .required = true}));
 
-// What every shape answers; see shape.hpp.
+// The functions of every shape; see shape.hpp.
 Box bounds_of(const Ring& ring);
 Ring moved(const Ring& ring, const Vec2& origin, double factor);
 bool lies_inside(const Ring& ring, const Vec2& point, double tie);
