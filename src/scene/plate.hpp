@@ -68,9 +68,9 @@ enum class Bridging { cut, keep };
 
 template <>
 inline constexpr auto enum_names<Bridging> = std::to_array<std::string_view>({"cut", "keep"});
-// Removed material: a hole or a notch. Nodes inside are void; bonds that pass through it are absent,
-// or are kept, as in codes that only remove nodes.
-// absent, or are kept, as in codes that remove nodes alone.
+
+// Removed material: a hole or a notch. Nodes inside are void; bonds that pass through it are
+// absent, or are kept, as in codes that only remove nodes.
 struct Cutout {
   Shape shape;
   std::string name;  // used by pressures to find this rim; "" for none
