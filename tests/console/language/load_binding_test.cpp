@@ -117,7 +117,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"p:traction { edge = 'top', stress = function(x, y) return f(x, y) end }\n"
             "function f(x, y) return f(x, y) + 1 end sim()",
             "overflow"},
-        Bad{"p:pressure { rim = 'bore', pressure = 1 } sim()", "no hole, notch or outline named 'bore'"},
+        Bad{"p:pressure { rim = 'bore', pressure = 1 } sim()",
+            "no hole, notch or outline named 'bore'"},
         Bad{"p:pressure { rim = '', pressure = 1 }", "empty text"},
         Bad{"p:body_force { force = {0, 1}, edge = 'top' }", "the area is not clear"},
         Bad{"p:body_force { force = {0, 1}, from = {0, 0}, to = {0, 0} }", "no area"},
