@@ -98,6 +98,11 @@ TEST(Numerics, FidelityIsAShareAndNotForMaterialsWithAHistory) {
   plate.material.alpha = 0.25;
   EXPECT_THAT(problems_of(plate, numerics),
               HasSubstr("fidelity is 0.3 and the material's alpha 0.25"));
+  Plate filled = test::edge_crack(12e6);  // the history of an inclusion counts, too
+  filled.inclusions.push_back({Ellipse{{0.07, 0.02}, {2e-3, 2e-3}, 0.0}, filled.material});
+  filled.inclusions.back().material.alpha = 0.1;
+  EXPECT_THAT(problems_of(filled, numerics),
+              HasSubstr("fidelity is 0.3 and the material's alpha 0.1"));
   numerics.fidelity = 0.0;
   EXPECT_EQ(problems_of(plate, numerics), "");
 }

@@ -99,6 +99,15 @@ std::string refusal(const std::filesystem::path& path, const MovieFormat& format
   return text;
 }
 
+// GIF has 256 colours: no other kind falls back to it while one of all colours is there.
+TEST(MovieKind, FallsBackToAllColoursFirst) {
+  for (const MovieKind& kind : movie_kinds()) {
+    if (kind.ending == ".gif") continue;
+    ASSERT_FALSE(kind.instead.empty()) << kind.ending;
+    EXPECT_NE(kind.instead.front(), ".gif") << kind.ending;
+  }
+}
+
 TEST(MovieFormat, RefusesWhatTheKindCannotBe) {
   MovieFormat format;
   EXPECT_EQ(refusal("a.mp4", format), "");
