@@ -26,14 +26,15 @@ echo "spelling: clean"
 if [ "${1:-}" = --tidy ]; then
   # A release is built in units of several sources, so each header is checked once for all of them. The kernels
   # are compiled from one source, once per instruction set: it is also checked only once.
-  cmake --preset release
-  cmake --build --preset release --target hackle_git_hash
+  # Without precompiled headers, every unit must include what it uses.
+  cmake --preset release -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DBUILD_TESTING=OFF
+  cmake --build build/tidy --target hackle_git_hash
   units() {
-    find "$PWD/build/release/src" -name 'unity_*_cxx.cxx' ! -path '*/hackle_kernel_*'
-    find "$PWD/build/release/src" -name 'unity_*_cxx.cxx' -path '*/hackle_kernel_baseline_double.dir/*'
+    find "$PWD/build/tidy/src" -name 'unity_*_cxx.cxx' ! -path '*/hackle_kernel_*'
+    find "$PWD/build/tidy/src" -name 'unity_*_cxx.cxx' -path '*/hackle_kernel_baseline_double.dir/*'
     printf '%s\n' "$PWD/src/base/version.cpp"
   }
   units | xargs -d '\n' -P "$(nproc)" -n 1 \
-    clang-tidy -p build/release --quiet --header-filter='/src/.*\.[ch]pp$' --warnings-as-errors='*'
+    clang-tidy -p build/tidy --quiet --header-filter='/src/.*\.[ch]pp$' --warnings-as-errors='*'
   echo "clang-tidy: clean"
 fi
