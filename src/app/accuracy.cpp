@@ -16,7 +16,7 @@
 namespace hackle {
 namespace {
 
-constexpr int samples = 128;  // checks of the crack during the run
+constexpr int checks = 128;  // checks of the crack during the run
 
 Plate plate_for(const Numerics& numerics) {
   Plate plate = bench_deck({}, 1000).plate;
@@ -136,8 +136,8 @@ TradeResult measure_trade(const Trade& trade, InstructionSet set) {
   Simulation simulation(plate_for(trade.numerics), trade.numerics, {1, set});
   result.nodes = static_cast<std::int64_t>(simulation.lattice().grid.nodes());
   compare(solved_until(trade.numerics, trade_sample, set), result);
-  for (int sample = 1; sample <= samples; ++sample) {
-    simulation.run(trade_end / samples);
+  for (int sample = 1; sample <= checks; ++sample) {
+    simulation.run(trade_end / checks);
     look(simulation, result);
   }
   const Energy ledger = energy(simulation);

@@ -9,28 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include "house/rooms.hpp"
+
 namespace hackle {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The rooms that each room may include, besides itself.
-const std::map<std::string, std::set<std::string>> may_see = {
-    {"base", {}},
-    {"scene", {"base"}},
-    {"lattice", {"scene", "base"}},
-    {"solver", {"lattice", "scene", "base"}},
-    {"measure", {"solver", "lattice", "scene", "base"}},
-    {"render", {"measure", "solver", "lattice", "scene", "base"}},
-    {"store", {"measure", "solver", "lattice", "scene", "base"}},
-    {"movie", {"base"}},
-    {"output", {"movie", "render", "store", "measure", "solver", "lattice", "scene", "base"}},
-    {"console",
-     {"output", "movie", "render", "store", "measure", "solver", "lattice", "scene", "base"}},
-    {"app",
-     {"console", "output", "movie", "render", "store", "measure", "solver", "lattice", "scene",
-      "base"}},
-};
 
 // Libraries that only one room, or one file of it, may use.
 const std::map<std::string, std::set<std::string>> rooms_of_library = {
