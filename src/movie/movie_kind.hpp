@@ -41,6 +41,9 @@ struct MovieKind {
   const char* encoder = "";  // "" for a kind that needs none of FFmpeg
   const char* pixels = "";
   const char* muxer_options = "";
+  // Of the muxer for a film that is complete, which is then copied once more, with its index in
+  // front; "" for a kind that needs no copy.
+  const char* final_options = "";
   const char* lookahead = "";  // the name of that option of the encoder, if it has one
   // A lower crf is a better picture; 0, 0 for a kind that takes none.
   int best_crf = 0, worst_crf = 0;

@@ -29,10 +29,11 @@ av::Owner<AVFormatContext> open_to_read(const fs::path& path) {
 // The file that is written, with a stream like the one that is read.
 av::Owner<AVFormatContext> open_to_write(const fs::path& path, const AVFormatContext& input,
                                          const fs::path& named) {
-  const char* muxer = movie_kind(named).muxer;
+  const MovieKind& kind = movie_kind(named);
   AVFormatContext* context = nullptr;
-  av::check(named, "open",
-            av::ffmpeg().avformat_alloc_output_context2(&context, nullptr, muxer, path.c_str()));
+  av::check(
+      named, "open",
+      av::ffmpeg().avformat_alloc_output_context2(&context, nullptr, kind.muxer, path.c_str()));
   av::Owner<AVFormatContext> output(context);
   const AVStream* from = input.streams[0];
   AVStream* to = av::ffmpeg().avformat_new_stream(context, nullptr);
@@ -43,7 +44,7 @@ av::Owner<AVFormatContext> open_to_write(const fs::path& path, const AVFormatCon
   to->avg_frame_rate = from->avg_frame_rate;
   av::ffmpeg().av_dict_copy(&context->metadata, input.metadata, 0);
   av::check(named, "create", av::ffmpeg().avio_open(&context->pb, path.c_str(), AVIO_FLAG_WRITE));
-  av::Options options(std::string_view(muxer) == "mp4" ? "movflags=faststart" : "");
+  av::Options options(kind.final_options);
   av::check(named, "write", av::ffmpeg().avformat_write_header(context, options.get()));
   return output;
 }
@@ -94,9 +95,13 @@ FilmLength length_of_film(const fs::path& path) {
   return input ? for_each_packet(*input, [](const AVPacket&) {}) : FilmLength{};
 }
 
+fs::path indexed_name(const fs::path& path) {
+  return path.parent_path() / ("." + path.stem().string() + ".indexed" + path.extension().string());
+}
+
 void put_index_first(const fs::path& path, std::int64_t frames) {
   const fs::path partial = partial_name(path);
-  const fs::path indexed = path.parent_path() / ("." + path.stem().string() + ".indexed.mp4");
+  const fs::path indexed = indexed_name(path);
   std::error_code ignored;
   try {
     if (copy_film(partial, indexed, path).frames == frames) fs::rename(indexed, partial, ignored);

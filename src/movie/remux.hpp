@@ -18,6 +18,9 @@ FilmLength copy_film(const std::filesystem::path& from, const std::filesystem::p
 // Of a film that FFmpeg reads.
 FilmLength length_of_film(const std::filesystem::path& path);
 
+// The name that the copy of put_index_first() bears while it is written.
+std::filesystem::path indexed_name(const std::filesystem::path& path);
+
 // Replaces the partial file of `path`, which is complete and in fragments, by one with its index in
 // front, so that it starts at once wherever it is played. Both are on the disk for a moment; where
 // there is no room for that, the partial file stays as it is, which plays too. `frames` is how many

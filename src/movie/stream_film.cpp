@@ -94,7 +94,7 @@ void StreamFilm::finish() {
   const int closed = av::ffmpeg().avio_closep(&container_->pb);
   av::check(path_, "write", broken);
   av::check(path_, "write", closed);
-  if (kind == "mp4") put_index_first(path_, next_);
+  if (*movie_kind(path_).final_options != '\0') put_index_first(path_, next_);
 }
 
 }  // namespace hackle

@@ -16,6 +16,7 @@
 #include "base/partial_file.hpp"
 #include "base/text.hpp"
 #include "movie/movie_kind.hpp"
+#include "movie/remux.hpp"
 #include "store/run_file.hpp"
 
 namespace hackle {
@@ -70,8 +71,9 @@ void add_names(const fs::path& path, std::set<fs::path>& names) {
 // Of a movie; one with an index gets that in a file of its own at first.
 std::vector<fs::path> movie_companions(const fs::path& path) {
   std::vector<fs::path> list{partial_name(path)};
-  if (ending_of(path) == ".mp4")
-    list.push_back(path.parent_path() / ("." + path.stem().string() + ".indexed.mp4"));
+  const auto kind = std::ranges::find(movie_kinds(), ending_of(path), &MovieKind::ending);
+  if (kind != movie_kinds().end() && *kind->final_options != '\0')
+    list.push_back(indexed_name(path));
   return list;
 }
 
