@@ -70,6 +70,18 @@ constexpr std::array kinds{
                            ProfileSettings{0, "level=3:g=1:slicecrc=1"}},
               .bytes_a_pixel = 0.2,
               .instead = {".apng", ".webp", ".mp4", ".webm", ".gif"}},
+    // For programs that cut films and take no FFV1; lossless as they do.
+    MovieKind{
+        .ending = ".mov",
+        .name = "QuickTime Animation",
+        .muxer = "mov",
+        .encoder = "qtrle",
+        .pixels = "rgb24",
+        .muxer_options = fragments,
+        .final_options = index_first,
+        .profiles = {ProfileSettings{}, ProfileSettings{}, ProfileSettings{}, ProfileSettings{}},
+        .bytes_a_pixel = 0.8,
+        .instead = {".mkv", ".apng", ".webp", ".mp4", ".gif"}},
     MovieKind{.ending = ".gif",
               .name = "GIF",
               .writer = Writer::gif,

@@ -40,7 +40,7 @@ class Kinds : public testing::TestWithParam<std::string> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Each, Kinds,
-                         testing::Values(".mp4", ".webm", ".mkv", ".gif", ".apng", ".webp"),
+                         testing::Values(".mp4", ".webm", ".mkv", ".mov", ".gif", ".apng", ".webp"),
                          [](const auto& tested) { return tested.param.substr(1); });
 
 TEST_P(Kinds, ShowEveryFrameAtItsTime) {

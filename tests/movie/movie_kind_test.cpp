@@ -35,7 +35,7 @@ TEST(MovieKind, AnUnknownEndingIsRefusedWithTheNearestAndTheList) {
       ADD_FAILURE() << name;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::refused);
-      EXPECT_THAT(error.what(), HasSubstr(".mp4, .webm, .mkv, .gif, .apng, .webp"));
+      EXPECT_THAT(error.what(), HasSubstr(".mp4, .webm, .mkv, .mov, .gif, .apng, .webp"));
     }
   }
   try {
@@ -112,8 +112,9 @@ TEST(MovieFormat, RefusesWhatTheKindCannotBe) {
   MovieFormat format;
   EXPECT_EQ(refusal("a.mp4", format), "");
   format.profile = Profile::lossless;
-  EXPECT_THAT(refusal("a.mp4", format), testing::AllOf(HasSubstr("cannot be lossless"),
-                                                       HasSubstr("as can .mkv, .apng, .webp")));
+  EXPECT_THAT(refusal("a.mp4", format),
+              testing::AllOf(HasSubstr("cannot be lossless"),
+                             HasSubstr("as can .mkv, .mov, .apng, .webp")));
   format = {};
   format.fps = 60.0;
   EXPECT_THAT(refusal("a.gif", format),
@@ -123,7 +124,7 @@ TEST(MovieFormat, RefusesWhatTheKindCannotBe) {
   format.crf = 60;
   EXPECT_THAT(refusal("a.mp4", format), HasSubstr("between 1 (best) and 51"));
   EXPECT_EQ(refusal("a.webm", format), "");
-  for (const char* path : {"a.mkv", "a.gif", "a.apng", "a.webp"})
+  for (const char* path : {"a.mkv", "a.mov", "a.gif", "a.apng", "a.webp"})
     EXPECT_THAT(refusal(path, format), HasSubstr("crf has no meaning")) << path;
   format = {};
   format.hold = -1.0;

@@ -56,7 +56,7 @@ class Killed : public testing::TestWithParam<std::string> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Each, Killed,
-                         testing::Values(".mp4", ".webm", ".mkv", ".gif", ".apng", ".webp"),
+                         testing::Values(".mp4", ".webm", ".mkv", ".mov", ".gif", ".apng", ".webp"),
                          [](const auto& tested) { return tested.param.substr(1); });
 
 // Every frame shows what was filmed at its time. The last ones of H.264 may lack those between
@@ -154,7 +154,7 @@ void film_on_a_full_disk(const fs::path& path, rlim_t bytes) {
 }
 
 TEST(FullDisk, IsOneClearErrorAndEarlierFilesStay) {
-  for (const std::string ending : {".mp4", ".webm", ".mkv", ".gif", ".apng", ".webp"}) {
+  for (const std::string ending : {".mp4", ".webm", ".mkv", ".mov", ".gif", ".apng", ".webp"}) {
     const test::Folder folder;
     const fs::path path = folder.path / ("a" + ending);
     write_text(path, "of an earlier run");

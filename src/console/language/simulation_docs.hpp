@@ -53,7 +53,8 @@ inline constexpr FunctionDoc step_doc{.name = "step",
 inline constexpr FunctionDoc movie_doc{
     .name = "movie",
     .owner = "s",
-    .sentence = "Makes a movie of the following run: .mp4, .webm, .mkv, .gif, .apng or .webp.",
+    .sentence =
+        "Makes a movie of the following run: .mp4, .webm, .mkv, .mov, .gif, .apng or .webp.",
     .options = movie_options,
     .example = "s:movie { \"crack.mp4\", field = \"damage\", every = 0.25*us }"};
 
