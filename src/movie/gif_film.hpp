@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A film in a GIF that is complete after every frame.
+// libavcodec's encoder and libavformat's muxer, fed with the same palette, were tried on the edge
+// crack (160 frames of 1280 x 640): 157 kB and 0.5 s of CPU time, against 156 kB and 0.45 s here,
+// in the same colours. But a delay that is not known yet holds back the last frame of a killed
+// program, which has no mark of the end either, and no title or comment is written.
 #pragma once
 
 #include "movie/byte_file.hpp"
