@@ -40,6 +40,23 @@ std::string markdown_code(std::string_view text) {
   return text.empty() ? "" : "`" + escaped(text, "|", "\\") + "`";
 }
 
+std::string xml(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
 std::string roff(std::string_view text) {
   return guarded(without_backslashes(text));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Escapes plain text for Markdown and for roff, the language of man pages.
+// Escapes plain text for Markdown, for XML, and for roff, the language of man pages.
 #pragma once
 
 #include <string>
@@ -11,6 +11,9 @@ namespace hackle {
 std::string markdown(std::string_view text);
 // Returns `text` in backquotes, or "" for an empty text.
 std::string markdown_code(std::string_view text);
+
+// For content and for attributes in double quotes.
+std::string xml(std::string_view text);
 
 // For prose.
 std::string roff(std::string_view text);

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "base/markup.hpp"
 
 namespace hackle {
 namespace {
@@ -82,25 +83,12 @@ std::int64_t ms_of(std::int64_t frame, double fps) {
   return std::llround(1000.0 * static_cast<double>(frame) / fps);
 }
 
-std::string escaped(std::string_view text) {
-  std::string xml;
-  for (const char c : text) {
-    if (c == '&')
-      xml += "&amp;";
-    else if (c == '<')
-      xml += "&lt;";
-    else
-      xml += c;
-  }
-  return xml;
-}
-
 // Title and comment as Dublin Core has them.
 std::string xmp(const MovieFormat& format) {
   const auto property = [](const char* name, const std::string& text) {
     return fmt::format(
         R"(<dc:{0}><rdf:Alt><rdf:li xml:lang="x-default">{1}</rdf:li></rdf:Alt></dc:{0}>)", name,
-        escaped(text));
+        xml(text));
   };
   return R"(<x:xmpmeta xmlns:x="adobe:ns:meta/">)"
          R"(<rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">)"

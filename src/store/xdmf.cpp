@@ -8,33 +8,11 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/markup.hpp"
 #include "base/utf8.hpp"
 
 namespace hackle {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 // Describes a field of one record. Only whole datasets: ParaView's two readers, XDMF 2 and XDMF 3,
 // each misread the way in which the other refers to parts of a dataset.
@@ -84,7 +62,7 @@ std::string record_group(std::size_t record) {
 
 std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
                  const std::vector<double>& times, bool has_material) {
-  const std::string file = escaped(run_file.filename().string());
+  const std::string file = xml(run_file.filename().string());
   const Vec2 first = grid.position(0, 0);
   std::string text =
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n"

@@ -19,5 +19,10 @@ TEST(Markup, RoffTakesNothingForARequest) {
   EXPECT_EQ(roff_example("a\n.b"), ".PP\n.RS 4\n.nf\na\n\\&.b\n.fi\n.RE\n");
 }
 
+TEST(Markup, XmlHasNoMarkupOfItsOwn) {
+  EXPECT_EQ(xml("a<b & \"c\">"), "a&lt;b &amp; &quot;c&quot;&gt;");
+  EXPECT_EQ(xml("plate 1.h5"), "plate 1.h5");
+}
+
 }  // namespace
 }  // namespace hackle
