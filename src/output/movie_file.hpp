@@ -8,10 +8,10 @@
 #include <memory>
 #include <string>
 
+#include "base/origin.hpp"
 #include "base/progress.hpp"
 #include "movie/encoder.hpp"
 #include "output/movie_options.hpp"
-#include "store/run_file.hpp"
 
 namespace hackle {
 

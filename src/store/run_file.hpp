@@ -6,15 +6,10 @@
 #include <memory>
 #include <string>
 
+#include "base/origin.hpp"
 #include "solver/simulation.hpp"
 
 namespace hackle {
-
-// The origin of a run.
-struct Origin {
-  std::string script_name;
-  std::string script_text;
-};
 
 // RUN.h5 holds, with T records, N nodes (row by row from the lower left) and W words of bonds:
 //   /nodes                          N x 3  f64  m    positions of the nodes
