@@ -14,7 +14,7 @@
 #include "base/units.hpp"
 #include "base/version.hpp"
 #include "render/gl_context.hpp"
-#include "solver/kernel.hpp"
+#include "solver/cpu/kernel.hpp"
 
 namespace hackle {
 namespace {

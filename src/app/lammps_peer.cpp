@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "solver/default_step.hpp"
 
 namespace hackle {
 namespace {
@@ -97,7 +98,7 @@ run {steps}
       fmt::arg("horizon", (1.0 + 1e-6) * lattice.family.m() * dx),
       fmt::arg("s0", lattice.calibration.s0), fmt::arg("alpha", alpha), fmt::arg("skin", 0.1 * dx),
       fmt::arg("load", load), fmt::arg("steps", steps),
-      fmt::arg("dt", Simulation::default_step(lattice.step_limit)));
+      fmt::arg("dt", default_step(lattice.step_limit)));
 }
 
 LammpsRun read_lammps_log(const std::string& log) {

@@ -129,6 +129,17 @@ concept Described = requires {
   description_of<Noun>.noun;
 };
 
+// What help says of the function that makes a noun, which is called as the noun. To be specialised
+// beside a load that needs no function of its own: its options are then its members.
+struct Introduction {
+  std::string_view sentence{};
+  std::string_view example{};         // on a plate: "p:name { ... }"
+  std::string_view example_in_run{};  // on a simulation: "s:name { ... }"
+  std::string_view see_also{};        // related functions: "body_force move"
+};
+template <class Noun>
+inline constexpr Introduction introduction_of{};
+
 // Visits every Member and KindMember in order.
 template <Described Noun, class Visit>
 constexpr void for_each_member(const Visit& visit) {

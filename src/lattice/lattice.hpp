@@ -89,7 +89,8 @@ void for_each_missing(const BondBits& all, const BondBits& left, const Lattice& 
 }
 
 // Computes the limit of the time step, s: 2/omega_max with the stiffest and the lightest material,
-// including contacts and impacts of `plate`. Damping does not change it (see solver/damping.hpp).
+// including contacts and impacts of `plate`. Damping does not change it (see
+// solver/terms/damping.hpp).
 double step_limit(const Lattice& lattice, const Plate& plate);
 
 // Returns the number of bonds per node among `bonds`, in the order of Grid::index.

@@ -186,8 +186,8 @@ std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice) 
   return heat;
 }
 
-std::vector<LoadedNode> sum_of(const std::vector<LoadedNode>& one,
-                               const std::vector<LoadedNode>& other, const Grid& grid) {
+std::vector<LoadedNode> sum_of(std::span<const LoadedNode> one, std::span<const LoadedNode> other,
+                               const Grid& grid) {
   std::vector<LoadedNode> sum;
   sum.reserve(one.size() + other.size());
   const auto index = [&](const LoadedNode& node) { return grid.index(node.i, node.j); };

@@ -2,6 +2,7 @@
 // Maps the loads of a scene to nodes, with their values at amplitude 1.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "lattice/carve.hpp"
@@ -54,7 +55,7 @@ std::vector<SpreadSupport> spread_supports(const Plate& plate, const Lattice& la
 std::vector<SpreadHeat> spread_heat(const Plate& plate, const Lattice& lattice);
 
 // Returns the sum of two lists. In all three each node occurs once, ordered by index.
-std::vector<LoadedNode> sum_of(const std::vector<LoadedNode>& one,
-                               const std::vector<LoadedNode>& other, const Grid& grid);
+std::vector<LoadedNode> sum_of(std::span<const LoadedNode> one, std::span<const LoadedNode> other,
+                               const Grid& grid);
 
 }  // namespace hackle

@@ -89,7 +89,8 @@ double largest_frequency(const Family& family, double c, double rho, double dx) 
 
 double step_limit(const Family& family, double c, double rho, double dx, const Touching& touching) {
   return 2.0 / std::hypot(largest_frequency(family, touching.bonds * c, rho, dx),
-                          std::sqrt(touching.nodes * c * dx / (family.m() * rho)));
+                          std::sqrt(touching.nodes * c * dx / (family.m() * rho) +
+                                    touching.springs / rho));
 }
 
 }  // namespace hackle

@@ -23,11 +23,12 @@ Branches symbol(const Family& family, double c, double dx, const Vec2& k);
 // heavier nodes lower the frequencies (src/lattice/README.md 4.3).
 double largest_frequency(const Family& family, double c, double rho, double dx);
 
-// The effect of contacts and impacts (touching.hpp) on rho omega^2: it is multiplied by `bonds`,
-// then `nodes` times c dx/m is added.
+// The effect of contacts, impacts and springs (touching.hpp) on rho omega^2: it is multiplied by
+// `bonds`, then `nodes` times c dx/m and `springs` are added.
 struct Touching {
   double bonds = 1.0;
   double nodes = 0.0;
+  double springs = 0.0;  // N/m4
 };
 
 // Returns the stability limit of velocity Verlet, 2/omega_max, in s.

@@ -38,7 +38,8 @@ Touching touching_of(const Plate& plate, double dx) {
   const double discs = discs_at_a_node(plate.loads.impactors, dx);
   return {plate.contact ? faces_bear : 1.0,
           4.0 * contact_stiffness(plate) +
-              discs * (1.0 + recoil) * plate.contact.value_or(Contact{}).stiffness};
+              discs * (1.0 + recoil) * plate.contact.value_or(Contact{}).stiffness,
+          spring_stiffness(plate.loads)};
 }
 
 double longest_step_of_impact(const Plate& plate, double dx) {

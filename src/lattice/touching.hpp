@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The effect of contacts and impacts on the limit of the time step (src/lattice/README.md 4.5).
+// The effect of contacts, impacts and springs on the limit of the time step
+// (src/lattice/README.md 4.5).
 #pragma once
 
 #include "lattice/symbol.hpp"
@@ -8,7 +9,7 @@
 namespace hackle {
 
 // The stiffness of the faces of a closed crack, relative to that of the lost bonds
-// (solver/crack_faces.hpp).
+// (solver/terms/crack_faces.hpp).
 inline constexpr double faces_bear = 1.2;
 
 // Computes how much stiffer contacts and impacts make the plate. Bonds: the energy of a face is

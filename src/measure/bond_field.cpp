@@ -13,8 +13,8 @@ namespace hackle {
 namespace {
 
 template <class Visit>
-void visit_bonds(const Simulation& simulation, Visit visit) {
-  hackle::visit_bonds(simulation.lattice(), simulation.state(), simulation.thermal_strain(), visit);
+void visit_bonds(const View& view, Visit visit) {
+  hackle::visit_bonds(view.lattice(), view.state(), view.thermal_strain(), visit);
 }
 
 // The root of a node's tree; the path there is halved on the way.
@@ -24,10 +24,10 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t node) {
 }
 
 // For each node the first node of its fragment.
-std::vector<std::size_t> first_nodes(const Simulation& simulation) {
-  std::vector<std::size_t> parent(simulation.lattice().grid.nodes());
+std::vector<std::size_t> first_nodes(const View& view) {
+  std::vector<std::size_t> parent(view.lattice().grid.nodes());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
-  visit_bonds(simulation, [&](const VisitedBond& bond) {
+  visit_bonds(view, [&](const VisitedBond& bond) {
     if (!bond.holds) return;
     const std::size_t one = root_of(parent, bond.one), other = root_of(parent, bond.other);
     parent[std::max(one, other)] = std::min(one, other);
@@ -37,9 +37,9 @@ std::vector<std::size_t> first_nodes(const Simulation& simulation) {
 }
 
 // zz of a plate that is held from straining across its thickness.
-void add_stress_across(const Simulation& simulation, std::vector<Stress>& stresses) {
-  const Lattice& lattice = simulation.lattice();
-  const std::vector<double>& heat = simulation.thermal_strain();
+void add_stress_across(const View& view, std::vector<Stress>& stresses) {
+  const Lattice& lattice = view.lattice();
+  const std::vector<double>& heat = view.thermal_strain();
   for (int j = 0; j < lattice.grid.ny; ++j)
     for (int i = 0; i < lattice.grid.nx; ++i) {
       if (lattice.is_void(i, j)) continue;
@@ -66,11 +66,11 @@ double Stress::von_mises() const {
       std::max(0.0, xx * xx - xx * yy + yy * yy + zz * (zz - xx - yy) + 3.0 * xy * xy));
 }
 
-std::vector<Stress> stresses(const Simulation& simulation) {
-  const Grid& grid = simulation.lattice().grid;
+std::vector<Stress> stresses(const View& view) {
+  const Grid& grid = view.lattice().grid;
   std::vector<Stress> stresses(grid.nodes());
   const double unit = 0.5 * std::pow(grid.dx, 3);  // of 1/2 |xi| V
-  visit_bonds(simulation, [&](const VisitedBond& bond) {
+  visit_bonds(view, [&](const VisitedBond& bond) {
     if (!bond.holds) return;
     const double pull = unit * bond.c * bond.weight * bond.s / bond.length;
     const Vec2 along = pull * bond.xi;
@@ -80,15 +80,15 @@ std::vector<Stress> stresses(const Simulation& simulation) {
       stresses[node].xy += along.x() * bond.xi.y();
     }
   });
-  if (simulation.plate().plane == Plane::strain) add_stress_across(simulation, stresses);
+  if (view.plate().plane == Plane::strain) add_stress_across(view, stresses);
   return stresses;
 }
 
-std::vector<double> energy_densities(const Simulation& simulation) {
-  const Grid& grid = simulation.lattice().grid;
+std::vector<double> energy_densities(const View& view) {
+  const Grid& grid = view.lattice().grid;
   std::vector<double> densities(grid.nodes());
   const double unit = 0.25 * std::pow(grid.dx, 3);  // of 1/2 c s^2/2 |xi| V
-  visit_bonds(simulation, [&](const VisitedBond& bond) {
+  visit_bonds(view, [&](const VisitedBond& bond) {
     const double density = unit * bond.c * bond.weight * bond.length * bond.s * bond.s;
     densities[bond.one] += density;
     densities[bond.other] += density;
@@ -96,10 +96,10 @@ std::vector<double> energy_densities(const Simulation& simulation) {
   return densities;
 }
 
-std::vector<double> closest_to_breaking(const Simulation& simulation) {
+std::vector<double> closest_to_breaking(const View& view) {
   constexpr double none = -std::numeric_limits<double>::infinity();
-  std::vector<double> shares(simulation.lattice().grid.nodes(), none);
-  visit_bonds(simulation, [&](const VisitedBond& bond) {
+  std::vector<double> shares(view.lattice().grid.nodes(), none);
+  visit_bonds(view, [&](const VisitedBond& bond) {
     if (!bond.holds) return;
     for (const std::size_t node : {bond.one, bond.other})
       shares[node] = std::max(shares[node], bond.s / bond.s0);
@@ -108,8 +108,8 @@ std::vector<double> closest_to_breaking(const Simulation& simulation) {
   return shares;
 }
 
-std::vector<int> fragment_numbers(const Simulation& simulation) {
-  const std::vector<std::size_t> first = first_nodes(simulation);
+std::vector<int> fragment_numbers(const View& view) {
+  const std::vector<std::size_t> first = first_nodes(view);
   std::vector<int> sizes(first.size());
   for (const std::size_t node : first) ++sizes[node];
   std::vector<std::size_t> fragments;

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -25,17 +25,17 @@ struct Stress {
 
 // sigma = 1/2 sum over its bonds of c w s |xi| (e x e) V, the derivative of the energy density by a
 // uniform small strain; e the direction of the bond at rest.
-std::vector<Stress> stresses(const Simulation& simulation);
+std::vector<Stress> stresses(const View& view);
 
 // J/m3: each end of a bond has half of its energy.
-std::vector<double> energy_densities(const Simulation& simulation);
+std::vector<double> energy_densities(const View& view);
 
 // The largest s/s0 of the bonds that hold; below 0 where all are compressed.
-std::vector<double> closest_to_breaking(const Simulation& simulation);
+std::vector<double> closest_to_breaking(const View& view);
 
 // Which fragment of the plate each node belongs to: 1 for the one with the most nodes, and so on; 0
 // where no bond holds. Of fragments alike, the one that begins nearer to the lower left corner is
 // first.
-std::vector<int> fragment_numbers(const Simulation& simulation);
+std::vector<int> fragment_numbers(const View& view);
 
 }  // namespace hackle

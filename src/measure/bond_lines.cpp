@@ -5,8 +5,8 @@
 
 namespace hackle {
 
-std::vector<BondLine> bond_lines(const Simulation& simulation, const NodeBlock& block) {
-  const Lattice& lattice = simulation.lattice();
+std::vector<BondLine> bond_lines(const View& view, const NodeBlock& block) {
+  const Lattice& lattice = view.lattice();
   const Grid& grid = lattice.grid;
   const NodeLayout layout = grid.layout();
   std::vector<BondLine> lines;
@@ -14,8 +14,7 @@ std::vector<BondLine> bond_lines(const Simulation& simulation, const NodeBlock& 
     for (int j = std::max(block.bottom, 0); j <= std::min(block.top, grid.ny - 1); ++j)
       for (int i = std::max(block.left, 0); i <= std::min(block.right, grid.nx - 1); ++i)
         if (lattice.bonds.holds(layout.at(i, j), bit))
-          lines.push_back(
-              {i, j, column, row, simulation.state().bonds.holds(layout.at(i, j), bit)});
+          lines.push_back({i, j, column, row, view.state().bonds.holds(layout.at(i, j), bit)});
   });
   std::stable_partition(lines.begin(), lines.end(),
                         [](const BondLine& bond) { return bond.holds; });

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -22,6 +22,6 @@ struct NodeBlock {
 };
 
 // Every initial bond that a node of the block keeps; the broken ones last.
-std::vector<BondLine> bond_lines(const Simulation& simulation, const NodeBlock& block);
+std::vector<BondLine> bond_lines(const View& view, const NodeBlock& block);
 
 }  // namespace hackle

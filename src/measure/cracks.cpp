@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "solver/fragments.hpp"
+#include "solver/statics/fragments.hpp"
 
 namespace hackle {
 namespace {
@@ -27,10 +27,10 @@ Box everywhere() {
   return {{-all, -all}, {all, all}};
 }
 
-Cracks cracks(const Simulation& simulation, const Box& area) {
-  const Lattice& lattice = simulation.lattice();
-  return cracks(nodes_on_crack(damage(simulation)), nodes_on_crack(damage_at_start(simulation)),
-                lattice.grid, lattice.family.m(), area);
+Cracks cracks(const View& view, const Box& area) {
+  const Lattice& lattice = view.lattice();
+  return cracks(nodes_on_crack(damage(view)), nodes_on_crack(damage_at_start(view)), lattice.grid,
+                lattice.family.m(), area);
 }
 
 Cracks cracks(Nodes nodes, Nodes at_start, const Grid& grid, double m, const Box& area) {
@@ -67,11 +67,11 @@ std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& 
   return grid.centre + 0.5 * grid.dx * (box.least + box.most);
 }
 
-std::vector<int> fragment_sizes(const Simulation& simulation) {
-  NodeVectors mobile(simulation.state().layout);
+std::vector<int> fragment_sizes(const View& view) {
+  NodeVectors mobile(view.state().layout);
   std::ranges::fill(mobile.x, 1.0);
   std::ranges::fill(mobile.y, 1.0);
-  const Fragments fragments(simulation.lattice(), simulation.state(), mobile, Threads(1));
+  const Fragments fragments(view.lattice(), view.state(), mobile, Threads(1));
   std::vector<int> sizes;
   for (const Fragment& fragment : fragments.list()) sizes.push_back(fragment.nodes);
   std::ranges::sort(sizes, std::greater<>());

@@ -9,7 +9,7 @@
 
 #include "measure/fork.hpp"
 #include "scene/shape.hpp"
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -25,7 +25,7 @@ struct Cracks {
 };
 
 // Of the whole plate, without an area.
-Cracks cracks(const Simulation& simulation, const Box& area = everywhere());
+Cracks cracks(const View& view, const Box& area = everywhere());
 // The same for given nodes on cracks, of which `at_start` lay on one before anything broke. The
 // horizon is m spacings.
 Cracks cracks(Nodes nodes, Nodes at_start, const Grid& grid, double m, const Box& area);
@@ -36,6 +36,6 @@ std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& 
 
 // The number of nodes of each part that bonds hold together, the largest first; a node without
 // bonds is no part.
-std::vector<int> fragment_sizes(const Simulation& simulation);
+std::vector<int> fragment_sizes(const View& view);
 
 }  // namespace hackle

@@ -7,24 +7,23 @@
 #include "solver/bond_energy.hpp"
 
 namespace hackle {
-Energy energy(const Simulation& simulation) {
-  const BondEnergy bonds =
-      bond_energy(simulation.lattice(), simulation.state(), simulation.thermal_strain());
-  Energy energy;
-  energy.kinetic = simulation.kinetic_energy();
-  energy.strain = bonds.held;
-  energy.broken = bonds.broken;
-  energy.damped = simulation.damped_energy();
-  energy.released = simulation.released_energy();
-  energy.contact = simulation.contact_energy();
-  energy.external = simulation.external_work();
-  return energy;
+
+Energy energy(const View& view) {
+  const BondEnergy bonds = bond_energy(view.lattice(), view.state(), view.thermal_strain());
+  const Ledger ledger = view.ledger();
+  return {.kinetic = view.kinetic_energy(),
+          .strain = bonds.held,
+          .broken = bonds.broken,
+          .damped = ledger.damped,
+          .released = ledger.released,
+          .contact = ledger.contact,
+          .external = ledger.external};
 }
 
-DamageCount count_damage(const Simulation& simulation) {
+DamageCount count_damage(const View& view) {
   DamageCount count;
-  count.broken_bonds = simulation.lattice().bonds.count() - simulation.state().bonds.count();
-  const Field field = damage(simulation);
+  count.broken_bonds = view.lattice().bonds.count() - view.state().bonds.count();
+  const Field field = damage(view);
   count.most = *std::ranges::max_element(field.values);
   return count;
 }

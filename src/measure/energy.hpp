@@ -3,7 +3,7 @@
 // E_released + E_contact + residual.
 #pragma once
 
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -26,13 +26,13 @@ struct Energy {
   }
 };
 
-Energy energy(const Simulation& simulation);
+Energy energy(const View& view);
 
 struct DamageCount {
   std::int64_t broken_bonds = 0;  // since t = 0, each bond counted once
   double most = 0.0;              // largest damage of a node, 0..1
 };
 
-DamageCount count_damage(const Simulation& simulation);
+DamageCount count_damage(const View& view);
 
 }  // namespace hackle

@@ -6,8 +6,8 @@ namespace {
 
 // A field of two components from a vector for every node, given by its column and row.
 template <class Of>
-Field vector_field(const Simulation& simulation, const char* name, const char* unit, Of of) {
-  const Grid& grid = simulation.lattice().grid;
+Field vector_field(const View& view, const char* name, const char* unit, Of of) {
+  const Grid& grid = view.lattice().grid;
   Field field{name, unit, 2, {}};
   field.values.reserve(2 * grid.nodes());
   for (int j = 0; j < grid.ny; ++j)
@@ -25,27 +25,28 @@ Field damage_by(const BondBits& bonds, const Lattice& lattice) {
   Field field{"damage", "", 1, std::vector<float>(lattice.grid.nodes())};
   for (std::size_t node = 0; node < field.values.size(); ++node) {
     const int initial_neighbours = lattice.initial_neighbours[node];
-    field.values[node] = initial_neighbours == 0 ? 0.0F
-                                            : static_cast<float>(initial_neighbours - left[node]) /
-                                                  static_cast<float>(initial_neighbours);
+    field.values[node] = initial_neighbours == 0
+                             ? 0.0F
+                             : static_cast<float>(initial_neighbours - left[node]) /
+                                   static_cast<float>(initial_neighbours);
   }
   return field;
 }
 
 }  // namespace
 
-Field damage(const Simulation& simulation) {
-  return damage_by(simulation.state().bonds, simulation.lattice());
+Field damage(const View& view) {
+  return damage_by(view.state().bonds, view.lattice());
 }
 
-Field damage_at_start(const Simulation& simulation) {
-  return damage_by(simulation.lattice().bonds, simulation.lattice());
+Field damage_at_start(const View& view) {
+  return damage_by(view.lattice().bonds, view.lattice());
 }
 
-double damage_of(const Simulation& simulation, int i, int j) {
-  const Lattice& lattice = simulation.lattice();
+double damage_of(const View& view, int i, int j) {
+  const Lattice& lattice = view.lattice();
   const Grid& grid = lattice.grid;
-  const BondBits& bonds = simulation.state().bonds;
+  const BondBits& bonds = view.state().bonds;
   const NodeLayout layout = grid.layout();
   int left = 0;
   lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
@@ -53,29 +54,31 @@ double damage_of(const Simulation& simulation, int i, int j) {
     left += grid.contains(i - a, j - b) && bonds.holds(layout.at(i - a, j - b), bit) ? 1 : 0;
   });
   const int initial_neighbours = lattice.initial_neighbours[grid.index(i, j)];
-  return initial_neighbours == 0 ? 0.0 : static_cast<double>(initial_neighbours - left) / initial_neighbours;
+  return initial_neighbours == 0
+             ? 0.0
+             : static_cast<double>(initial_neighbours - left) / initial_neighbours;
 }
 
-Field displacement(const Simulation& simulation) {
-  return vector_field(simulation, "displacement", "m", [&](int i, int j) -> Vec2 {
-    if (simulation.lattice().is_void(i, j)) return {0, 0};
-    return simulation.displacement(i, j);
+Field displacement(const View& view) {
+  return vector_field(view, "displacement", "m", [&](int i, int j) -> Vec2 {
+    if (view.lattice().is_void(i, j)) return {0, 0};
+    return view.displacement(i, j);
   });
 }
 
-Field velocity(const Simulation& simulation) {
-  const std::vector<Vec2> velocities = simulation.velocities();
-  const Grid& grid = simulation.lattice().grid;
-  return vector_field(simulation, "velocity", "m/s",
+Field velocity(const View& view) {
+  const std::vector<Vec2> velocities = view.velocities();
+  const Grid& grid = view.lattice().grid;
+  return vector_field(view, "velocity", "m/s",
                       [&](int i, int j) { return velocities[grid.index(i, j)]; });
 }
 
-std::vector<Circle> impactors(const Simulation& simulation) {
-  const Grid& grid = simulation.lattice().grid;
+std::vector<Circle> impactors(const View& view) {
+  const Grid& grid = view.lattice().grid;
   std::vector<Circle> circles;
-  for (std::size_t k = 0; k < simulation.state().discs.size(); ++k)
-    circles.push_back({grid.centre + grid.dx * simulation.state().discs[k].centre,
-                       simulation.plate().loads.impactors[k].radius});
+  for (std::size_t k = 0; k < view.state().discs.size(); ++k)
+    circles.push_back({grid.centre + grid.dx * view.state().discs[k].centre,
+                       view.plate().loads.impactors[k].radius});
   return circles;
 }
 

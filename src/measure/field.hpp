@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -19,19 +19,19 @@ struct Field {
 
 // Share of a node's initial bonds that are broken, 0..1; 0 where it has none. A straight crack
 // shows as 0.4 to 0.5 on its two sides.
-Field damage(const Simulation& simulation);
+Field damage(const View& view);
 // The damage that the cracks of the scene make, before anything breaks.
-Field damage_at_start(const Simulation& simulation);
+Field damage_at_start(const View& view);
 // The damage of one node.
-double damage_of(const Simulation& simulation, int i, int j);
-Field displacement(const Simulation& simulation);  // m, components x and y; 0 where void
-Field velocity(const Simulation& simulation);      // m/s, components x and y
+double damage_of(const View& view, int i, int j);
+Field displacement(const View& view);  // m, components x and y; 0 where void
+Field velocity(const View& view);      // m/s, components x and y
 
 // A rigid disc in flight, m.
 struct Circle {
   Vec2 centre{0, 0};
   double radius = 0.0;
 };
-std::vector<Circle> impactors(const Simulation& simulation);
+std::vector<Circle> impactors(const View& view);
 
 }  // namespace hackle

@@ -13,10 +13,10 @@ std::uint8_t link_to(int column, int row) {
 
 }  // namespace
 
-std::vector<std::uint8_t> links(const Simulation& simulation) {
-  const Lattice& lattice = simulation.lattice();
+std::vector<std::uint8_t> links(const View& view) {
+  const Lattice& lattice = view.lattice();
   const Grid& grid = lattice.grid;
-  const BondBits& bonds = simulation.state().bonds;
+  const BondBits& bonds = view.state().bonds;
   const NodeLayout layout = grid.layout();
   std::vector<std::uint8_t> all(grid.nodes());
   lattice.family.for_each_bond([&](int column, int row, const Vec2&, double, int bit) {

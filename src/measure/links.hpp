@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -16,6 +16,6 @@ struct Link {
 };
 
 // Those that hold, by Grid::index.
-std::vector<std::uint8_t> links(const Simulation& simulation);
+std::vector<std::uint8_t> links(const View& view);
 
 }  // namespace hackle

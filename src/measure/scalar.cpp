@@ -17,35 +17,35 @@ using Values = std::vector<float>;
 
 // Scales at which a bond of the plate's own material breaks: its critical stretch, and the stress
 // and the speed of a uniaxial wave of that strain.
-double critical_stretch(const Simulation& simulation) {
-  return simulation.lattice().calibration.s0;
+double critical_stretch(const View& view) {
+  return view.lattice().calibration.s0;
 }
-double critical_stress(const Simulation& simulation) {
-  return simulation.plate().material.E * critical_stretch(simulation);
+double critical_stress(const View& view) {
+  return view.plate().material.E * critical_stretch(view);
 }
-double critical_speed(const Simulation& simulation) {
-  const Lattice& lattice = simulation.lattice();
-  return critical_stretch(simulation) * std::sqrt(lattice.calibration.moduli.C11 / lattice.rho);
+double critical_speed(const View& view) {
+  const Lattice& lattice = view.lattice();
+  return critical_stretch(view) * std::sqrt(lattice.calibration.moduli.C11 / lattice.rho);
 }
 // Displacement of an edge when the shorter side is stretched by half the critical stretch.
-double critical_length(const Simulation& simulation) {
-  const Plate& plate = simulation.plate();
-  return 0.25 * critical_stretch(simulation) * std::min(plate.width, plate.height);
+double critical_length(const View& view) {
+  const Plate& plate = view.plate();
+  return 0.25 * critical_stretch(view) * std::min(plate.width, plate.height);
 }
 
 template <int least, int most>
-Ends fixed(const Simulation&) {
+Ends fixed(const View&) {
   return {0.01 * least, 0.01 * most};
 }
 
 // `least` and `most` per cent of what breaks it.
-template <double (*critical)(const Simulation&), int least, int most>
-Ends share(const Simulation& simulation) {
-  return {0.01 * least * critical(simulation), 0.01 * most * critical(simulation)};
+template <double (*critical)(const View&), int least, int most>
+Ends share(const View& view) {
+  return {0.01 * least * critical(view), 0.01 * most * critical(view)};
 }
 
-Ends ends_of_energy(const Simulation& simulation) {
-  const double most = 0.5 * critical_stress(simulation) * critical_stretch(simulation);
+Ends ends_of_energy(const View& view) {
+  const double most = 0.5 * critical_stress(view) * critical_stretch(view);
   return {1e-4 * most, most};
 }
 
@@ -53,29 +53,29 @@ double fringes_per_stress(const Material& material) {
   return 1.0 / material.fringe;
 }
 
-Ends ends_of_fringes(const Simulation& simulation) {
-  check_fringes(simulation.lattice());
-  return {0.0, critical_stress(simulation) * fringes_per_stress(simulation.plate().material)};
+Ends ends_of_fringes(const View& view) {
+  check_fringes(view.lattice());
+  return {0.0, critical_stress(view) * fringes_per_stress(view.plate().material)};
 }
 
-Ends ends_of_temperature(const Simulation& simulation) {
+Ends ends_of_temperature(const View& view) {
   double most = 1.0;
-  for (const MaterialOnLattice& known : simulation.lattice().materials)
+  for (const MaterialOnLattice& known : view.lattice().materials)
     if (known.material.alphaT > 0.0)
       most = std::max(most, 0.5 * known.calibration.s0 / known.material.alphaT);
   return {-most, most};
 }
 
-Values damages(const Simulation& simulation) {
-  return damage(simulation).values;
+Values damages(const View& view) {
+  return damage(view).values;
 }
 
 // Component 0 or 1 of a vector field, or its length.
 enum class Part { x, y, length };
 
-template <Field (*vectors)(const Simulation&), Part part>
-Values part_of(const Simulation& simulation) {
-  const Field field = vectors(simulation);
+template <Field (*vectors)(const View&), Part part>
+Values part_of(const View& view) {
+  const Field field = vectors(view);
   Values values(field.values.size() / 2);
   for (std::size_t node = 0; node < values.size(); ++node) {
     const float x = field.values[2 * node], y = field.values[2 * node + 1];
@@ -90,8 +90,8 @@ Values as_floats(const std::vector<Number>& numbers) {
 }
 
 template <auto of>
-Values stress_part(const Simulation& simulation) {
-  const std::vector<Stress> all = stresses(simulation);
+Values stress_part(const View& view) {
+  const std::vector<Stress> all = stresses(view);
   Values values(all.size());
   std::ranges::transform(all, values.begin(), [](const Stress& stress) {
     return static_cast<float>(std::invoke(of, stress));
@@ -103,20 +103,20 @@ double mean_in_plane(const Stress& stress) {
   return 0.5 * (stress.xx + stress.yy);
 }
 
-Values closeness(const Simulation& simulation) {
-  return as_floats(closest_to_breaking(simulation));
+Values closeness(const View& view) {
+  return as_floats(closest_to_breaking(view));
 }
-Values energies(const Simulation& simulation) {
-  return as_floats(energy_densities(simulation));
+Values energies(const View& view) {
+  return as_floats(energy_densities(view));
 }
-Values fragments(const Simulation& simulation) {
-  return as_floats(fragment_numbers(simulation));
+Values fragments(const View& view) {
+  return as_floats(fragment_numbers(view));
 }
 
 // Visits the nodes that are not void, in order.
 template <class Of>
-Values by_material(const Simulation& simulation, Of of) {
-  const Lattice& lattice = simulation.lattice();
+Values by_material(const View& view, Of of) {
+  const Lattice& lattice = view.lattice();
   Values values(lattice.grid.nodes());
   for (int j = 0; j < lattice.grid.ny; ++j)
     for (int i = 0; i < lattice.grid.nx; ++i)
@@ -127,22 +127,22 @@ Values by_material(const Simulation& simulation, Of of) {
   return values;
 }
 
-Values fringes(const Simulation& simulation) {
-  check_fringes(simulation.lattice());
-  const std::vector<Stress> all = stresses(simulation);
-  return by_material(simulation, [&](std::size_t node, const Material& material) {
+Values fringes(const View& view) {
+  check_fringes(view.lattice());
+  const std::vector<Stress> all = stresses(view);
+  return by_material(view, [&](std::size_t node, const Material& material) {
     return 2.0 * all[node].shear() * fringes_per_stress(material);
   });
 }
 
-Values strengths(const Simulation& simulation) {
-  const std::vector<float>& strength = simulation.lattice().strength;
-  return strength.empty() ? Values(simulation.lattice().grid.nodes(), 1.0F) : strength;
+Values strengths(const View& view) {
+  const std::vector<float>& strength = view.lattice().strength;
+  return strength.empty() ? Values(view.lattice().grid.nodes(), 1.0F) : strength;
 }
 
-Values temperatures(const Simulation& simulation) {
-  const std::vector<double>& strain = simulation.thermal_strain();
-  return by_material(simulation, [&](std::size_t node, const Material& material) {
+Values temperatures(const View& view) {
+  const std::vector<double>& strain = view.thermal_strain();
+  return by_material(view, [&](std::size_t node, const Material& material) {
     return strain.empty() || material.alphaT == 0.0 ? 0.0 : strain[node] / material.alphaT;
   });
 }

@@ -33,8 +33,8 @@ struct Scalar {
   bool logarithmic = false;
   // From the strength of the plate's own material, so that pictures of one scene can be compared
   // and a movie knows them from its first frame.
-  Ends (*ends)(const Simulation&) = nullptr;
-  std::vector<float> (*values)(const Simulation&) = nullptr;  // by Grid::index
+  Ends (*ends)(const View&) = nullptr;
+  std::vector<float> (*values)(const View&) = nullptr;  // by Grid::index
 };
 
 inline constexpr auto scalar_names = std::to_array<std::string_view>(

@@ -9,32 +9,18 @@
 #include "lattice/needs.hpp"
 
 namespace hackle {
-namespace {
-
-// Whether forces change in time, or nodes are led.
-bool loads_vary(const Loads& loads) {
-  const auto varies = [](const auto& load) { return !load.amplitude.is_constant(); };
-  return !loads.supports.empty() || std::ranges::any_of(loads.tractions, varies) ||
-         std::ranges::any_of(loads.pressures, varies) ||
-         std::ranges::any_of(loads.body_forces, varies);
-}
-
-}  // namespace
-
 std::vector<Stage> stages(const Simulation& simulation) {
-  const Plate& plate = simulation.plate();
-  const StepSeconds& seconds = simulation.step_seconds();
   const double all = simulation.solve_seconds();
-  std::vector<Stage> list;
-  const auto add = [&](bool present, const char* name, double taken) {
-    if (present) list.push_back({name, all > 0.0 ? std::clamp(taken / all, 0.0, 1.0) : 0.0});
+  const auto share = [all](double taken) {
+    return all > 0.0 ? std::clamp(taken / all, 0.0, 1.0) : 0.0;
   };
-  add(true, "kernel", all - seconds.sum());
-  add(plate.loads.damping > 0.0, "damping", seconds.damping);
-  add(!plate.loads.thermal_loads.empty(), "heat", seconds.heat);
-  add(loads_vary(plate.loads), "varying loads", seconds.loads.others());
-  add(plate.contact.has_value(), "contact", seconds.loads.contact);
-  add(!plate.loads.impactors.empty(), "impactors", seconds.loads.impact);
+  std::vector<Stage> list{{"kernel", 1.0}};
+  double terms = 0.0;
+  for (const auto& [name, seconds] : simulation.term_seconds()) {
+    list.push_back({name, share(seconds)});
+    terms += seconds;
+  }
+  list.front().share = share(all - terms);
   return list;
 }
 

@@ -25,6 +25,9 @@ class MovieOutput : public Output {
 
   const std::filesystem::path& path() const { return file_.path(); }
 
+  std::int64_t next_due(const Simulation& simulation) override {
+    return schedule_.next_due(simulation);
+  }
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override;
   void reserve() override;

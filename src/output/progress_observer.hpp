@@ -52,6 +52,9 @@ class Watched : public Observer {
   Watched(std::shared_ptr<Observer> watcher, Activity& activity)
       : watcher_(std::move(watcher)), activity_(activity) {}
 
+  std::int64_t next_due(const Simulation& simulation) override {
+    return watcher_->next_due(simulation);
+  }
   bool due(const Simulation& simulation) override { return watcher_->due(simulation); }
   void observe(const Simulation& simulation) override {
     const Mark mark(activity_, Activity::watched);
@@ -88,6 +91,7 @@ class Interrupt : public Observer {
  public:
   explicit Interrupt(std::int64_t step) : step_(step) {}
 
+  std::int64_t next_due(const Simulation&) override { return step_; }
   bool due(const Simulation& simulation) override {
     return !done_ && simulation.state().step >= step_;
   }

@@ -20,6 +20,9 @@ class RecordOutput : public Output {
                const Simulation& simulation, Origin origin, Talk talk,
                std::shared_ptr<const OutputNames> names);
 
+  std::int64_t next_due(const Simulation& simulation) override {
+    return schedule_.next_due(simulation);
+  }
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override;
   void reserve() override;

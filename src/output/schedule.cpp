@@ -24,6 +24,13 @@ bool Schedule::reached(const Simulation& simulation) const {
   return simulation.time() + 0.5 * simulation.dt() > moment;
 }
 
+std::int64_t Schedule::next_due(const Simulation& simulation) const {
+  constexpr double margin = 2.0;  // half a step, and rounding
+  const double moment = start_ + static_cast<double>(next_) * every_;
+  const double steps = (moment - simulation.time()) / simulation.dt() - margin;
+  return simulation.state().step + static_cast<std::int64_t>(std::clamp(steps, 0.0, max_steps));
+}
+
 void Schedule::advance(const Simulation& simulation) {
   const double passed = (simulation.time() - 0.5 * simulation.dt() - start_) / every_;
   next_ = std::max(next_ + 1, static_cast<std::int64_t>(std::ceil(passed)));

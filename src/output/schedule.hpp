@@ -17,6 +17,8 @@ class Schedule {
   Schedule(const char* output, double every, const Simulation& simulation);
 
   bool reached(const Simulation& simulation) const;
+  // A step before which it is not reached.
+  std::int64_t next_due(const Simulation& simulation) const;
   // How many moments there are from the start until `until`, s; those to come at most `max_more`.
   std::int64_t moments(double until, std::int64_t max_more) const;
   // To the next moment that has not passed: slow loading may go by several at once.

@@ -11,7 +11,7 @@
 
 #include "measure/energy.hpp"
 #include "output/features.hpp"
-#include "solver/tiles.hpp"
+#include "solver/cpu/tiles.hpp"
 
 namespace hackle {
 

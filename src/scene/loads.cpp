@@ -13,6 +13,15 @@ void check(const Loads& loads, Problems& problems) {
   check_members(loads, problems);
 }
 
+double spring_stiffness(const Loads& loads) {
+  double sum = 0.0;
+  for_each_list(loads, [&](const auto& list) {
+    if constexpr (requires { spring_stiffness(list.front()); })
+      for (const auto& load : list) sum += spring_stiffness(load);
+  });
+  return sum;
+}
+
 std::string describe(const Loads& loads) {
   std::string text;
   for_each_list(loads, [&](const auto& list) {

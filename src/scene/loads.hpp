@@ -56,6 +56,10 @@ void for_each_list(const Loads& loads, const Visit& visit) {
   });
 }
 
+// Returns the largest stiffness, N/m4, that springs among the loads may add to rho omega^2 of a
+// node: those of loads that have a spring_stiffness() of their own.
+double spring_stiffness(const Loads& loads);
+
 // Adds a problem for every value out of its range. check(Plate) checks whether rims and regions
 // exist.
 void check(const Loads& loads, Problems& problems);

@@ -9,11 +9,6 @@
 namespace hackle {
 namespace {
 
-template <class Real>
-Values<double> widened(const Values<Real>& values) {
-  return {values.begin(), values.end()};
-}
-
 // Calls work(i, j) for every node that is not void.
 template <class Work>
 void for_solid(const State& state, const std::vector<std::uint8_t>& material, const Work& work) {
@@ -47,14 +42,6 @@ bool take_out_drift(State& state, const std::vector<std::uint8_t>& material) {
 bool is_too_wide_for_f32(const State& state, double s0, const std::vector<std::uint8_t>& material) {
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
   return spread_of(state, material).half.maxCoeff() * rounding > max_rounding * s0;
-}
-
-State in_f64(const State& state) {
-  State wide = state;
-  if (const auto* motion = std::get_if<Motion<float>>(&state.motion))
-    wide.motion = Motion<double>{widened(motion->ux), widened(motion->uy), widened(motion->vx),
-                                 widened(motion->vy), widened(motion->threshold)};
-  return wide;
 }
 
 }  // namespace hackle

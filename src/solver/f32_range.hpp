@@ -36,7 +36,4 @@ inline constexpr double max_rounding = 2e-4;
 bool is_too_wide_for_f32(const State& state, double s0,
                          const std::vector<std::uint8_t>& material = {});
 
-// The same state in f64.
-State in_f64(const State& state);
-
 }  // namespace hackle

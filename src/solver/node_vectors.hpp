@@ -7,8 +7,8 @@
 #include <span>
 
 #include "lattice/node_layout.hpp"
-#include "solver/scratch.hpp"
 #include "solver/threads.hpp"
+#include "solver/values.hpp"
 
 namespace hackle {
 

@@ -2,6 +2,8 @@
 // Observers look at a simulation between its steps.
 #pragma once
 
+#include <cstdint>
+
 namespace hackle {
 
 class Simulation;
@@ -9,7 +11,10 @@ class Simulation;
 class Observer {
  public:
   virtual ~Observer() = default;
-  // Whether it wants to see the state as it is now. Asked after every step; must be cheap.
+  // The first step at which it may be due; it is asked no earlier. Asked itself at the beginning of
+  // a run and whenever that step has come. By default it may be due at any.
+  virtual std::int64_t next_due(const Simulation&) { return 0; }
+  // Whether it wants to see the state as it is now. Must be cheap.
   virtual bool due(const Simulation& simulation) = 0;
   virtual void observe(const Simulation& simulation) = 0;
 };

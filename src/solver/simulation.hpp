@@ -1,47 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A plate being solved: state and time, integrated with velocity Verlet.
+// A plate being solved: runs, and states at rest, between which observers look on.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
-#include "lattice/lattice.hpp"
-#include "solver/engine.hpp"
-#include "solver/loading.hpp"
+#include "solver/aim.hpp"
+#include "solver/divergence.hpp"
+#include "solver/moving_plate.hpp"
 #include "solver/observer.hpp"
-#include "solver/quasistatic.hpp"
-#include "solver/state.hpp"
-#include "solver/thermal_strain.hpp"
-#include "solver/threads.hpp"
+#include "solver/statics/rest.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
-
-inline constexpr double max_steps = 1e15;  // of a run; whole numbers up to there are exact
-
-// How a run is carried out; none of it changes a bit of the result.
-struct Execution {
-  int threads = 0;  // 0: one for each available core
-  InstructionSet instruction_set = best_instruction_set();
-};
-
-// Wall time of parts of a step that not every scene has, s.
-struct StepSeconds {
-  double damping = 0.0;
-  double heat = 0.0;
-  LoadSeconds loads;
-
-  double sum() const { return damping + heat + loads.all; }
-};
-
-// A state as it was once, with what belongs to it in a picture.
-struct Snapshot {
-  State state;                         // step == start: u and v belong to the same time
-  std::vector<double> thermal_strain;  // by Grid::index; empty where nothing was heated
-  std::vector<Impactor> impactors;     // one for each disc of the state
-};
 
 class Simulation {
  public:
@@ -68,8 +41,8 @@ class Simulation {
   // observer breaks off and may be called again. Each throws what run() throws; the aim stays.
   void aim(double duration);
   void go_on(std::span<Observer* const> observers = {});
-  bool has_arrived() const { return state_.step >= last_step_; }
-  std::int64_t last_step() const { return last_step_; }  // of the current aim
+  bool has_arrived() const { return state().step >= aim_.last_step; }
+  std::int64_t last_step() const { return aim_.last_step; }  // of the current aim
   // For observers: go_on() returns after this step, load_slowly() after this increment.
   void break_off() { break_off_ = true; }
   // Cancels the remaining run; from an observer, after the current step.
@@ -106,113 +79,59 @@ class Simulation {
   // not be called afterwards.
   void show(Snapshot snapshot);
 
-  const Plate& plate() const { return plate_; }
-  const Numerics& numerics() const { return numerics_; }
-  const Lattice& lattice() const { return lattice_; }
-  const State& state() const { return state_; }
-  const Loading& loading() const { return loading_; }
+  const Plate& plate() const { return plate_.plate(); }
+  const Numerics& numerics() const { return plate_.numerics(); }
+  const Lattice& lattice() const { return plate_.lattice(); }
+  const State& state() const { return plate_.state(); }
+  // What acts in the step to come.
+  const Actions& actions() const { return plate_.terms().actions(); }
   // Of every node, now, by Grid::index; empty when nothing is heated.
-  const std::vector<double>& thermal_strain() const { return heat_.values(); }
-  int threads() const { return threads_.count(); }
-  InstructionSet instruction_set() const { return instruction_set_; }
+  const std::vector<double>& thermal_strain() const { return plate_.thermal_strain(); }
+  int threads() const { return plate_.threads().count(); }
+  InstructionSet instruction_set() const { return plate_.instruction_set(); }
 
-  double dt() const { return dt_; }                                                      // s
-  double time() const { return time_at(state_.step); }                                   // s
-  double time_at(std::int64_t step) const { return state_.clock.time(step, 0.0, dt_); }  // s
-  double end_time() const { return end_time_; }  // s, asked for
-  double external_work() const;                  // done by loads, supports and heat so far, J/m
-  double damped_energy() const;                  // taken by damping so far, J/m
-  double released_energy() const;  // given off by jumps and on the way to rest so far, J/m
-  double kinetic_energy() const;   // now, J/m
-  // Stored in contacts now, or lost there when bonds broke; less what they store since the plate
-  // came to rest, which took no notice of them. J/m.
-  double contact_energy() const;
-  Vec2 displacement(int i, int j) const;  // m
-  std::vector<Vec2> velocities() const;   // m/s, now, by Grid::index
+  // What can be seen of it now; holds until the next step.
+  View view() const { return View(plate_); }
+  operator View() const { return view(); }  // NOLINT: whatever takes a view takes a simulation
+
+  double dt() const { return plate_.dt(); }                                                // s
+  double time() const { return plate_.time(); }                                            // s
+  double time_at(std::int64_t step) const { return state().clock.time(step, 0.0, dt()); }  // s
+  double end_time() const { return aim_.end_time; }                                        // s
+  Ledger ledger() const { return plate_.ledger(); }                                        // J/m
+  double kinetic_energy() const { return view().kinetic_energy(); }            // now, J/m
+  Vec2 displacement(int i, int j) const { return view().displacement(i, j); }  // m
+  std::vector<Vec2> velocities() const { return plate_.velocities(); }  // m/s, by Grid::index
   // Whether the bond of node (i, j) to (i + column, j + row) holds.
-  bool holds(int i, int j, int column, int row) const;
+  bool holds(int i, int j, int column, int row) const { return view().holds(i, j, column, row); }
   // The bonds that broke in the last step, or increment of slow loading.
-  const std::vector<BrokenBond>& broken_bonds() const;
+  const std::vector<BrokenBond>& broken_bonds() const { return plate_.stepper().broken_bonds(); }
   // Tile-steps so far by the path they took.
-  const PathCounts& path_counts() const;
+  const PathCounts& path_counts() const { return plate_.stepper().path_counts(); }
   // When a run in f32 went over to f64, s: its displacements had grown too large.
-  std::optional<double> widened_at() const { return widened_at_; }
-  // Bytes of state, lattice and engine that grow with the plate.
-  std::size_t bytes() const;
+  std::optional<double> widened_at() const { return plate_.widened_at(); }
+  // Bytes of state, lattice and stepper that grow with the plate.
+  std::size_t bytes() const { return plate_.bytes(); }
   double solve_seconds() const { return solve_seconds_; }  // wall time of all steps
-  // The parts spent in damping, heat and varying loads; the rest is the kernel's.
-  const StepSeconds& step_seconds() const { return step_seconds_; }
-
-  // The default step for a limit: step_fraction of it, rounded down to three digits.
-  static double default_step(double limit);
-  // The same, and short enough for every disc (see longest_step_of_impact).
-  static double default_step(const Plate& plate, const Lattice& lattice);
+  // The parts that terms of the scene took; the rest is the stepper's.
+  std::vector<TermSeconds> term_seconds() const { return plate_.terms().seconds(); }
 
   // Throws Error (run_failed) unless every displacement and velocity is a number, and one that the
   // single precision of fields can hold.
-  void check_finite() const;
+  void check_finite() const { hackle::check_finite(view()); }
 
  private:
-  EngineOptions options() const;
-  void start();
-  double energy_of_state() const;  // of motion and of bonds, in units of the state's work
-  void prepare();
-  double damp_motion();
-  void take_loads();
-  void take_heat();
-  void count_heat_work();
-  // In bonds and contacts, in units of the state's work.
-  double heat_work_between(const std::vector<double>& before,
-                           const std::vector<double>& after) const;
-  void count_external_work();
-  double work_of_half_step() const;             // the ledger's, in units of the state's
-  double prescribed_work_of_half_step() const;  // likewise
-  double lost_in_half_step() const;             // likewise
-  void change_damping(double rate);
-  std::vector<Vec2> accelerations() const;  // lattice units, by Grid::index, as if nothing were led
-  double energy_unit() const;               // J/m
-  void keep_f32_exact();
-  void check_statics(const RelaxOptions& options) const;
-  double check_motion() const;
-  void check_energy(double motion);
-  [[noreturn]] void throw_diverged(int i, int j) const;
-  void look_after_step(std::span<Observer* const> observers);
-  // What acts on the plate before it is brought to rest.
-  struct Departure {
-    std::vector<LoadedNode> loads;  // which did their work up to here
-    std::vector<double> heat;       // thermal strain
-  };
-  Departure depart();
-  Equilibrium go_to_rest(const Departure& from, StaticEquilibrium& equilibrium,
-                         const RelaxOptions& options);
-  Equilibrium settle(StaticEquilibrium& equilibrium, const RelaxOptions& options);
-  void load_to(double end, const QuasistaticOptions& options, QuasistaticResult& result);
-  void break_and_settle(double end, const QuasistaticOptions& options, QuasistaticResult& result,
-                        std::vector<BrokenBond>& broken_bonds);
-  void let_look(std::span<Observer* const> observers) const;
-  void put(const NodeVectors& u);
-  void come_to_rest(std::vector<BrokenBond> broken_bonds);
+  // What observers want, while a run lasts.
+  class Audience;
 
-  Plate plate_;
-  Numerics numerics_;
-  Lattice lattice_;
-  State state_;
-  double dt_;
-  Loading loading_;
-  ThermalStrain heat_;
-  std::vector<LoadedNode> borne_;  // loads under which the plate last came to rest
-  double end_time_ = 0.0;
-  std::int64_t last_step_ = 0;  // of the run that is under way, or was
+  void look_after_step(Audience& audience);
+  void begin_anew();
+
+  MovingPlate plate_;
+  Aim aim_;
   bool break_off_ = false;
   double solve_seconds_ = 0.0;
-  StepSeconds step_seconds_;
-  std::optional<double> widened_at_;
-  double max_energy_ = 0.0;  // the most energy put in so far, in units of the state's work
-
-  InstructionSet instruction_set_;
-  Threads threads_;
-  // mutable: const queries use its scratch memory.
-  mutable std::variant<Engine<double>, Engine<float>> engine_;
+  Divergence divergence_;
 };
 
 }  // namespace hackle

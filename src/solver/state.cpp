@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "base/hash.hpp"
 
@@ -32,6 +33,48 @@ std::vector<std::array<double, 4>> sorted(const std::vector<Disc>& discs) {
     list.push_back({centre.x(), centre.y(), velocity.x(), velocity.y()});
   std::ranges::sort(list);
   return list;
+}
+
+// Adds members to a hash.
+struct Hasher {
+  const NodeLayout& layout;
+  Hash& hash;
+
+  template <class Member>
+  void operator()(const char*, const Member& member, bool matters) const {
+    if (matters) add(member);
+  }
+
+  template <class Real>
+  void add(const Values<Real>& values) const {
+    for (int j = 0; j < layout.ny && !values.empty(); ++j)
+      hash.add(std::span(values).subspan(static_cast<std::size_t>(layout.at(0, j)),
+                                         static_cast<std::size_t>(layout.nx)));
+  }
+  void add(const BondBits& bonds) const { hash.add(std::span(bonds.words())); }
+  void add(const std::int64_t& number) const { hash.add(std::span(&number, 1)); }
+  void add(const double& number) const { hash.add(std::span(&number, 1)); }
+  void add(const Vec2& vector) const { hash.add(std::span(vector.data(), 2)); }
+  void add(const Clock& clock) const {
+    add(clock.moment);
+    add(clock.since);
+  }
+  void add(const std::vector<Disc>& discs) const {
+    for (const std::array<double, 4>& disc : sorted(discs)) hash.add(std::span<const double>(disc));
+  }
+};
+
+// What a member holds that grows with the plate.
+template <class Real>
+std::size_t bytes_of_member(const Values<Real>& values) {
+  return bytes_of(values);
+}
+std::size_t bytes_of_member(const BondBits& bonds) {
+  return bytes_of(bonds.words());
+}
+template <class Other>
+std::size_t bytes_of_member(const Other&) {
+  return 0;
 }
 
 }  // namespace
@@ -66,27 +109,26 @@ void State::set_v(int i, int j, const Vec2& v) {
 
 std::string State::hash() const {
   Hash hash;
-  std::visit(
-      [&](const auto& m) {
-        for (const auto* values : {&m.ux, &m.uy, &m.vx, &m.vy, &m.threshold})
-          for (int j = 0; j < layout.ny && !values->empty(); ++j)
-            hash.add(std::span(*values).subspan(static_cast<std::size_t>(layout.at(0, j)),
-                                                static_cast<std::size_t>(layout.nx)));
-      },
-      motion);
-  hash.add(std::span(bonds.words()));
-  hash.add(std::span(&step, 1));
-  hash.add(std::span(&external_work, 1));
-  if (start != 0 && is_start()) hash.add(std::span(&start, 1));  // it changes what comes
-  if (clock != Clock{}) {
-    hash.add(std::span(&clock.moment, 1));
-    hash.add(std::span(&clock.since, 1));
-  }
-  for (const double* energy : {&damped, &released, &contact_lost})
-    if (*energy != 0.0) hash.add(std::span(energy, 1));
-  hash.add(std::span(origin.data(), 2));
-  for (const std::array<double, 4>& disc : sorted(discs)) hash.add(std::span<const double>(disc));
+  for_each_member(*this, Hasher{layout, hash});
   return hash.hex();
+}
+
+std::size_t State::bytes() const {
+  std::size_t sum = 0;
+  for_each_member(*this,
+                  [&](const char*, const auto& member, bool) { sum += bytes_of_member(member); });
+  return sum;
+}
+
+State State::in_f64() const {
+  State wide = *this;
+  if (const auto* narrow = std::get_if<Motion<float>>(&motion)) {
+    auto& motion_f64 = wide.motion.emplace<Motion<double>>();
+    for_each_array([](const char*, const Values<float>& from,
+                      Values<double>& to) { to.assign(from.begin(), from.end()); },
+                   *narrow, motion_f64);
+  }
+  return wide;
 }
 
 }  // namespace hackle

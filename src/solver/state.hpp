@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "lattice/lattice.hpp"
-#include "solver/scratch.hpp"
+#include "solver/clock.hpp"
+#include "solver/values.hpp"
 
 namespace hackle {
 
@@ -21,23 +22,21 @@ struct Motion {
   Values<Real> threshold;  // e above which the bonds of a node break; only where a history moves it
 };
 
+// Calls visit(name, values) for the arrays of a motion, and of more motions side by side.
+template <class Visit, class... Motions>
+void for_each_array(const Visit& visit, Motions&... motions) {
+  visit("ux", motions.ux...);
+  visit("uy", motions.uy...);
+  visit("vx", motions.vx...);
+  visit("vy", motions.vy...);
+  visit("threshold", motions.threshold...);
+}
+
 // A rigid disc in flight, in lattice units: its place from the centre of the lattice, and its
 // velocity half a step earlier.
 struct Disc {
   Vec2 centre{0, 0};
   Vec2 velocity{0, 0};
-};
-
-// The time of steps, counted from the last moment that was reached other than by steps.
-struct Clock {
-  double moment = 0.0;     // s
-  std::int64_t since = 0;  // the step at which it was that time
-
-  // In the middle of a step where `share` of one is 0.5, s.
-  double time(std::int64_t step, double share, double dt) const {
-    return moment + (static_cast<double>(step - since) + share) * dt;
-  }
-  bool operator==(const Clock&) const = default;
 };
 
 // Leapfrog: u belongs to the time of the step, v to half a step earlier; at step `start` both to
@@ -71,6 +70,36 @@ struct State {
 
   // Sixteen hexadecimal digits over all of the above, ghosts apart: equal means the same bits.
   std::string hash() const;
+  // Of all that grows with the plate.
+  std::size_t bytes() const;
+  // The same state in f64.
+  State in_f64() const;
 };
+
+// The list of members, which hash, size and conversion follow: calls visit(name, member, matters)
+// for each in the order of the hash, the arrays of the motion one by one. The layout is that of the
+// lattice. What does not matter has the value that it has in a plain run, and leaves its hash
+// alone.
+template <class StateOrConst, class Visit>
+void for_each_member(StateOrConst& state, const Visit& visit) {
+  auto& [layout, motion, bonds, step, clock, start, external_work, damped, released, contact_lost,
+         origin, discs] = state;  // a new member breaks the build until it is visited
+  std::visit(
+      [&visit](auto& arrays) {
+        for_each_array([&visit](const char* name, auto& values) { visit(name, values, true); },
+                       arrays);
+      },
+      motion);
+  visit("bonds", bonds, true);
+  visit("step", step, true);
+  visit("external_work", external_work, true);
+  visit("start", start, start != 0 && state.is_start());  // then it changes what comes
+  visit("clock", clock, clock != Clock{});
+  visit("damped", damped, damped != 0.0);
+  visit("released", released, released != 0.0);
+  visit("contact_lost", contact_lost, contact_lost != 0.0);
+  visit("origin", origin, true);
+  visit("discs", discs, true);
+}
 
 }  // namespace hackle

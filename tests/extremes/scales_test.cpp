@@ -128,7 +128,7 @@ TEST_P(Scales, OfTheLoadUpToAThousandTimesTheStrengthShatterButKeepMomentum) {
     const Lattice& lattice = simulation.lattice();
     const double dt = simulation.dt();
     Vec2 force(0, 0), momentum(0, 0);
-    for (const LoadedNode& node : simulation.loading().forces())
+    for (const LoadedNode& node : simulation.actions().forces)
       force += node.acceleration * dt * dt / lattice.grid.dx;
     for (int j = 0; j < 40; ++j)
       for (int i = 0; i < 60; ++i) momentum += simulation.state().v(i, j);

@@ -20,7 +20,7 @@ TEST(OneNode, FallsFreely) {
     Numerics numerics = test::numerics();
     numerics.precision = precision;
     Simulation simulation(plate, numerics, {1});
-    const Vec2 a = simulation.loading().forces().front().acceleration;
+    const Vec2 a = simulation.actions().forces.front().acceleration;
     simulation.run(1000.0 * simulation.dt());
     // Leapfrog is exact for a constant force, up to a thousand rounding errors of v and u.
     const Vec2 way = 0.5 * a * std::pow(simulation.time(), 2);

@@ -77,7 +77,7 @@ std::set<Units> knots_of(const UnitGraph& graph) {
 
 // The kernel is one unit in several headers: its parts call each other inline.
 bool is_of_kernel(const std::string& unit) {
-  static const std::regex kernel("solver/(kernel|simd|tiles|scratch).*");
+  static const std::regex kernel("solver/cpu/(kernel|simd|tile|scratch).*");
   return std::regex_match(unit, kernel);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

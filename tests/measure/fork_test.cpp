@@ -11,6 +11,7 @@
 
 #include "measure/cracks.hpp"
 #include "scene/geometry.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

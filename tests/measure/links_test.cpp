@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "measure/bond_lines.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "measure/cracks.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

@@ -128,11 +128,11 @@ TEST(Conservation, ExternalWorkIsForceTimesDisplacement) {
   simulation.run(5e-6);
   const Lattice& lattice = simulation.lattice();
   double work = 0.0;
-  for (const LoadedNode& load : simulation.loading().forces()) {
+  for (const LoadedNode& load : simulation.actions().forces) {
     const Vec2 u = simulation.displacement(load.i, load.j);
     work += lattice.rho * lattice.grid.dx * lattice.grid.dx * load.acceleration.dot(u);
   }
-  EXPECT_NEAR(simulation.external_work() / work, 1.0, 1e-12);
+  EXPECT_NEAR(simulation.ledger().external / work, 1.0, 1e-12);
 }
 
 }  // namespace

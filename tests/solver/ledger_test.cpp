@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "measure/energy.hpp"
-#include "solver/damping.hpp"
+#include "solver/terms/damping.hpp"
 #include "support/composite.hpp"
 #include "support/reference.hpp"
 #include "support/states.hpp"
@@ -183,7 +183,7 @@ class WorkOfForces {
   void take(const Simulation& simulation) {
     const Lattice& lattice = simulation.lattice();
     forces_.assign(lattice.grid.nodes(), Vec2(0, 0));
-    for (const LoadedNode& load : simulation.loading().forces())
+    for (const LoadedNode& load : simulation.actions().forces)
       forces_[lattice.grid.index(load.i, load.j)] +=
           lattice.material_at(load.i, load.j).material.rho * lattice.grid.dx * lattice.grid.dx *
           load.acceleration;
@@ -205,7 +205,7 @@ TEST(LedgerOfChanges, WorkOfForcesIsThatOfASumOverNodes) {
       Simulation simulation(plate, with_step(80e-9), {1});
       WorkOfForces sum(simulation);
       for (int n = 1; n <= 20; ++n) sum.step(simulation, n % 7 == 0 ? &change : nullptr);
-      EXPECT_NEAR(simulation.external_work(), sum.work(), 1e-12 * std::abs(sum.work()) + 1e-18)
+      EXPECT_NEAR(simulation.ledger().external, sum.work(), 1e-12 * std::abs(sum.work()) + 1e-18)
           << change.name << mixed;
     }
 }
@@ -228,7 +228,7 @@ TEST(LedgerOfChanges, WorkOfSupportsIsThatOfTheirReactions) {
     double done = 0.0;
     for (int n = 0; n < 24; ++n) {
       const auto a = test::Reference(simulation).accelerations();
-      const std::vector<PrescribedNode> prescribed = simulation.loading().prescribed();
+      const std::vector<PrescribedNode> prescribed = simulation.actions().prescribed;
       std::vector<Vec2> before;
       double ahead = 0.0;
       for (const PrescribedNode& node : prescribed) {
@@ -237,7 +237,7 @@ TEST(LedgerOfChanges, WorkOfSupportsIsThatOfTheirReactions) {
           ahead -= 0.5 * mass(node) * unit *
                    a[lattice.grid.index(node.i, node.j)].cast<double>().dot(before.back());
       }
-      EXPECT_NEAR(simulation.external_work(), done + ahead, 1e-9 * std::abs(done) + 1e-15) << n;
+      EXPECT_NEAR(simulation.ledger().external, done + ahead, 1e-9 * std::abs(done) + 1e-15) << n;
       simulation.step();
       for (std::size_t k = 0; k < prescribed.size(); ++k) {
         const PrescribedNode& node = prescribed[k];
@@ -273,7 +273,7 @@ TEST(LedgerOfChanges, ACallAndAnAmplitudeDoTheSame) {
       simulation.set_loads(loads);
     }
     simulation.run(3e-6);
-    return simulation.external_work();
+    return simulation.ledger().external;
   };
   const double amplitude = external(false);
   EXPECT_NEAR(external(true), amplitude, 1e-12 * amplitude);
@@ -365,14 +365,14 @@ TEST(Damping, SaidLaterTakesWhatThereIs) {
     Loads loads = plate.loads;
     loads.damping = rate;
     simulation.set_loads(loads);
-    EXPECT_NEAR(simulation.kinetic_energy() + simulation.damped_energy(), there, 1e-9 * there);
+    EXPECT_NEAR(simulation.kinetic_energy() + simulation.ledger().damped, there, 1e-9 * there);
     simulation.run(40e-6);
-    EXPECT_NEAR(simulation.damped_energy(), there, 1e-9 * there) << rate;
+    EXPECT_NEAR(simulation.ledger().damped, there, 1e-9 * there) << rate;
     EXPECT_LT(simulation.kinetic_energy(), 1e-9 * there) << rate;
     loads.damping = 0.0;
     simulation.set_loads(loads);
     simulation.run(1e-6);
-    EXPECT_NEAR(simulation.damped_energy(), there, 1e-9 * there) << rate;
+    EXPECT_NEAR(simulation.ledger().damped, there, 1e-9 * there) << rate;
   }
 }
 

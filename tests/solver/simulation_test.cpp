@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "solver/default_step.hpp"
 #include "support/scenes.hpp"
 #include "support/states.hpp"
 
@@ -32,8 +33,8 @@ class Watcher : public Observer {
 };
 
 TEST(Simulation, TheDefaultStepIsNineTenthsOfTheLimitInThreeDigits) {
-  EXPECT_DOUBLE_EQ(Simulation::default_step(232.38e-9), 209e-9);
-  EXPECT_DOUBLE_EQ(Simulation::default_step(1.0), 0.9);
+  EXPECT_DOUBLE_EQ(default_step(232.38e-9), 209e-9);
+  EXPECT_DOUBLE_EQ(default_step(1.0), 0.9);
 }
 
 TEST(Simulation, RunsToTheFirstStepAtOrAfterTheTimeAskedFor) {
@@ -52,6 +53,32 @@ TEST(Simulation, ShowsTheStartAndEveryStepToObservers) {
   Observer* observers[] = {&watcher};
   simulation.run(3.0 * simulation.dt(), observers);
   EXPECT_THAT(watcher.steps, testing::ElementsAre(0, 1, 2, 3));
+}
+
+// Sees every fourth step, and counts how often it is asked.
+class Sparse : public Observer {
+ public:
+  std::int64_t next_due(const Simulation&) override { return next; }
+  bool due(const Simulation& simulation) override {
+    ++asked;
+    return simulation.state().step >= next;
+  }
+  void observe(const Simulation& simulation) override {
+    steps.push_back(simulation.state().step);
+    next = simulation.state().step + 4;
+  }
+  std::vector<std::int64_t> steps;
+  std::int64_t next = 0;
+  int asked = 0;
+};
+
+TEST(Simulation, AsksAnObserverNoEarlierThanItSays) {
+  Simulation simulation = small();
+  Sparse sparse;
+  Observer* observers[] = {&sparse};
+  simulation.run(10.0 * simulation.dt(), observers);
+  EXPECT_THAT(sparse.steps, testing::ElementsAre(0, 4, 8));
+  EXPECT_EQ(sparse.asked, 3);
 }
 
 TEST(Simulation, StopsAfterTheStepWhenInterruptedAndCanGoOn) {
@@ -96,7 +123,7 @@ TEST(Simulation, APlateAtRestStaysAtRest) {
   simulation.run(5e-6);
   EXPECT_EQ(test::largest(simulation.velocities()), 0.0);
   for (int i = 0; i < 20; ++i) EXPECT_EQ(simulation.displacement(i, 5), Vec2(0, 0));
-  EXPECT_EQ(simulation.external_work(), 0.0);
+  EXPECT_EQ(simulation.ledger().external, 0.0);
 }
 
 // Wider than the blocks of columns that tasks work on: a bond in the margin of two is lost once.

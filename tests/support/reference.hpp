@@ -37,7 +37,7 @@ class Reference {
     for (const Node& node : nodes_) s0_.push_back(node.s00);
     take_heat(simulation);
     loads_.assign(u_.size(), Vector(0, 0));
-    for (const LoadedNode& load : simulation.loading().forces())
+    for (const LoadedNode& load : simulation.actions().forces)
       loads_[grid.index(load.i, load.j)] = load.acceleration.cast<Real>() * dt * dt / dx;
     if (simulation.state().is_start()) note_history();
   }

@@ -13,6 +13,9 @@ class LiveView : public Observer {
   LiveView(Session& session, const PictureOptions& options, double every,
            const Simulation& simulation);
 
+  std::int64_t next_due(const Simulation& simulation) override {
+    return schedule_.next_due(simulation);
+  }
   bool due(const Simulation& simulation) override {
     return !ended_ && schedule_.reached(simulation);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,17 +33,9 @@ void set_axes(const Arguments& arguments, Support& support) {
 
 // Sets what a description cannot say: regions, axes, members with another option name.
 
-void complete(Traction&, Arguments&, const Plate&, const FunctionDoc&) {
-}
-void complete(Pressure&, Arguments&, const Plate&, const FunctionDoc&) {
-}
-
-void complete(BodyForce& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
-  load.region = region_of(arguments, plate, doc.name);
-}
-
-void complete(ThermalLoad& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
-  load.region = region_of(arguments, plate, doc.name);
+template <class Load>
+void complete(Load& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
+  if constexpr (requires { load.region; }) load.region = region_of(arguments, plate, doc.name);
 }
 
 // A clamp prescribes velocity 0: the nodes stay where they are, even in the middle of a run.
@@ -154,7 +147,43 @@ int add_start(lua_State* L) {
   return return_plate(L);
 }
 
-constexpr std::array plate_methods{
+template <class Member>
+constexpr bool introduces_itself = false;
+template <class Load>
+constexpr bool introduces_itself<std::vector<Load>> = !introduction_of<Load>.sentence.empty();
+
+// The functions of all loads that introduce themselves: Bind<Load>::function of each.
+template <template <class> class Bind>
+constexpr auto introduced_loads() {
+  constexpr auto for_each = [](const auto& visit) {
+    for_each_member<Loads>([&](const auto& list) {
+      using List = typename std::remove_cvref_t<decltype(list)>::Value;
+      if constexpr (introduces_itself<List>) visit(std::type_identity<typename List::value_type>());
+    });
+  };
+  constexpr std::size_t count = [=] {
+    std::size_t sum = 0;
+    for_each([&](auto) { ++sum; });
+    return sum;
+  }();
+  std::array<Function, count> all;
+  std::size_t next = 0;
+  for_each([&]<class Load>(std::type_identity<Load>) { all[next++] = Bind<Load>::function; });
+  return all;
+}
+
+template <class Load>
+struct OnPlate {
+  static constexpr Function function{&plate_load_doc<Load>,
+                                     guarded<add_to_plate<Load, plate_load_doc<Load>>>};
+};
+template <class Load>
+struct InRun {
+  static constexpr Function function{&run_load_doc<Load>,
+                                     guarded<change_in_run<Load, run_load_doc<Load>>>};
+};
+
+constexpr std::array own_plate_methods{
     Function{&plate_traction_doc, guarded<add_to_plate<Traction, plate_traction_doc>>},
     Function{&plate_pressure_doc, guarded<add_to_plate<Pressure, plate_pressure_doc>>},
     Function{&plate_body_force_doc, guarded<add_to_plate<BodyForce, plate_body_force_doc>>},
@@ -166,7 +195,9 @@ constexpr std::array plate_methods{
     Function{&plate_start_doc, guarded<add_start>},
 };
 
-constexpr std::array simulation_methods{
+constexpr auto plate_methods = joined(own_plate_methods, introduced_loads<OnPlate>());
+
+constexpr std::array own_simulation_methods{
     Function{&run_traction_doc, guarded<change_in_run<Traction, run_traction_doc>>},
     Function{&run_pressure_doc, guarded<change_in_run<Pressure, run_pressure_doc>>},
     Function{&run_body_force_doc, guarded<change_in_run<BodyForce, run_body_force_doc>>},
@@ -177,6 +208,8 @@ constexpr std::array simulation_methods{
     Function{&run_damping_doc, guarded<damp_run>},
     Function{&release_doc, guarded<release>},
 };
+
+constexpr auto simulation_methods = joined(own_simulation_methods, introduced_loads<InRun>());
 
 void push_amplitude(lua_State* L, const Amplitude& amplitude) {
   lua_createtable(L, static_cast<int>(amplitude.points().size()), 0);

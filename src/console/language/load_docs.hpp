@@ -107,6 +107,21 @@ inline constexpr FunctionDoc plate_start_doc{
     .options = start_options,
     .example = "p:initial { velocity = function(x, y) return 0, 3*(y - 20*mm)/(20*mm) end }"};
 
+// Of a load that introduces itself: its members are the options, and an area if it has a region.
+template <class Load>
+constexpr auto load_options = [] {
+  if constexpr (requires(Load load) { load.region; })
+    return joined(options_of<Load>, region_options);
+  else
+    return options_of<Load>;
+}();
+template <class Load>
+inline constexpr FunctionDoc plate_load_doc{.name = description_of<Load>.noun,
+                                            .owner = "p",
+                                            .sentence = introduction_of<Load>.sentence,
+                                            .options = load_options<Load>,
+                                            .example = introduction_of<Load>.example};
+
 // Returns the doc of the same method of a simulation: from then on, the load replaces the old one
 // at the same place.
 constexpr FunctionDoc of_simulation(FunctionDoc doc, std::string_view example) {
@@ -114,6 +129,10 @@ constexpr FunctionDoc of_simulation(FunctionDoc doc, std::string_view example) {
   doc.example = example;
   return doc;
 }
+
+template <class Load>
+inline constexpr FunctionDoc run_load_doc = of_simulation(plate_load_doc<Load>,
+                                                          introduction_of<Load>.example_in_run);
 
 inline constexpr FunctionDoc run_traction_doc = of_simulation(
     plate_traction_doc, "s:traction { edge = \"top\", stress = {0, 6*MPa} }  -- changes the load");

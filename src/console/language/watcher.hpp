@@ -29,6 +29,9 @@ class Ticker : public Watcher {
   Ticker(LuaFunction function, double every, const Simulation& simulation)
       : Watcher(std::move(function)), schedule_("on", every, simulation) {}
 
+  std::int64_t next_due(const Simulation& simulation) override {
+    return schedule_.next_due(simulation);
+  }
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override {
     schedule_.advance(simulation);

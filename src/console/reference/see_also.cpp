@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/loads.hpp"
+
 namespace hackle {
 namespace {
 
@@ -41,10 +43,20 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
+// What a load says of itself, which introduces itself.
+template <class Load>
+void add_introduced(std::string_view function, const std::vector<Load>&,
+                    std::vector<std::string_view>& names) {
+  if (function != description_of<Load>.noun || introduction_of<Load>.see_also.empty()) return;
+  for (const std::string_view name : words_of(introduction_of<Load>.see_also))
+    names.push_back(name);
+}
+
 }  // namespace
 
 std::vector<std::string_view> see_also(std::string_view function) {
   std::vector<std::string_view> names;
+  for_each_list(Loads(), [&](const auto& list) { add_introduced(function, list, names); });
   for (const std::string_view line : groups) {
     const std::vector<std::string_view> group = words_of(line);
     if (std::ranges::count(group, function) == 0) continue;

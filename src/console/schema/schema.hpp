@@ -65,10 +65,10 @@ enum class Call {
 };
 
 // Returns the options of both.
-template <std::size_t A, std::size_t B>
-constexpr std::array<Option, A + B> joined(const std::array<Option, A>& first,
-                                           const std::array<Option, B>& second) {
-  std::array<Option, A + B> all;
+template <class T, std::size_t A, std::size_t B>
+constexpr std::array<T, A + B> joined(const std::array<T, A>& first,
+                                      const std::array<T, B>& second) {
+  std::array<T, A + B> all;
   std::ranges::copy(second, std::ranges::copy(first, all.begin()).out);
   return all;
 }

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+#include "solver/cpu/engine.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lattice/needs.hpp"
+#include "solver/cpu/kernel_tables.hpp"
+#include "solver/cpu/tasks.hpp"
+#include "solver/statics/linearised_bonds.hpp"
+
+namespace hackle {
+namespace {
+
+// See KernelFeatures.
+KernelFeatures features_for(const Needs& needs) {
+  return {.guarded = needs.guarded(),
+          .varied = needs.varied(),
+          .history = needs.history,
+          .mixed = needs.mixed,
+          .heated = needs.heated};
+}
+
+// The stencil of linearised forces is that of one cold material.
+double linear_range(const Lattice& lattice, const EngineOptions& options) {
+  if (lattice.is_mixed() || options.heated) return 0.0;
+  return threshold_of(options.fidelity * lattice.calibration.s0);
+}
+
+}  // namespace
+
+template <class Real>
+Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threads threads)
+    : features_(features_for(needs_of(lattice, options.heated))),
+      layout_(lattice.grid.layout()),
+      reach_(lattice.family.reach()),
+      classes_(bond_classes<Real>(lattice, options.dt, features_.varied)),
+      all_bonds_(static_cast<std::size_t>(lattice.family.words())),
+      acceleration_unit_(options.dt * options.dt / lattice.grid.dx),
+      loads_of_row_(static_cast<std::size_t>(layout_.ny) + 1),
+      late_(options.breaking == Breaking::next_step),
+      bound_(bound_factors<Real>(lattice.family)),
+      linear_range_(static_cast<Real>(linear_range(lattice, options))),
+      stencil_(linear_stencil(classes_)),
+      nodes_(lattice, features_),
+      tile_rows_(tile_rows(layout_.ny, reach_)),
+      tile_row_of_(rows_to_tiles(tile_rows_)),
+      next_ux_(layout_.size()),
+      next_uy_(layout_.size()),
+      next_threshold_(features_.history ? layout_.size() : 0, nodes_.min_threshold),
+      kernel_(find_kernel<Real>(options.set, options.arithmetic, features_)),
+      threads_(std::move(threads)),
+      tasks_(share_out(tile_rows_, threads_.count())),
+      scratch_(static_cast<std::size_t>(threads_.count()),
+               Scratch<Real>(layout_.groups() * NodeLayout::group, reach_, linear_range_ > 0)) {
+  const auto on_row = [](const BondClass<Real>& k) { return k.rows == 0; };
+  first_on_row_ = static_cast<int>(std::ranges::find_if(classes_, on_row) - classes_.begin());
+  const auto tiles = (tile_rows_.size() - 1) * static_cast<std::size_t>(layout_.groups());
+  range_.resize(tiles);
+  next_range_.resize(tiles);
+  intact_.resize(tiles);
+  complete_.resize(tiles);
+  loaded_.resize(tiles);
+  bond_offsets_.resize(32 * all_bonds_.size());
+  lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
+    all_bonds_[static_cast<std::size_t>(bit / 32)] |= std::uint32_t{1} << (bit % 32);
+    bond_offsets_[static_cast<std::size_t>(bit)] = b * layout_.stride() + a;
+  });
+  if (features_.heated) set_heat(lattice, {});
+}
+
+template <class Real>
+void Engine<Real>::set_heat(const Lattice& lattice, const std::vector<double>& strain) {
+  heat_.assign(layout_.size(), Real{0});
+  tile_heat_.assign(range_.size(), Real{0});
+  if (strain.empty()) return;
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i) {
+      const std::ptrdiff_t at = layout_.at(i, j);
+      const auto own = static_cast<Real>(strain[lattice.grid.index(i, j)]);
+      heat_[static_cast<std::size_t>(at)] = own;
+      Real& most = tile_heat_[static_cast<std::size_t>(tile_of(at))];
+      most = std::max(most, std::abs(own));
+    }
+}
+
+template <class Real>
+int Engine<Real>::tile_of(std::ptrdiff_t place) const {
+  const auto j = place / layout_.stride();
+  const auto column = place - layout_.at(layout_.first_column(), static_cast<int>(j));
+  return tile_row_of_[static_cast<std::size_t>(j)] * layout_.groups() +
+         static_cast<int>(column / NodeLayout::group);
+}
+
+template <class Real>
+void Engine<Real>::set_actions(const Actions& actions) {
+  loads_ = node_loads<Real>(actions.forces, acceleration_unit_);
+  loads_of_row_ = first_of_rows(actions.forces, layout_.ny);
+  prescribed_ = prescribed_motions<Real>(actions.prescribed);
+  prescribed_of_row_ = first_of_rows(actions.prescribed, layout_.ny);
+  prescribed_inertia_.clear();
+  std::ranges::fill(loaded_, std::uint8_t{0});
+  const auto mark = [this](int i, int j) {
+    loaded_[static_cast<std::size_t>(tile_of(layout_.at(i, j)))] = 1;
+  };
+  for (const LoadedNode& node : actions.forces) mark(node.i, node.j);
+  for (const PrescribedNode& node : actions.prescribed) {
+    mark(node.i, node.j);
+    prescribed_inertia_.push_back(node.inertia);
+  }
+}
+
+template <class Real>
+double Engine<Real>::prescribed_work() const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < prescribed_.size(); ++k)
+    sum += prescribed_inertia_[k] * static_cast<double>(prescribed_[k].work);
+  return sum;
+}
+
+template <class Real>
+void Engine<Real>::let_prescribe(KernelData<Real>& data) {
+  if (prescribed_.empty()) return;
+  data.prescribed = prescribed_.data();
+  data.prescribed_of_row = prescribed_of_row_.data();
+}
+
+template <class Real>
+void Engine<Real>::prepare(const Lattice& lattice, State& state) {
+  auto& motion = std::get<Motion<Real>>(state.motion);
+  if (features_.history && (motion.threshold.empty() || state.is_start()))
+    motion.threshold = thresholds_of(lattice, state);
+  find_intact(lattice, state.bonds);
+  survey(lattice, motion, state);
+}
+
+template <class Real>
+Values<Real> Engine<Real>::thresholds_of(const Lattice& lattice, const State& state) const {
+  std::vector<double> heat;
+  for (int j = 0; j < layout_.ny && features_.heated; ++j)
+    for (int i = 0; i < layout_.nx; ++i)
+      heat.push_back(static_cast<double>(heat_[static_cast<std::size_t>(layout_.at(i, j))]));
+  const std::vector<double> critical =
+      LinearisedBonds(lattice, state, threads_, heat).critical_stretches(displacements_of(state));
+  Values<Real> threshold = nodes_.threshold;
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i)
+      threshold[static_cast<std::size_t>(layout_.at(i, j))] =
+          static_cast<Real>(threshold_of(critical[lattice.grid.index(i, j)]));
+  return threshold;
+}
+
+template <class Real>
+void Engine<Real>::find_intact(const Lattice& lattice, const BondBits& bonds) {
+  std::ranges::fill(intact_, std::uint8_t{1});
+  const auto& words = bonds.words();
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int q = 0; q < layout_.groups() * NodeLayout::group; ++q) {
+      const std::ptrdiff_t at = layout_.at(layout_.first_column(), j) + q;
+      for (std::size_t word = 0; word < all_bonds_.size(); ++word)
+        if (words[word * bonds.plane() + static_cast<std::size_t>(at)] != all_bonds_[word])
+          intact_[static_cast<std::size_t>(tile_of(at))] = 0;
+    }
+  std::ranges::fill(complete_, std::uint8_t{1});
+  const auto degree = degrees(lattice.grid, lattice.family, bonds);
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i)
+      if (degree[lattice.grid.index(i, j)] != lattice.family.bonds())
+        complete_[static_cast<std::size_t>(tile_of(layout_.at(i, j)))] = 0;
+}
+
+template <class Real>
+void Engine<Real>::survey(const Lattice& lattice, Motion<Real>& motion, const State& state) {
+  next_ux_ = motion.ux;
+  next_uy_ = motion.uy;
+  KernelData<Real> data = tables(lattice, motion, state);
+  let_write(data, motion);
+  kernel_.survey(data, {0, layout_.ny});
+  const auto& threshold = features_.history ? motion.threshold : nodes_.threshold;
+  for (TileRange<Real>& range : next_range_) {
+    range.moving = 0;
+    range.min_threshold = std::numeric_limits<Real>::max();
+  }
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i) {
+      const auto at = static_cast<std::size_t>(layout_.at(i, j));
+      TileRange<Real>& range = next_range_[static_cast<std::size_t>(tile_of(layout_.at(i, j)))];
+      if (motion.ux[at] != 0 || motion.uy[at] != 0 || motion.vx[at] != 0 || motion.vy[at] != 0)
+        range.moving = 1;
+      if (features_.varied) range.min_threshold = std::min(range.min_threshold, threshold[at]);
+    }
+  range_ = next_range_;
+}
+
+template <class Real>
+KernelData<Real> Engine<Real>::tables(const Lattice& lattice, const Motion<Real>& motion,
+                                      const State& state) const {
+  KernelData<Real> data;
+  data.layout = layout_;
+  data.reach = reach_;
+  data.classes = classes_.data();
+  data.class_count = static_cast<int>(classes_.size());
+  data.first_on_row = first_on_row_;
+  data.ux = motion.ux.data();
+  data.uy = motion.uy.data();
+  data.starts = state.is_start();
+  data.bonds = state.bonds.words().data();
+  data.unbreakable = lattice.unbreakable.empty() ? nullptr : lattice.unbreakable.words().data();
+  data.plane = state.bonds.plane();
+  data.late = late_;
+  data.threshold = features_.history ? motion.threshold.data() : nodes_.threshold.data();
+  data.s00 = nodes_.s00.data();
+  data.alpha = nodes_.alpha;
+  data.half_stiffness = nodes_.half_stiffness.data();
+  data.inverse_inertia = nodes_.inverse_inertia.data();
+  data.alphas = nodes_.alphas.data();
+  data.heat = heat_.data();
+  data.tile_heat = tile_heat_.data();
+  data.loads = loads_.data();
+  data.loads_of_row = loads_of_row_.data();
+  data.tiles = {tile_rows_.data(), static_cast<int>(tile_rows_.size()) - 1, layout_.groups()};
+  data.range = range_.data();
+  data.intact = intact_.data();
+  data.loaded = loaded_.data();
+  data.bound = bound_;
+  data.min_threshold = nodes_.min_threshold;
+  data.complete = complete_.data();
+  data.linear_range = linear_range_;
+  data.stencil = &stencil_;
+  return data;
+}
+
+template <class Real>
+void Engine<Real>::let_write(KernelData<Real>& data, Motion<Real>& motion) {
+  data.vx = motion.vx.data();
+  data.vy = motion.vy.data();
+  data.next_ux = next_ux_.data();
+  data.next_uy = next_uy_.data();
+  data.next_threshold = next_threshold_.data();
+  data.next_range = next_range_.data();
+}
+
+template <class Real>
+void Engine<Real>::advance(const KernelData<Real>& data) {
+  threads_.for_tasks(static_cast<int>(tasks_.size()), [&](int task, int thread) {
+    kernel_.advance(data, scratch_[static_cast<std::size_t>(thread)],
+                    tasks_[static_cast<std::size_t>(task)]);
+  });
+}
+
+template <class Real>
+void Engine<Real>::step(const Lattice& lattice, State& state, double kick) {
+  auto& motion = std::get<Motion<Real>>(state.motion);
+  KernelData<Real> data = tables(lattice, motion, state);
+  data.kick = static_cast<Real>(kick);
+  let_write(data, motion);
+  let_prescribe(data);
+  advance(data);
+  for (std::size_t task = 1; task < tasks_.size(); ++task) kernel_.join(data, tasks_[task].begin);
+  break_bonds(state.bonds);
+  std::swap(motion.ux, next_ux_);
+  std::swap(motion.uy, next_uy_);
+  if (features_.history) std::swap(motion.threshold, next_threshold_);
+  std::swap(range_, next_range_);
+}
+
+// A bond is kept in the row of its lower end, but tasks above read it too: bonds are broken when
+// all tasks are done. Two blocks of columns note a bond in the margin between them; it is lost
+// once.
+template <class Real>
+void Engine<Real>::break_bonds(BondBits& bonds) {
+  broken_bonds_.clear();
+  for (Scratch<Real>& scratch : scratch_) {
+    for (const BrokenBond& broken : scratch.broken_bonds) {
+      const int bond = 32 * broken.word + std::countr_zero(broken.bit);
+      if (!bonds.holds(broken.at, bond)) continue;
+      bonds.clear(broken.at, bond);
+      broken_bonds_.push_back(broken);
+      const auto here = static_cast<std::size_t>(tile_of(broken.at));
+      const auto there = static_cast<std::size_t>(
+          tile_of(broken.at + bond_offsets_[static_cast<std::size_t>(bond)]));
+      intact_[here] = complete_[here] = complete_[there] = 0;
+    }
+    scratch.broken_bonds.clear();
+    for (std::size_t path = 0; path < path_counts_.size(); ++path)
+      path_counts_[path] += std::exchange(scratch.counts[path], 0);
+  }
+}
+
+template <class Real>
+std::vector<Vec2> Engine<Real>::accelerations(const Lattice& lattice, const State& state) {
+  Values<Real> ax(layout_.size()), ay(layout_.size());
+  KernelData<Real> data = tables(lattice, std::get<Motion<Real>>(state.motion), state);
+  data.ax = ax.data();
+  data.ay = ay.data();
+  advance(data);
+  std::vector<Vec2> result(lattice.grid.nodes());
+  for (int j = 0; j < layout_.ny; ++j)
+    for (int i = 0; i < layout_.nx; ++i) {
+      const auto at = static_cast<std::size_t>(layout_.at(i, j));
+      result[lattice.grid.index(i, j)] = {ax[at], ay[at]};
+    }
+  return result;
+}
+
+template <class Real>
+std::size_t Engine<Real>::bytes() const {
+  std::size_t sum = 0;
+  for (const auto* values : {&next_ux_, &next_uy_, &next_threshold_, &heat_, &tile_heat_})
+    sum += bytes_of(*values);
+  sum += nodes_.bytes();
+  return sum + 2 * range_.size() * sizeof(TileRange<Real>) + 3 * intact_.size();
+}
+
+template class Engine<float>;
+template class Engine<double>;
+
+std::unique_ptr<Stepper> make_engine(Precision precision, const Lattice& lattice,
+                                     const EngineOptions& options, const Threads& threads) {
+  if (precision == Precision::f32)
+    return std::make_unique<Engine<float>>(lattice, options, threads);
+  return std::make_unique<Engine<double>>(lattice, options, threads);
+}
+
+}  // namespace hackle

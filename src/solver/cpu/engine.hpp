@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// One time step of the whole plate in one precision: tables, tiles and threads around a kernel.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "solver/cpu/kernel.hpp"
+#include "solver/cpu/node_tables.hpp"
+#include "solver/cpu/scratch.hpp"
+#include "solver/state.hpp"
+#include "solver/stepper.hpp"
+#include "solver/threads.hpp"
+
+namespace hackle {
+
+struct EngineOptions {
+  double dt = 0.0;        // s
+  bool heated = false;    // set_heat() will be called
+  double fidelity = 0.0;  // share of the critical stretch below which forces are linearised
+  Breaking breaking = Breaking::at_once;
+  InstructionSet set = InstructionSet::baseline;
+  Arithmetic arithmetic = Arithmetic::plain;
+};
+
+template <class Real>
+class Engine final : public Stepper {
+ public:
+  Engine(const Lattice& lattice, const EngineOptions& options, Threads threads);
+
+  std::unique_ptr<Stepper> clone() const override { return std::make_unique<Engine>(*this); }
+  void prepare(const Lattice& lattice, State& state) override;
+  void set_actions(const Actions& actions) override;
+  void set_heat(const Lattice& lattice, const std::vector<double>& strain) override;
+  void step(const Lattice& lattice, State& state, double kick) override;
+  std::vector<Vec2> accelerations(const Lattice& lattice, const State& state) override;
+  double prescribed_work() const override;
+  const std::vector<BrokenBond>& broken_bonds() const override { return broken_bonds_; }
+  void note_broken_bonds(std::vector<BrokenBond> broken_bonds) override {
+    broken_bonds_ = std::move(broken_bonds);
+  }
+  const PathCounts& path_counts() const override { return path_counts_; }
+  std::size_t bytes() const override;
+
+ private:
+  KernelData<Real> tables(const Lattice& lattice, const Motion<Real>& motion,
+                          const State& state) const;
+  void let_write(KernelData<Real>& data, Motion<Real>& motion);
+  void let_prescribe(KernelData<Real>& data);
+  void advance(const KernelData<Real>& data);
+  Values<Real> thresholds_of(const Lattice& lattice, const State& state) const;
+  void survey(const Lattice& lattice, Motion<Real>& motion, const State& state);
+  void find_intact(const Lattice& lattice, const BondBits& bonds);
+  void break_bonds(BondBits& bonds);
+  int tile_of(std::ptrdiff_t place) const;
+
+  KernelFeatures features_;
+  NodeLayout layout_;
+  int reach_;
+  std::vector<BondClass<Real>> classes_;
+  int first_on_row_ = 0;
+  std::vector<std::uint32_t> all_bonds_;  // words of a node that lacks none
+  double acceleration_unit_;              // a lattice unit over 1 m/s2: dt^2/dx
+  std::vector<NodeLoad<Real>> loads_;
+  std::vector<PrescribedMotion<Real>> prescribed_;
+  std::vector<double> prescribed_inertia_;
+  std::vector<std::size_t> loads_of_row_, prescribed_of_row_;
+
+  bool late_;
+  BoundFactors<Real> bound_;
+  Real linear_range_{};
+  LinearStencil<Real> stencil_;
+  std::vector<std::ptrdiff_t> bond_offsets_;  // from the keeping end of a bond to the other
+
+  NodeTables<Real> nodes_;
+  Values<Real> heat_, tile_heat_;  // empty unless heated
+
+  std::vector<int> tile_rows_;
+  std::vector<int> tile_row_of_;  // per row of nodes
+  std::vector<TileRange<Real>> range_, next_range_;
+  std::vector<std::uint8_t> intact_, complete_, loaded_;
+  Values<Real> next_ux_, next_uy_, next_threshold_;
+
+  Kernel<Real> kernel_;
+  Threads threads_;
+  std::vector<Rows> tasks_;
+  std::vector<Scratch<Real>> scratch_;  // one a thread
+  std::vector<BrokenBond> broken_bonds_;
+  PathCounts path_counts_{};
+};
+
+extern template class Engine<float>;
+extern template class Engine<double>;
+
+std::unique_ptr<Stepper> make_engine(Precision precision, const Lattice& lattice,
+                                     const EngineOptions& options, const Threads& threads);
+
+}  // namespace hackle

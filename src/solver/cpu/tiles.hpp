@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The plate in tiles: every step chooses the cheapest path for each that its state allows
+// (src/solver/README.md 4.4).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lattice/node_layout.hpp"
+#include "solver/cpu/tile_paths.hpp"
+
+namespace hackle {
+
+// A tile is one group of columns of the layout by at least `reach` rows. Rows of tiles are mirror
+// images of each other about the midline.
+struct TileGrid {
+  const int* first_row = nullptr;  // of every row of tiles, and the end of the last
+  int rows = 0;
+  int columns = 0;
+
+  int index(int row, int column) const { return row * columns + column; }
+  int count() const { return rows * columns; }
+};
+
+// First rows of the rows of tiles of a lattice of ny rows, and ny.
+std::vector<int> tile_rows(int ny, int reach);
+
+// What bounds the stretch of bonds in a tile (src/solver/README.md 4.5): the largest differences of
+// displacements between neighbouring nodes, those across its border included.
+template <class Real>
+struct TileRange {
+  Real direct{};  // |d_x u_x|, |d_y u_y|
+  Real xy{};      // |d_y u_x|
+  Real yx{};      // |d_x u_y|
+  Real min_threshold{};
+  std::uint32_t moving = 0;  // some u or v is not 0
+};
+
+}  // namespace hackle

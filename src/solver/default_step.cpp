@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "solver/default_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/units.hpp"
+#include "lattice/check_numerics.hpp"
+#include "lattice/touching.hpp"
+
+namespace hackle {
+namespace {
+
+// To three digits.
+double rounded_down(double step) {
+  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 2.0);
+  return std::isfinite(step) ? std::floor(step / unit) * unit : step;
+}
+
+}  // namespace
+
+double default_step(double limit) {
+  return rounded_down(step_fraction * limit);
+}
+
+double default_step(const Plate& plate, const Lattice& lattice) {
+  const double longest = longest_step_of_impact(plate, lattice.grid.dx);
+  return std::min(default_step(lattice.step_limit), rounded_down(longest));
+}
+
+void check_step(const Plate& plate, const Lattice& lattice, double dt, bool more_discs) {
+  const double limit = step_limit(lattice, plate) / step_fraction;
+  const double longest = longest_step_of_impact(plate, lattice.grid.dx);
+  const double fit = std::min(limit, longest);
+  if (dt <= fit * (1.0 + 1e-9)) return;
+  const std::string remedy = fmt::format(
+      "give simulate a step of {} or less; for {} that the plate has before simulate() "
+      "it is found",
+      quantity(rounded_down(fit), "s"), more_discs ? "an impactor" : "a spring");
+  if (limit >= longest)
+    throw Error(ErrorKind::refused,
+                fmt::format("impactor: in the step of {} it crosses {:.2g} spacings, {:g} are the "
+                            "most",
+                            quantity(dt, "s"), max_crossed * dt / longest, max_crossed),
+                remedy);
+  throw Error(
+      ErrorKind::refused,
+      fmt::format("{}: the step is {}, above the stability limit of {} {}",
+                  more_discs ? "impactor" : "loads", quantity(dt, "s"), quantity(limit, "s"),
+                  more_discs ? "while it pushes" : "with their springs"),
+      remedy);
+}
+
+}  // namespace hackle

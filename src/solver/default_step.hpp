@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lattice/lattice.hpp"
+
+namespace hackle {
+
+// The default step for a limit, s: step_fraction of it, rounded down to three digits.
+double default_step(double limit);
+// The same, and short enough for every disc (see longest_step_of_impact).
+double default_step(const Plate& plate, const Lattice& lattice);
+
+// Checks the step for discs or springs that are added later; those of the plate are checked with
+// the numerics. The limit holds for nodes deep in the plate; for those at a rim, which lack half
+// their bonds, the reserve of the default step is enough (dense eigenvalues, m = 3 to 6). Throws
+// Error (refused).
+void check_step(const Plate& plate, const Lattice& lattice, double dt, bool more_discs);
+
+}  // namespace hackle

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "solver/moving_plate.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "base/machine.hpp"
+#include "lattice/check_numerics.hpp"
+#include "solver/bond_energy.hpp"
+#include "solver/cpu/engine.hpp"
+#include "solver/default_step.hpp"
+#include "solver/f32_range.hpp"
+#include "solver/initial_motion.hpp"
+#include "solver/terms/damping.hpp"
+#include "solver/terms/heat.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr std::int64_t steps_between_moves = 64;  // of the origin, in f32
+
+const Plate& checked(const Plate& plate, const Numerics& numerics, InstructionSet set) {
+  Problems problems;
+  check(plate, problems);
+  check(plate, numerics, available_memory(), problems);
+  if (numerics.fused && !can_fuse(set))
+    problems.add(fmt::format("simulate: there is no fused arithmetic with {} instructions",
+                             instruction_set_names[static_cast<std::size_t>(set)]),
+                 "leave out fused");
+  problems.throw_if_any();
+  return plate;
+}
+
+Lattice with_strength(Lattice lattice, std::vector<float> strength) {
+  Problems problems;
+  if (!strength.empty() && strength.size() != lattice.grid.nodes())
+    problems.add(fmt::format("simulate: strength has {} values, the lattice {} nodes",
+                             strength.size(), lattice.grid.nodes()),
+                 "give one for every node, or none");
+  if (!std::ranges::all_of(strength, [](float s) { return s > 0.0F; }))
+    problems.add("simulate: a strength is not above 0", "give a share of the critical stretch");
+  problems.throw_if_any();
+  if (!strength.empty()) lattice.strength = std::move(strength);
+  return lattice;
+}
+
+double motion_of(const Lattice& lattice, const State& state) {
+  double doubled = 0.0;
+  for (int j = 0; j < lattice.grid.ny; ++j)
+    for (int i = 0; i < lattice.grid.nx; ++i)
+      if (!lattice.is_void(i, j))
+        doubled +=
+            lattice.material_at(i, j).material.rho / lattice.rho * state.v(i, j).squaredNorm();
+  return 0.5 * doubled;
+}
+
+}  // namespace
+
+// The energy of the initial condition is booked as external work, and so is that of faces which it
+// presses.
+MovingPlate::MovingPlate(Plate plate, const Numerics& numerics, const Execution& execution,
+                         std::vector<float> strength)
+    : plate_(std::move(plate)),
+      numerics_(numerics),
+      lattice_(
+          with_strength(Lattice(checked(plate_, numerics_, execution.instruction_set), numerics_),
+                        std::move(strength))),
+      state_(lattice_, numerics_.precision),
+      dt_(numerics_.step.value_or(default_step(plate_, lattice_))),
+      terms_(plate_, lattice_, dt_),
+      instruction_set_(execution.instruction_set),
+      threads_(execution.threads > 0 ? execution.threads : available_cores()),
+      stepper_(make_stepper(numerics_.precision)) {
+  set_in_motion(plate_.initial_conditions, lattice_, dt_, state_);
+  throw_if_interrupted();
+  prepare();
+  const bool starts = !plate_.initial_conditions.empty() || terms_.find<Heat>() != nullptr;
+  state_.external_work = starts ? energy() : terms_.stored();
+}
+
+Cloned<Stepper> MovingPlate::make_stepper(Precision precision) const {
+  const EngineOptions options{
+      .dt = dt_,
+      .heated = terms_.find<Heat>() != nullptr,
+      .fidelity = numerics_.fidelity,
+      .breaking = numerics_.breaking,
+      .set = instruction_set_,
+      .arithmetic = numerics_.fused ? Arithmetic::fused : Arithmetic::plain};
+  return make_engine(precision, lattice_, options, threads_);
+}
+
+void MovingPlate::prepare() {
+  terms_.begin(around(), state_);
+  terms_.update(around(), state_);
+  stepper_->set_actions(terms_.actions());
+  if (!thermal_strain().empty()) stepper_->set_heat(lattice_, thermal_strain());
+  stepper_->prepare(lattice_, state_);
+}
+
+void MovingPlate::step() {
+  const double kick = terms_.before_step(around(), state_);
+  stepper_->step(lattice_, state_, kick);
+  ++state_.step;
+  const bool vary = terms_.vary();
+  terms_.add_work(around(), state_, vary ? WorkOf::first_half : WorkOf::whole_step);
+  terms_.follow(around(), state_);
+  if (terms_.update(around(), state_)) stepper_->set_actions(terms_.actions());
+  if (vary) terms_.add_work(around(), state_, WorkOf::second_half);
+  if (state_.precision() == Precision::f32 && state_.step % steps_between_moves == 0)
+    keep_f32_exact();
+}
+
+// At fixed steps, so that the bits do not depend on how a run is cut into pieces.
+void MovingPlate::keep_f32_exact() {
+  const bool moved = take_out_drift(state_, lattice_.material);
+  if (is_too_wide_for_f32(state_, lattice_.min_stretch(), lattice_.material)) {
+    state_ = state_.in_f64();
+    widened_at_ = time();
+    stepper_ = make_stepper(Precision::f64);
+    prepare();
+  } else if (moved) {
+    prepare();
+  }
+}
+
+void MovingPlate::restore(State state) {
+  if (state.precision() != state_.precision()) stepper_ = make_stepper(state.precision());
+  state_ = std::move(state);
+  borne_.clear();
+  prepare();
+}
+
+void MovingPlate::show(Snapshot snapshot) {
+  plate_.loads.impactors = std::move(snapshot.impactors);
+  shown_strain_ = std::move(snapshot.thermal_strain);
+  state_ = std::move(snapshot.state);
+}
+
+void MovingPlate::close_ledger() {
+  const Ledger open = ledger();
+  state_.external_work = open.external / energy_unit();
+  state_.damped = open.damped / energy_unit();
+}
+
+void MovingPlate::come_to_rest(std::vector<BrokenBond> broken_bonds) {
+  borne_ = terms_.actions().forces;
+  for (int j = 0; j < lattice_.grid.ny; ++j)
+    for (int i = 0; i < lattice_.grid.nx; ++i) state_.set_v(i, j, {0, 0});
+  state_.start = state_.step;
+  if (state_.precision() == Precision::f32) keep_f32_exact();
+  const double stored = terms_.stored();
+  prepare();
+  state_.contact_lost -= terms_.stored() - stored;
+  stepper_->note_broken_bonds(std::move(broken_bonds));
+}
+
+double MovingPlate::energy() const {
+  const BondEnergy bonds = bond_energy(lattice_, state_, thermal_strain());
+  return motion_of(lattice_, state_) + bonds.held / energy_unit() + terms_.stored();
+}
+
+// v is half a step old, except at the start; prescribed components need no correction.
+std::vector<Vec2> MovingPlate::velocities() const {
+  const Grid& grid = lattice_.grid;
+  const Damping half(0.5 * plate_.loads.damping * dt_);
+  const bool starts = state_.is_start();
+  const double unit = grid.dx / dt_, keep = starts ? 1.0 : half.keep;
+  std::vector<Vec2> result(grid.nodes(), Vec2(0, 0));
+  if (!starts) result = stepper_->accelerations(lattice_, state_);
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      Vec2& v = result[grid.index(i, j)];
+      v = unit * (keep * state_.v(i, j) + 0.5 * half.yield * v);
+    }
+  for (const PrescribedNode& node : terms_.actions().prescribed) {
+    const Vec2 prescribed = unit * state_.v(node.i, node.j);
+    Vec2& v = result[grid.index(node.i, node.j)];
+    v = {node.along_x ? prescribed.x() : v.x(), node.along_y ? prescribed.y() : v.y()};
+  }
+  return result;
+}
+
+std::size_t MovingPlate::bytes() const {
+  return state_.bytes() + stepper_->bytes() + bytes_of(lattice_.bonds.words()) +
+         bytes_of(lattice_.unbreakable.words()) + bytes_of(lattice_.initial_neighbours) +
+         bytes_of(lattice_.strength) + bytes_of(lattice_.material) + terms_.bytes();
+}
+
+}  // namespace hackle

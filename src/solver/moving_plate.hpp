@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// A plate on its lattice in time: its state, what acts on it, and the stepper that moves it. Knows
+// steps, and nothing of how long a run is or who looks on.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "solver/cpu/instruction_set.hpp"
+#include "solver/terms.hpp"
+
+namespace hackle {
+
+// How a run is carried out; none of it changes a bit of the result.
+struct Execution {
+  int threads = 0;  // 0: one for each available core
+  InstructionSet instruction_set = best_instruction_set();
+};
+
+// A state as it was once, with what belongs to it in a picture.
+struct Snapshot {
+  State state;                         // step == start: u and v belong to the same time
+  std::vector<double> thermal_strain;  // by Grid::index; empty where nothing was heated
+  std::vector<Impactor> impactors;     // one for each disc of the state
+};
+
+class MovingPlate {
+ public:
+  // See Simulation.
+  MovingPlate(Plate plate, const Numerics& numerics, const Execution& execution,
+              std::vector<float> strength);
+
+  // One time step. Nothing is written, printed or checked in it.
+  void step();
+  // Functions of time are asked now for all steps from the present one up to `last`.
+  void tabulate(std::int64_t last) { terms_.tabulate(state_.clock, state_.step, last + 1, dt_); }
+  // Replaces all loads from now on, in a run that is to go on to `last_step`. See Simulation.
+  void set_loads(Loads loads, std::int64_t last_step);
+  void restore(State state);
+  void show(Snapshot snapshot);
+
+  // Finds what acts at the time of the state; to be called when it is not the one that step() left.
+  void prepare();
+  // Finds what acts on a plate that stands still, see Term::halt. prepare() must follow.
+  void halt(double passed) { terms_.halt(around(), state_, passed); }
+  // Books in the state what the ledger adds to it: the half step that is open has been done.
+  void close_ledger();
+  // The plate stands still from now on, under what acts since halt(), and these bonds broke on the
+  // way. Contacts took no part: what is stored in them now and was not before came from nowhere.
+  void come_to_rest(std::vector<BrokenBond> broken_bonds);
+  // The loads under which it last came to rest.
+  const std::vector<LoadedNode>& borne() const { return borne_; }
+  void set_borne(std::vector<LoadedNode> borne) { borne_ = std::move(borne); }
+
+  const Plate& plate() const { return plate_; }
+  const Numerics& numerics() const { return numerics_; }
+  const Lattice& lattice() const { return lattice_; }
+  const State& state() const { return state_; }
+  State& state() { return state_; }
+  const Terms& terms() const { return terms_; }
+  const Stepper& stepper() const { return *stepper_; }
+  const Threads& threads() const { return threads_; }
+  InstructionSet instruction_set() const { return instruction_set_; }
+  const std::vector<double>& thermal_strain() const {
+    return shown_strain_.empty() ? terms_.thermal_strain() : shown_strain_;
+  }
+  double dt() const { return dt_; }                                         // s
+  double time() const { return state_.clock.time(state_.step, 0.0, dt_); }  // s
+  std::optional<double> widened_at() const { return widened_at_; }          // s
+  double energy_unit() const { return around().energy_unit(); }             // J/m
+
+  Ledger ledger() const { return energy_unit() * terms_.ledger(around(), state_); }  // J/m
+  // Of motion, bonds and contacts, as if u and v belonged to the same time; in energy_unit().
+  double energy() const;
+  std::vector<Vec2> velocities() const;  // m/s, now, by Grid::index
+  std::size_t bytes() const;             // that grow with the plate
+
+ private:
+  Surroundings around() const { return around(terms_); }
+  Surroundings around(const Terms& terms) const {
+    return {lattice_, dt_, threads_, *stepper_, terms.list(), terms.thermal_strain()};
+  }
+  Cloned<Stepper> make_stepper(Precision precision) const;
+  Terms terms_for(const Plate& plate, std::int64_t last_step);
+  double heat_work_of_change(const Terms& next) const;
+  double work_of_half_step() const;  // in energy_unit(), here as below
+  double lost_in_half_step() const;
+  void change_damping(double rate);
+  void keep_f32_exact();
+
+  Plate plate_;
+  Numerics numerics_;
+  Lattice lattice_;
+  State state_;
+  double dt_;
+  Terms terms_;
+  std::vector<LoadedNode> borne_;
+  std::vector<double> shown_strain_;  // of show()
+  std::optional<double> widened_at_;
+
+  InstructionSet instruction_set_;
+  Threads threads_;
+  mutable Cloned<Stepper> stepper_;  // const queries use its scratch memory
+};
+
+}  // namespace hackle

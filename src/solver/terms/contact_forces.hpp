@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Short-range repulsion of the faces of cracks and of fragments, as in LAMMPS's pair peri/pmb
+// (after the EMU manual): two nodes that no bond joins push each other apart when they are nearer
+// than d = reach min(L, 1.5 dx), L their distance at rest, with `stiffness` times the micromodulus
+// times (d - r)/delta, delta the horizon.
+//
+// Only nodes that lack a bond are looked at, those at the rims of the plate included. LAMMPS pushes
+// nodes that are still bonded, too, once they are nearer than d: a second, stiffer law for bonds
+// that are shortened by a tenth, which no bond of glass lives to see. Faces of a closed crack push
+// each other before that (crack_faces.hpp).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "solver/terms/crack_faces.hpp"
+#include "solver/terms/open_node.hpp"
+#include "solver/terms/term.hpp"
+
+namespace hackle {
+
+class ContactForces final : public Term {
+ public:
+  ContactForces(const Contact& contact, const Lattice& lattice, double dt);
+
+  std::unique_ptr<Term> clone() const override { return std::make_unique<ContactForces>(*this); }
+  std::string_view name() const override { return "contact"; }
+  // Finds the nodes that lack a bond, and the bonds that were lost.
+  void begin(const Surroundings& around, State& state) override;
+  // Takes note of the bonds that broke in the last step: both ends of each lack one now.
+  void follow(const Surroundings& around, State& state) override;
+  // Finds who pushes whom at the time of u. Adds to what was lost what faces stored before the
+  // bonds of the last step broke, and do not since: what is stored at a place depends on which
+  // bonds are lost.
+  bool update(const Surroundings& around, State& state) override;
+  std::span<const LoadedNode> forces() const override { return forces_; }
+  double stored() const override { return energy_; }
+  double heat_work(const std::vector<double>& before,
+                   const std::vector<double>& after) const override;
+  // Of what grows with the plate, and not with what is broken of it.
+  std::size_t bytes() const override { return place_.size() * sizeof(int); }
+
+ private:
+  // Two of the open nodes that no bond joins.
+  struct Pair {
+    int one = 0;
+    int other = 0;
+    double distance = 0.0;  // d, in dx
+    double strength = 0.0;  // of the force per (d - r), in units of rho dx^2/dt^2
+  };
+
+  int open(const Lattice& lattice, const State& state, int i, int j);
+  void find_pairs(int node, const Lattice& lattice, const BondBits& bonds);
+  void pair_up(int one, int other, const Lattice& lattice);
+  // The bond `bit` that node (i, j) kept is no more. Gives back its ends.
+  Pair lose(const Lattice& lattice, const State& state, int i, int j, int bit);
+  // Reads u. False when a node has wandered too far for what was found near it.
+  bool move_nodes(const Grid& grid, const State& state);
+  // Seeks anew who is near.
+  void renew(const Lattice& lattice, const State& state);
+  // The energy it stores.
+  double push(const Pair& pair);
+  void collect(const Lattice& lattice);
+
+  CrackFaces faces_;
+  double reach_;
+  double strength_;  // of two nodes of the plate's own material
+  double unit_;      // lattice unit of acceleration, m/s2
+  std::vector<OpenNode> open_;
+  std::vector<int> place_;  // in open_, by Grid::index; -1 for nodes that are not
+  std::unordered_map<std::int64_t, std::vector<int>> cells_;
+  std::vector<Pair> pairs_;
+  std::vector<LoadedNode> forces_;
+  double energy_ = 0.0;                  // stored, in units of rho dx^4/dt^2
+  std::optional<double> stored_before_;  // in faces, when bonds broke since update()
+};
+
+}  // namespace hackle

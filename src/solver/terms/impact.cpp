@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "solver/terms/impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "lattice/carve.hpp"
+#include "solver/order_free_sum.hpp"
+#include "solver/terms/forces.hpp"
+#include "solver/terms/makers.hpp"
+
+namespace hackle {
+namespace {
+
+// Nodes whose cells come within so many spacings of a disc are looked at in every step.
+constexpr double margin = 2.0;
+
+// Where a node is now, in dx from the centre of the lattice.
+Vec2 place_of(const Grid& grid, const State& state, int i, int j) {
+  return grid.from_centre(i, j) + state.origin + state.u(i, j);
+}
+
+// From the centre of a disc to the nearest point of the cell of a node there, in dx.
+Vec2 way_to_cell(const Vec2& node, const Vec2& centre) {
+  const auto shortened = [](double way) {
+    return std::copysign(std::max(std::abs(way) - 0.5, 0.0), way);
+  };
+  const Vec2 way = node - centre;
+  return {shortened(way.x()), shortened(way.y())};
+}
+
+template <class Visit>
+void for_solid_nodes(const Lattice& lattice, const Visit& visit) {
+  for (int j = 0; j < lattice.grid.ny; ++j)
+    for (int i = 0; i < lattice.grid.nx; ++i)
+      if (!lattice.is_void(i, j)) visit(i, j);
+}
+
+// A lighter disc than the nodes it pushes at once would be thrown back by more than it came with.
+void check(const Impactor& impactor, const Lattice& lattice, Problems& problems) {
+  const double dx = lattice.grid.dx, min_mass = 2.0 * impactor.radius * dx * lattice.rho;
+  if (impactor.radius < dx)
+    problems.add(fmt::format("impactor: its radius of {} is under one spacing of {}",
+                             quantity(impactor.radius, "m"), quantity(dx, "m")),
+                 "take a larger disc or a finer spacing");
+  else if (impactor.mass < min_mass)
+    problems.add(fmt::format("impactor: its mass of {} is less than that of the nodes it pushes",
+                             quantity(impactor.mass, "kg/m")),
+                 fmt::format("give at least {}", quantity(min_mass, "kg/m")));
+}
+
+}  // namespace
+
+Impact::Impact(const Plate& plate, const Lattice& lattice, double dt)
+    : dt_(dt),
+      strength_(plate.contact.value_or(Contact{}).stiffness * lattice.calibration.c *
+                lattice.grid.dx * dt * dt / (lattice.rho * lattice.family.m())) {
+  const double dx = lattice.grid.dx;
+  Problems problems;
+  for (const Impactor& impactor : plate.loads.impactors) {
+    check(impactor, lattice, problems);
+    discs_.push_back(
+        {impactor, impactor.radius / dx, impactor.mass / (lattice.rho * dx * dx), {0, 0}, {}});
+  }
+  problems.throw_if_any();
+}
+
+Disc Impact::start_of(const RigidDisc& disc, const Lattice& lattice) const {
+  return {lattice.grid.from_centre(disc.impactor.centre),
+          disc.impactor.velocity * (dt_ / lattice.grid.dx)};
+}
+
+std::unique_ptr<Term> make_impact(const Plate& plate, const Lattice& lattice, double dt) {
+  return plate.loads.impactors.empty() ? nullptr : std::make_unique<Impact>(plate, lattice, dt);
+}
+
+void Impact::begin(const Surroundings& around, State& state) {
+  const Lattice& lattice = around.lattice;
+  watch_again_ = state.step;
+  for (std::size_t k = state.discs.size(); k < discs_.size(); ++k)
+    check_start(discs_[k], start_of(discs_[k], lattice), lattice, state);
+  for (std::size_t k = state.discs.size(); k < discs_.size(); ++k)
+    state.discs.push_back(start_of(discs_[k], lattice));
+}
+
+void Impact::check_start(const RigidDisc& disc, const Disc& place, const Lattice& lattice,
+                         const State& state) const {
+  const Grid& grid = lattice.grid;
+  double nearest = std::numeric_limits<double>::max();
+  for_solid_nodes(lattice, [&](int i, int j) {
+    nearest = std::min(nearest, way_to_cell(place_of(grid, state, i, j), place.centre).norm());
+  });
+  if (nearest > disc.radius - tie) return;
+  throw Error(ErrorKind::refused,
+              fmt::format("impactor: at its start it overlaps the plate by {}",
+                          quantity((disc.radius - nearest) * grid.dx, "m")),
+              "let it start beside the plate or in a hole");
+}
+
+// Until no node can have come through the margin, if none becomes twice as fast. If one does, it is
+// found a little later.
+void Impact::watch(const Lattice& lattice, const State& state) {
+  double fastest = 0.0, fastest_disc = 0.0;
+  for (std::size_t k = 0; k < discs_.size(); ++k) {
+    discs_[k].near.clear();
+    fastest_disc = std::max(fastest_disc, state.discs[k].velocity.norm());
+  }
+  for_solid_nodes(lattice, [&](int i, int j) {
+    const Vec2 place = place_of(lattice.grid, state, i, j);
+    fastest = std::max(fastest, state.v(i, j).norm());
+    for (std::size_t k = 0; k < discs_.size(); ++k)
+      if (way_to_cell(place, state.discs[k].centre).norm() < discs_[k].radius + margin)
+        discs_[k].near.push_back(lattice.grid.index(i, j));
+  });
+  const double approach = 2.0 * (fastest + fastest_disc);
+  const double steps = approach > 0.0 ? margin / approach : 1.0;
+  watch_again_ = state.step + static_cast<std::int64_t>(std::clamp(steps, 1.0, 64.0));
+}
+
+// True when something touches, or did in the last step.
+bool Impact::update(const Surroundings& around, State& state) {
+  const Lattice& lattice = around.lattice;
+  const bool touched = !forces_.empty();
+  if (state.step >= watch_again_) watch(lattice, state);
+  forces_.clear();
+  for (std::size_t k = 0; k < discs_.size(); ++k)
+    forces_ = sum_of(forces_, push(discs_[k], state.discs[k].centre, lattice, state), lattice.grid);
+  return touched || !forces_.empty();
+}
+
+std::vector<LoadedNode> Impact::push(RigidDisc& disc, const Vec2& centre, const Lattice& lattice,
+                                     const State& state) const {
+  const Grid& grid = lattice.grid;
+  const double unit = grid.dx / (dt_ * dt_);
+  std::vector<LoadedNode> pushed;
+  OrderFreeSum back;
+  for (const std::size_t node : disc.near) {
+    const auto columns = static_cast<std::size_t>(grid.nx);
+    const int i = static_cast<int>(node % columns), j = static_cast<int>(node / columns);
+    const Vec2 way = way_to_cell(place_of(grid, state, i, j), centre);
+    const double r = way.norm();
+    if (!(r < disc.radius && r > 0.0)) continue;
+    const double strength = strength_ * lattice.micromodulus_at(i, j) / lattice.calibration.c;
+    const Vec2 force = (strength * (disc.radius - r) / r) * way;
+    const double inertia = lattice.material_at(i, j).material.rho / lattice.rho;
+    pushed.push_back({i, j, force * (unit / inertia), inertia});
+    back.subtract(force);
+  }
+  disc.push = back.value();
+  return pushed;
+}
+
+void Impact::follow(const Surroundings&, State& state) {
+  for (std::size_t k = 0; k < discs_.size(); ++k) {
+    Disc& disc = state.discs[k];
+    disc.velocity += discs_[k].push / discs_[k].mass;
+    disc.centre += disc.velocity;
+  }
+}
+
+void Impact::add_work(const Surroundings& around, const State& state, WorkOf part,
+                      double& work) const {
+  add_work_of(forces_, around, state, part, work);
+}
+
+void Impact::check_rest(const std::string& who) const {
+  throw Error(ErrorKind::refused,
+              fmt::format("{}: a plate that is being hit cannot be brought to rest", who),
+              "bring it to rest before s:impactor{}, or let damping calm it");
+}
+
+}  // namespace hackle

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Nodes that are clamped or moved: they go where they are told, and no force changes that.
+#pragma once
+
+#include <vector>
+
+#include "solver/tabulated_amplitude.hpp"
+#include "solver/terms/term.hpp"
+
+namespace hackle {
+
+class Supports final : public Term {
+ public:
+  Supports(const std::vector<SpreadSupport>& supports, const Lattice& lattice, double dt);
+
+  std::unique_ptr<Term> clone() const override { return std::make_unique<Supports>(*this); }
+  std::string_view name() const override { return "varying loads"; }
+  void tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt) override;
+  bool update(const Surroundings& around, State& state) override;
+  std::span<const PrescribedNode> prescribed() const override { return prescribed_; }
+  bool varies() const override { return true; }
+  void add_work(const Surroundings& around, const State& state, WorkOf part,
+                double& work) const override;
+  // The work of supports in the second half of the last step: they balance all forces on prescribed
+  // nodes (src/solver/README.md 3.5).
+  void add_open(const Surroundings& around, const State& state, Ledger& ledger) const override;
+  void halt(const Surroundings& around, const State& state, double passed) override;
+  bool acts_at_rest() const override { return true; }
+
+ private:
+  struct Part {
+    std::vector<std::size_t> at;  // in prescribed_
+    std::vector<Vec2> value;      // in units of dx: of u, or of its change in a step
+    bool along_x, along_y;
+    Support::Kind kind;
+    TabulatedAmplitude amplitude;
+  };
+
+  void add(const SpreadSupport& support, const std::vector<std::size_t>& all,
+           const Lattice& lattice, double dt);
+  template <class Factor>
+  void prescribe(const State& state, const Factor& factor_of);
+
+  std::vector<Part> parts_;
+  std::vector<PrescribedNode> prescribed_;
+};
+
+}  // namespace hackle

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What can be seen of a plate at a moment: of one that is being solved, and of one that was
+// recorded, which needs neither an engine nor what acts on the plate.
+#pragma once
+
+#include <vector>
+
+#include "lattice/lattice.hpp"
+#include "solver/ledger.hpp"
+#include "solver/state.hpp"
+
+namespace hackle {
+
+class MovingPlate;
+
+class View {
+ public:
+  // Everything must outlive the view. The state is at its start: u and v belong to the same time.
+  // `thermal_strain` is by Grid::index; empty where nothing is heated.
+  View(const Plate& plate, const Numerics& numerics, const Lattice& lattice, double dt,
+       const State& state, const std::vector<double>& thermal_strain)
+      : plate_(&plate),
+        numerics_(&numerics),
+        lattice_(&lattice),
+        dt_(dt),
+        state_(&state),
+        thermal_strain_(&thermal_strain) {}
+  // Of a plate that moves; holds until its next step.
+  explicit View(const MovingPlate& moving);
+
+  const Plate& plate() const { return *plate_; }
+  const Numerics& numerics() const { return *numerics_; }
+  const Lattice& lattice() const { return *lattice_; }
+  const State& state() const { return *state_; }
+  // By Grid::index; empty when nothing is heated.
+  const std::vector<double>& thermal_strain() const { return *thermal_strain_; }
+
+  double dt() const { return dt_; }                                           // s
+  double time() const { return state_->clock.time(state_->step, 0.0, dt_); }  // s
+  double energy_unit() const;             // J/m, of the state's ledger: rho dx^4/dt^2
+  Ledger ledger() const;                  // J/m
+  double kinetic_energy() const;          // J/m
+  Vec2 displacement(int i, int j) const;  // m
+  std::vector<Vec2> velocities() const;   // m/s, by Grid::index
+  // Whether the bond of node (i, j) to (i + column, j + row) holds.
+  bool holds(int i, int j, int column, int row) const;
+
+ private:
+  const Plate* plate_;
+  const Numerics* numerics_;
+  const Lattice* lattice_;
+  double dt_;
+  const State* state_;
+  const std::vector<double>* thermal_strain_;
+  const MovingPlate* moving_ = nullptr;  // knows what acts
+};
+
+}  // namespace hackle
