@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/loads/body_force.hpp"
+#include "scene/loads/foundation.hpp"
 #include "scene/loads/impactor.hpp"
 #include "scene/loads/pressure.hpp"
 #include "scene/loads/support.hpp"
@@ -23,6 +24,7 @@ struct Loads {
   std::vector<Support> supports;
   std::vector<ThermalLoad> thermal_loads;
   std::vector<Impactor> impactors;
+  std::vector<Foundation> foundations;
   double damping = 0.0;  // 1/s: every velocity decays as exp(-damping t)
 };
 
@@ -31,6 +33,7 @@ inline constexpr auto description_of<Loads> = describe_noun(
     "loads", "load", member("tractions", &Loads::tractions), member("pressures", &Loads::pressures),
     member("body_forces", &Loads::body_forces), member("supports", &Loads::supports),
     member("temperatures", &Loads::thermal_loads), member("impactors", &Loads::impactors),
+    member("foundations", &Loads::foundations),
     member("damping", &Loads::damping,
            {.unit = "1/s",
             .range = at_least(0.0),

@@ -116,6 +116,8 @@ Loads every_load() {
   loads.thermal_loads = {{Capsule{{{0.01, 0.011}, {0.012, 0.013}}, 1e-3}, 40.0, table},
                          {some_bitmap(), -50.0, {}}};
   loads.impactors = {{{0.02, 0.06}, 2e-3, {3.0, -80.0}, 0.7}};
+  loads.foundations = {{rectangle({0.01, 0.02}, {0.03, 0.04}), 3e13, Foundation::Along::y},
+                       {std::nullopt, 4e12, Foundation::Along::both}};
   loads.damping = 1234.5;
   return loads;
 }
@@ -199,6 +201,12 @@ bool same(const Impactor& one, const Impactor& other) {
          mass == other_mass;
 }
 
+bool same(const Foundation& one, const Foundation& other) {
+  const auto& [region, stiffness, along] = one;
+  const auto& [other_region, other_stiffness, other_along] = other;
+  return region == other_region && stiffness == other_stiffness && along == other_along;
+}
+
 bool same(const InitialCondition& one, const InitialCondition& other) {
   const auto& [region, displacement, velocity] = one;
   const auto& [other_region, other_displacement, other_velocity] = other;
@@ -253,14 +261,15 @@ void expect_same(const std::vector<T>& found, const std::vector<T>& wanted, cons
 TEST(Inputs, KeepEveryMemberOfEveryLoad) {
   const Loads wanted = every_load();
   const Loads found = read_inputs(inputs_of(every_member(), every_choice())).plate.loads;
-  const auto& [tractions, pressures, body_forces, supports, thermal_loads, impactors, damping] =
-      found;
+  const auto& [tractions, pressures, body_forces, supports, thermal_loads, impactors, foundations,
+               damping] = found;
   expect_same(tractions, wanted.tractions, "tractions");
   expect_same(pressures, wanted.pressures, "pressures");
   expect_same(body_forces, wanted.body_forces, "body forces");
   expect_same(supports, wanted.supports, "supports");
   expect_same(thermal_loads, wanted.thermal_loads, "heatings");
   expect_same(impactors, wanted.impactors, "impactors");
+  expect_same(foundations, wanted.foundations, "foundations");
   EXPECT_EQ(damping, wanted.damping);
 }
 

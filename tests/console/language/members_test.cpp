@@ -344,6 +344,27 @@ TEST_F(Members, OfBodyForcesAndTemperatures) {
   EXPECT_FALSE(loads.thermal_loads[1].region);
 }
 
+TEST_F(Members, OfFoundations) {
+  const std::string beds =
+      "p:foundation { stiffness = 1e13, along = 'y', edge = 'left', depth = 1*mm }\n"
+      "p:foundation { stiffness = 2e13, from = {1*mm, 1*mm}, to = {2*mm, 3*mm} }\n"
+      "p:foundation { stiffness = 3e13, along = 'x', centre = {50*mm, 20*mm}, radius = 2*mm }\n"
+      "p:foundation { stiffness = 4e13, along = 'both' }\n";
+  expect_all_named(plate_load_doc<Foundation>, beds);
+  const std::vector<Foundation>& found = plate_after(beds).loads.foundations;
+  ASSERT_EQ(found.size(), 4U);
+  using Along = Foundation::Along;
+  const Along along[] = {Along::y, Along::both, Along::x, Along::both};
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(found[k].stiffness, 1e13 * (1.0 + static_cast<double>(k)));
+    EXPECT_EQ(found[k].along, along[k]) << k;
+  }
+  expect_box(found[0].region, {0, 0}, {1e-3, 0.04});
+  expect_box(found[1].region, {1e-3, 1e-3}, {2e-3, 3e-3});
+  expect_box(found[2].region, {0.048, 0.018}, {0.052, 0.022});
+  EXPECT_FALSE(found[3].region);
+}
+
 TEST_F(Members, OfSupports) {
   const std::string moves =
       "p:move { velocity = {1, 2}, edge = 'left', depth = 1*mm, axis = 'x', time = ramp(4*us) }\n"
