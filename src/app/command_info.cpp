@@ -13,7 +13,7 @@
 #include "base/streams.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
-#include "render/gl_context.hpp"
+#include "render/gl/gl_context.hpp"
 #include "solver/cpu/kernel.hpp"
 
 namespace hackle {

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
-#include "output/summary.hpp"
+#include "output/report/summary.hpp"
 
 namespace hackle {
 

@@ -9,9 +9,11 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 #include "base/error.hpp"
 
@@ -63,9 +65,11 @@ struct About {
   std::string_view unit{};  // "Pa"; "" for none
   Range range{};            // of a list: range of its length
   bool required = false;
-  bool alternative = false;           // the user gives one of several alternatives
-  std::string_view fallback{};        // default as told to the user
-  std::string_view nothing = "none";  // text in files for an empty optional
+  bool alternative = false;                     // the user gives one of several alternatives
+  std::string_view fallback{};                  // default as told to the user
+  std::string_view nothing = "none";            // text in files for an empty optional
+  bool or_none = false;                         // a script may say "none" for nothing
+  std::span<const std::string_view> choices{};  // of a text: its values, apart from ""
   std::string_view sentence{};
   std::string_view remedy{};  // added to the error for a value out of range
 };
@@ -146,6 +150,37 @@ constexpr void for_each_member(const Visit& visit) {
   std::apply([&](const auto&... members) { (visit(members), ...); }, description_of<Noun>.members);
 }
 
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+template <class T>
+inline constexpr bool is_list = false;
+template <class T>
+inline constexpr bool is_list<std::vector<T>> = true;
+
+// Whether two things are equal: nouns member by member, lists entry by entry.
+template <class T>
+bool same(const T& one, const T& other) {
+  if constexpr (Described<T>) {
+    bool equal = true;
+    for_each_member<T>([&](const auto& member) {
+      if constexpr (requires { member.kind; })
+        equal = equal && one.*member.kind == other.*member.kind;
+      equal = equal && same(one.*member.pointer, other.*member.pointer);
+    });
+    return equal;
+  } else if constexpr (is_list<T>) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](const auto& a, const auto& b) { return same(a, b); });
+  } else if constexpr (is_optional<T>) {
+    return one.has_value() == other.has_value() && (!one || same(*one, *other));
+  } else {
+    return one == other;
+  }
+}
+
 // The names of an enumeration's values in scripts and files, in order. Each enumeration specialises
 // this beside its definition.
 template <class Enum>
@@ -155,6 +190,17 @@ template <class Enum>
 constexpr std::string_view name_of(Enum value) {
   return enum_names<Enum>[static_cast<std::size_t>(value)];
 }
+
+// The choices of a member that may be nothing.
+template <std::size_t n>
+constexpr std::array<std::string_view, n + 1> or_none(
+    const std::array<std::string_view, n>& names) {
+  std::array<std::string_view, n + 1> all{"none"};
+  std::copy(names.begin(), names.end(), all.begin() + 1);
+  return all;
+}
+template <class Enum>
+inline constexpr auto enum_names_or_none = or_none(enum_names<Enum>);
 
 // Returns nothing if no value has this name.
 template <class Enum>

@@ -11,7 +11,7 @@
 #include "base/machine.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
-#include "render/png.hpp"
+#include "output/files/picture_files.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -55,9 +55,7 @@ fs::path Session::written_path(const std::string& who, const fs::path& name) con
 
 fs::path Session::claim(const std::string& who, const fs::path& name, FileKind kind) {
   fs::path path = output_path(who, name);
-  check_ending(who, path, kind);
-  check_writable(path);
-  names->claim(who, path, kind);
+  names->claim_checked(who, path, kind);
   return path;
 }
 
@@ -65,9 +63,7 @@ fs::path Session::write_picture(const std::string& who, const fs::path& name,
                                 const std::function<Image()>& make) {
   fs::path path = claim(who, name, FileKind::picture);
   if (settings.purpose != Purpose::results) return path;
-  const Image image = make();
-  make_folder_of(path);
-  write_png(image, path);
+  write_picture_file(make(), path);
   return path;
 }
 

@@ -19,8 +19,11 @@
 #include "console/lua/sandbox.hpp"
 #include "console/prompt/idle.hpp"
 #include "console/prompt/transcript.hpp"
-#include "output/output_names.hpp"
-#include "output/run.hpp"
+#include "output/files/output_names.hpp"
+#include "output/report/summary.hpp"
+#include "output/run/rehearsal.hpp"
+#include "output/run/run.hpp"
+#include "solver/simulation.hpp"
 #include "store/recording.hpp"
 
 struct lua_State;

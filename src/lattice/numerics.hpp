@@ -57,6 +57,10 @@ inline constexpr auto enum_names<Breaking> = std::to_array<std::string_view>({"a
 template <>
 inline constexpr auto enum_names<Precision> = std::to_array<std::string_view>({"f64", "f32"});
 
+// The default step as a share of the limit 2/omega_max. The margin covers the stiffening of bonds
+// stretched up to s0.
+inline constexpr double step_fraction = 0.9;
+
 struct Numerics {
   double spacing = 0.0;  // dx, m
   double horizon = 0.0;  // delta, m; 0: four spacings
@@ -69,8 +73,9 @@ struct Numerics {
   // Share of the critical stretch below which forces may be linearised, 0..1. Forces are never
   // linearised where materials differ or the temperature changes.
   double fidelity = 0.0;
-  std::optional<double> step;  // s; if empty, step_fraction of the stability limit
-  bool force_step = false;     // accept a step above the limit
+  double safety = step_fraction;  // the default step over the stability limit, above 0 up to 1
+  std::optional<double> step;     // s; if empty, `safety` times the stability limit
+  bool force_step = false;        // accept a step above the limit
 
   double horizon_or_default() const { return horizon != 0.0 ? horizon : 4.0 * spacing; }
   double m() const { return horizon_or_default() / spacing; }  // delta/dx
@@ -112,16 +117,17 @@ inline constexpr auto description_of<Numerics> = describe_noun(
            {.unit = "s",
             .range = above(0.0),
             .fallback =
-                "0.9 of the stability limit, or the time in which an impactor crosses 0.1 spacings",
+                "safety times the stability limit, or the time in which an impactor crosses 0.1 "
+                "spacings",
             .nothing = "default",
             .sentence = "The time step."}),
+    member("safety", &Numerics::safety,
+           {.range = above_up_to(0.0, 1.0),
+            .fallback = "0.9",
+            .sentence = "Share of the stability limit that the default time step takes."}),
     member("force_step", &Numerics::force_step,
            {.fallback = "false",
             .sentence = "Accepts a step above the stability limit, to see the run diverge."}));
-
-// The default step as a share of the limit 2/omega_max. The margin covers the stiffening of bonds
-// stretched up to s0.
-inline constexpr double step_fraction = 0.9;
 
 // The range of m. With m <= 16 every quadrature stays within one NodeLayout group (16 columns).
 inline constexpr double min_m = 2.0;

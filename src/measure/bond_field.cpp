@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 
+#include "base/union_find.hpp"
 #include "solver/bond_visit.hpp"
 
 namespace hackle {
@@ -17,23 +17,13 @@ void visit_bonds(const View& view, Visit visit) {
   hackle::visit_bonds(view.lattice(), view.state(), view.thermal_strain(), visit);
 }
 
-// The root of a node's tree; the path there is halved on the way.
-std::size_t root_of(std::vector<std::size_t>& parent, std::size_t node) {
-  while (parent[node] != node) node = parent[node] = parent[parent[node]];
-  return node;
-}
-
 // For each node the first node of its fragment.
 std::vector<std::size_t> first_nodes(const View& view) {
-  std::vector<std::size_t> parent(view.lattice().grid.nodes());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  UnionFind fragments(view.lattice().grid.nodes());
   visit_bonds(view, [&](const VisitedBond& bond) {
-    if (!bond.holds) return;
-    const std::size_t one = root_of(parent, bond.one), other = root_of(parent, bond.other);
-    parent[std::max(one, other)] = std::min(one, other);
+    if (bond.holds) fragments.unite(bond.one, bond.other);
   });
-  for (std::size_t node = 0; node < parent.size(); ++node) parent[node] = root_of(parent, node);
-  return parent;
+  return fragments.firsts();
 }
 
 // zz of a plate that is held from straining across its thickness.

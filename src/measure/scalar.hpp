@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/described.hpp"
 #include "measure/field.hpp"
 
 namespace hackle {
@@ -18,6 +19,11 @@ struct Ends {
   double least = 0.0;
   double most = 1.0;
 };
+
+template <>
+inline constexpr auto description_of<Ends> = describe_noun("ends", "ends",
+                                                           member("least", &Ends::least),
+                                                           member("most", &Ends::most));
 
 // What a pixel that covers many nodes shows: the largest value, so that features one node wide stay
 // visible, or the mean.

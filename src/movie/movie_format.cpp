@@ -13,7 +13,7 @@ namespace hackle {
 namespace {
 
 constexpr int max_pixels = 16384;  // a side; x264 and WebP take no more
-constexpr double min_fps = 0.1, max_hold = 3600.0;
+constexpr double min_fps = 0.1;
 
 void check_fps(const MovieKind& kind, double fps, Problems& problems) {
   if (fps >= min_fps && fps <= kind.max_fps) return;
@@ -35,9 +35,9 @@ void check_profile(const MovieKind& kind, Profile profile, Problems& problems) {
   std::vector<std::string_view> able;
   for (const MovieKind& other : movie_kinds())
     if (other.settings(profile)) able.push_back(other.ending);
-  problems.add(fmt::format("movie: {} as every player takes it cannot be {}", kind.ending,
-                           profile_names[static_cast<std::size_t>(profile)]),
-               "as can " + comma_list(able));
+  problems.add(
+      fmt::format("movie: {} as every player takes it cannot be {}", kind.ending, name_of(profile)),
+      "as can " + comma_list(able));
 }
 
 }  // namespace

@@ -10,13 +10,15 @@
 
 namespace hackle {
 
+inline constexpr double max_hold = 3600.0;  // s
+
 struct MovieFormat {
   int width = 0;      // px, even
   int height = 0;     // px, even
   double fps = 30.0;  // frames a second, from 0.1 to what the kind can say
   Profile profile = Profile::web;
   std::optional<int> crf;  // in the range of the kind; what the profile sets if not given
-  double hold = 0.0;       // s for which the last frame is shown again at the end, at most 3600
+  double hold = 0.0;       // s for which the last frame is shown again at the end, up to max_hold
   int threads = 1;         // of the encoder, at least 1
   std::string title;       // metadata; either may be empty
   std::string comment;

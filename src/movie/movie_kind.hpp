@@ -10,12 +10,15 @@
 #include <string>
 #include <string_view>
 
+#include "base/described.hpp"
+
 namespace hackle {
 
 // What a movie is for: a quick look, a page or a talk, print and cutting, every pixel as it was.
 enum class Profile { preview, web, paper, lossless };
-inline constexpr std::array<std::string_view, 4> profile_names{"preview", "web", "paper",
-                                                               "lossless"};
+template <>
+inline constexpr auto enum_names<Profile> = std::to_array<std::string_view>({"preview", "web",
+                                                                             "paper", "lossless"});
 
 // What a profile sets in a kind.
 struct ProfileSettings {

@@ -7,8 +7,8 @@
 
 #include "measure/bond_lines.hpp"
 #include "render/camera.hpp"
-#include "render/canvas.hpp"
 #include "render/cell_mesh.hpp"
+#include "render/overlay/canvas.hpp"
 
 namespace hackle {
 

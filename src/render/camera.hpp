@@ -2,7 +2,7 @@
 // Maps places of the lattice to the picture.
 #pragma once
 
-#include "render/layout.hpp"
+#include "render/overlay/layout.hpp"
 
 namespace hackle {
 

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
-#include "render/canvas.hpp"
+#include "render/overlay/canvas.hpp"
 #include "render/png_reader.hpp"
 #include "render/theme.hpp"
 

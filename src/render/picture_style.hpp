@@ -9,16 +9,17 @@
 
 #include "lattice/grid.hpp"
 #include "measure/scalar.hpp"
-#include "render/layout.hpp"
-#include "render/overlay_text.hpp"
+#include "render/overlay/layout.hpp"
+#include "render/overlay/overlay_text.hpp"
 
 namespace hackle {
 
 // The position of a second field: in the lower or the right half of the plate, for scenes symmetric
 // about the midline; over the first field, more opaque for larger values; or on a second plate.
 enum class Arrangement { below, right, over, beside };
-inline constexpr std::array<std::string_view, 4> arrangement_names{"below", "right", "over",
-                                                                   "beside"};
+template <>
+inline constexpr auto enum_names<Arrangement> = std::to_array<std::string_view>({"below", "right",
+                                                                                 "over", "beside"});
 
 // The appearance of a field.
 struct FieldStyle {

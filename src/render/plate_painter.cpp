@@ -14,11 +14,11 @@
 #include "render/camera.hpp"
 #include "render/cell_mesh.hpp"
 #include "render/colour_map.hpp"
-#include "render/colour_pass.hpp"
-#include "render/gl_context.hpp"
-#include "render/layout.hpp"
-#include "render/mesh_pass.hpp"
-#include "render/overlay.hpp"
+#include "render/gl/colour_pass.hpp"
+#include "render/gl/gl_context.hpp"
+#include "render/gl/mesh_pass.hpp"
+#include "render/overlay/layout.hpp"
+#include "render/overlay/overlay.hpp"
 #include "render/samples.hpp"
 
 namespace hackle {

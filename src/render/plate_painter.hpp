@@ -10,7 +10,7 @@
 #include "base/image.hpp"
 #include "measure/bond_lines.hpp"
 #include "measure/field.hpp"
-#include "render/chart.hpp"
+#include "render/overlay/chart.hpp"
 #include "render/picture_style.hpp"
 
 namespace hackle {

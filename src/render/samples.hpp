@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "measure/scalar.hpp"
-#include "render/layout.hpp"
+#include "render/overlay/layout.hpp"
 
 namespace hackle {
 

@@ -5,15 +5,16 @@
 #include <array>
 #include <string_view>
 
+#include "base/described.hpp"
 #include "render/colour_map.hpp"
 
 namespace hackle {
 
 // The colour where there is no material. Transparent pictures have the texts of light ones.
 enum class Background { dark, light, transparent };
-
-inline constexpr auto background_names =
-    std::to_array<std::string_view>({"dark", "light", "transparent"});
+template <>
+inline constexpr auto enum_names<Background> = std::to_array<std::string_view>({"dark", "light",
+                                                                                "transparent"});
 
 struct Theme {
   Colour background;

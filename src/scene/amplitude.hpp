@@ -25,6 +25,10 @@ class Amplitude {
   bool is_constant() const { return points_.empty() && !function_; }
   bool is_function() const { return static_cast<bool>(function_); }
   const std::vector<Vec2>& points() const { return points_; }
+  // Of the same points; a function is equal to none.
+  friend bool operator==(const Amplitude& one, const Amplitude& other) {
+    return !one.is_function() && !other.is_function() && one.points_ == other.points_;
+  }
 
   // Returns the factor at t. Throws Error (refused), which names t, if a function gives no finite
   // number.

@@ -14,8 +14,8 @@
 
 namespace hackle {
 
-// Adds a problem for a number that is not finite or out of range, a vector that is not finite, or
-// an invalid amplitude or region. Functions are not evaluated.
+// Adds a problem for a number that is not finite or out of range, a vector that is not finite, a
+// text that is none of its choices, or an invalid amplitude or region. Functions are not evaluated.
 void check_value(double value, std::string_view who, std::string_view name, const About& about,
                  Problems& problems);
 void check_value(const Vec2& value, std::string_view who, std::string_view name, const About& about,
@@ -28,17 +28,29 @@ inline void check_value(const ScalarField& value, std::string_view who, std::str
                         const About& about, Problems& problems) {
   check_value(value.constant(), who, name, about, problems);
 }
-inline void check_value(const std::optional<double>& value, std::string_view who,
-                        std::string_view name, const About& about, Problems& problems) {
-  if (value) check_value(*value, who, name, about, problems);
-}
+// Of a text that has choices; an empty one has not been given.
+void check_value(const std::string& value, std::string_view who, std::string_view name,
+                 const About& about, Problems& problems);
 inline void check_value(const Amplitude& value, std::string_view who, std::string_view,
                         const About&, Problems& problems) {
   check(value, std::string(who), problems);
 }
-inline void check_value(const Region& value, std::string_view who, std::string_view, const About&,
+inline void check_value(const Shape& value, std::string_view who, std::string_view, const About&,
                         Problems& problems) {
-  if (value) check(*value, std::string(who), problems);
+  check(value, std::string(who), problems);
+}
+
+// Where T has a check_value(); an optional that holds nothing is right.
+template <class T>
+void check_given(const T& value, std::string_view who, std::string_view name, const About& about,
+                 Problems& problems) {
+  if constexpr (is_optional<T>) {
+    if (value) check_given(*value, who, name, about, problems);
+  } else if constexpr (std::is_integral_v<T>) {
+    check_value(static_cast<double>(value), who, name, about, problems);
+  } else if constexpr (requires { check_value(value, who, name, about, problems); }) {
+    check_value(value, who, name, about, problems);
+  }
 }
 
 // Returns whether an optional member has its default.
@@ -55,11 +67,7 @@ void check_members(const Noun& noun, std::string_view who, Problems& problems) {
   const Noun usual;
   const auto check_one = [&](const auto& value, const auto& left_out, std::string_view name,
                              const About& about) {
-    using T = std::remove_cvref_t<decltype(value)>;
-    if constexpr (std::is_integral_v<T>)
-      check_value(static_cast<double>(value), who, name, about, problems);
-    else if constexpr (requires { check_value(value, who, name, about, problems); })
-      if (!is_left_out(value, left_out, about)) check_value(value, who, name, about, problems);
+    if (!is_left_out(value, left_out, about)) check_given(value, who, name, about, problems);
   };
   for_each_member<Noun>([&](const auto& member) {
     if constexpr (requires { member.kind; }) {

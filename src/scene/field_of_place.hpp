@@ -21,6 +21,10 @@ class FieldOfPlace {
 
   bool is_constant() const { return !function_; }
   const T& constant() const { return constant_; }
+  // Of the same constant; a function is equal to none.
+  friend bool operator==(const FieldOfPlace& one, const FieldOfPlace& other) {
+    return one.is_constant() && other.is_constant() && one.constant_ == other.constant_;
+  }
   T at(const Vec2& point) const { return function_ ? function_(point) : constant_; }
 
  private:

@@ -22,13 +22,13 @@ double rounded_down(double step) {
 
 }  // namespace
 
-double default_step(double limit) {
-  return rounded_down(step_fraction * limit);
+double default_step(double limit, double safety) {
+  return rounded_down(safety * limit);
 }
 
-double default_step(const Plate& plate, const Lattice& lattice) {
+double default_step(const Plate& plate, const Lattice& lattice, double safety) {
   const double longest = longest_step_of_impact(plate, lattice.grid.dx);
-  return std::min(default_step(lattice.step_limit), rounded_down(longest));
+  return std::min(default_step(lattice.step_limit, safety), rounded_down(longest));
 }
 
 void check_step(const Plate& plate, const Lattice& lattice, double dt, bool more_discs) {

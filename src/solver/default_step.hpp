@@ -5,10 +5,10 @@
 
 namespace hackle {
 
-// The default step for a limit, s: step_fraction of it, rounded down to three digits.
-double default_step(double limit);
+// Returns the default step for a limit, s: `safety` times it, rounded down to three digits.
+double default_step(double limit, double safety = step_fraction);
 // The same, and short enough for every disc (see longest_step_of_impact).
-double default_step(const Plate& plate, const Lattice& lattice);
+double default_step(const Plate& plate, const Lattice& lattice, double safety);
 
 // Checks the step for discs or springs that are added later; those of the plate are checked with
 // the numerics. The limit holds for nodes deep in the plate; for those at a rim, which lack half

@@ -70,7 +70,7 @@ MovingPlate::MovingPlate(Plate plate, const Numerics& numerics, const Execution&
           with_strength(Lattice(checked(plate_, numerics_, execution.instruction_set), numerics_),
                         std::move(strength))),
       state_(lattice_, numerics_.precision),
-      dt_(numerics_.step.value_or(default_step(plate_, lattice_))),
+      dt_(numerics_.step.value_or(default_step(plate_, lattice_, numerics_.safety))),
       terms_(plate_, lattice_, dt_),
       instruction_set_(execution.instruction_set),
       threads_(execution.threads > 0 ? execution.threads : available_cores()),

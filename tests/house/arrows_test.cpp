@@ -21,7 +21,7 @@ const std::map<std::string, std::set<std::string>> rooms_of_library = {
     {"lua.hpp", {"console"}},
     {"lauxlib.h", {"console"}},
     {"GL/", {"render"}},
-    {"EGL/", {"render/gl_egl.cpp"}},
+    {"EGL/", {"render/gl/gl_egl.cpp"}},
     {"cairo", {"render"}},
     {"png.h", {"render"}},
     {"hdf5.h", {"store"}},

@@ -11,8 +11,8 @@
 #include "render/camera.hpp"
 #include "render/cell_mesh.hpp"
 #include "render/colour_map.hpp"
-#include "render/layout.hpp"
-#include "render/overlay.hpp"
+#include "render/overlay/layout.hpp"
+#include "render/overlay/overlay.hpp"
 
 namespace hackle {
 namespace {

@@ -41,9 +41,9 @@ TEST(Theme, ATransparentGroundIsMadeForPaper) {
 }
 
 TEST(Theme, EveryBackgroundHasItsName) {
-  EXPECT_EQ(background_names[static_cast<std::size_t>(Background::dark)], "dark");
-  EXPECT_EQ(background_names[static_cast<std::size_t>(Background::light)], "light");
-  EXPECT_EQ(background_names[static_cast<std::size_t>(Background::transparent)], "transparent");
+  EXPECT_EQ(name_of(Background::dark), "dark");
+  EXPECT_EQ(name_of(Background::light), "light");
+  EXPECT_EQ(name_of(Background::transparent), "transparent");
 }
 
 }  // namespace

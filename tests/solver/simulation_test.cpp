@@ -37,6 +37,17 @@ TEST(Simulation, TheDefaultStepIsNineTenthsOfTheLimitInThreeDigits) {
   EXPECT_DOUBLE_EQ(default_step(1.0), 0.9);
 }
 
+TEST(Simulation, TakesTheShareOfTheLimitThatItsUserSays) {
+  const double limit = small().lattice().step_limit;
+  for (const double safety : {1.0, 0.5, 0.03}) {
+    Numerics numerics = test::numerics();
+    numerics.safety = safety;
+    const double dt = Simulation(test::bare_plate(20, 10), numerics).dt();
+    EXPECT_LE(dt, safety * limit);
+    EXPECT_GT(dt, 0.99 * safety * limit);  // rounded down to three digits
+  }
+}
+
 TEST(Simulation, RunsToTheFirstStepAtOrAfterTheTimeAskedFor) {
   Simulation simulation = small();
   simulation.run(10.0 * simulation.dt());

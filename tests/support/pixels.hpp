@@ -6,7 +6,7 @@
 
 #include "base/image.hpp"
 #include "render/colour_map.hpp"
-#include "render/rectangle.hpp"
+#include "render/overlay/rectangle.hpp"
 
 namespace hackle::test {
 

@@ -2,10 +2,27 @@
 // Shows the picture of a run in the terminal, redrawn in the same place.
 #pragma once
 
+#include <optional>
+
+#include "base/described.hpp"
 #include "console/session.hpp"
-#include "output/schedule.hpp"
+#include "output/files/schedule.hpp"
+#include "output/picture/picture.hpp"
 
 namespace hackle {
+
+struct WatchOptions {
+  std::optional<double> every;  // simulated seconds from picture to picture
+};
+
+template <>
+inline constexpr auto description_of<WatchOptions> = describe_noun(
+    "watch", "watch",
+    member("every", &WatchOptions::every,
+           {.unit = "s",
+            .range = above(0.0),
+            .alternative = true,
+            .sentence = "Simulated time between pictures; without it drawing stops."}));
 
 class LiveView : public Observer {
  public:

@@ -1,48 +1,58 @@
 // SPDX-License-Identifier: MIT
 #include "console/language/picture_options.hpp"
 
-namespace hackle {
+#include <optional>
 
-PictureOptions picture_of(const Arguments& arguments) {
-  PictureOptions picture;
-  picture.field = arguments.text_of_choice("field", picture.field);
-  picture.colours = arguments.text_of_choice("colours", picture.colours);
-  if (const std::string second = arguments.text_of_choice("second", not_chosen);
-      second != not_chosen)
-    picture.second = second;
-  picture.arrangement = arguments.choice<Arrangement>("arrange");
-  if (arguments.has("second_range")) {
-    const Vec2 range = arguments.pair("second_range");
-    picture.second_range = Ends{range.x(), range.y()};
+#include <fmt/format.h>
+
+#include "console/lua/description.hpp"
+
+namespace hackle {
+namespace {
+
+// {x, y, "label"}, or nothing when it is anything else.
+std::optional<Marker> marker_at(lua_State* L, int index) {
+  if (lua_type(L, index) != LUA_TTABLE || entries(L, index) != 3) return std::nullopt;
+  const bool typed = lua_rawgeti(L, index, 1) == LUA_TNUMBER &&
+                     lua_rawgeti(L, index, 2) == LUA_TNUMBER &&
+                     lua_rawgeti(L, index, 3) == LUA_TSTRING;
+  std::optional<Marker> marker;
+  if (typed) {
+    const std::string_view label = text_at(L, -1);
+    marker = Marker{{lua_tonumber(L, -3), lua_tonumber(L, -2)}, std::string(label)};
+    if (!marker->place.allFinite() || label.find('\0') != std::string_view::npos) marker.reset();
   }
-  picture.cracks = arguments.flag("cracks", picture.cracks);
-  picture.thickness = arguments.number("thickness", picture.thickness);
-  picture.overlay = overlay_of(arguments);
-  if (arguments.has("range")) {
-    const Vec2 range = arguments.pair("range");
-    picture.range = Ends{range.x(), range.y()};
-  }
-  if (arguments.has("percentile")) picture.percentile = arguments.number("percentile");
-  if (arguments.has("scale")) picture.logarithmic = arguments.text_of_choice("scale", "") == "log";
-  // Its first choice means none.
-  if (const auto follow = arguments.choice<std::size_t>("follow", 0); follow > 0)
-    picture.follow = static_cast<Toward>(follow - 1);
-  picture.rotation = arguments.number("rotate", picture.rotation);
-  picture.deformed = arguments.flag("deformed", picture.deformed);
-  if (arguments.has("magnify")) picture.magnification = arguments.number("magnify");
-  picture.bonds = arguments.flag("bonds", picture.bonds);
-  picture.background = arguments.choice<Background>("background");
-  if (!arguments.has("zoom")) return picture;
-  const Eigen::Vector3d window = arguments.window("zoom");
-  picture.zoom = Zoom{window.head<2>(), window.z()};
-  return picture;
+  lua_settop(L, index);
+  return marker;
 }
 
-PictureOptions sized_picture_of(const Arguments& arguments) {
-  PictureOptions picture = picture_of(arguments);
-  picture.width = static_cast<int>(arguments.integer("width", picture.width));
-  if (arguments.has("px_per_mm")) picture.pixels_a_metre = 1e3 * arguments.number("px_per_mm");
-  return picture;
+}  // namespace
+
+std::any read_markers(const GivenValue& given) {
+  lua_State* L = given.L;
+  if (!given.is_list()) return {};
+  std::vector<Marker> markers;
+  for (lua_Unsigned k = 1; k <= lua_rawlen(L, given.index); ++k) {
+    lua_rawgeti(L, given.index, static_cast<lua_Integer>(k));
+    const std::optional<Marker> marker = marker_at(L, lua_gettop(L));
+    lua_pop(L, 1);
+    if (!marker)
+      return given.wrong(fmt::format(
+          "{}: entry {} of {} is not {{x, y, \"label\"}}, two finite numbers and a text",
+          given.doc.name, k, given.option.name));
+    markers.push_back(*marker);
+  }
+  return markers;
+}
+
+void read_given(const Arguments& arguments, std::string_view name, const About&, Ends& ends) {
+  const Vec2 range = arguments.pair(name);
+  ends = {range.x(), range.y()};
+}
+
+void read_given(const Arguments& arguments, std::string_view name, const About&, Zoom& zoom) {
+  const Eigen::Vector3d window = arguments.window(name);
+  zoom = {window.head<2>(), window.z()};
 }
 
 }  // namespace hackle

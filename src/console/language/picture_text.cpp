@@ -5,7 +5,7 @@
 
 #include "base/units.hpp"
 #include "measure/field.hpp"
-#include "output/view.hpp"
+#include "output/picture/view.hpp"
 
 namespace hackle {
 namespace {

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "console/language/preview.hpp"
-#include "output/run.hpp"
+#include "output/picture/picture.hpp"
+#include "solver/simulation.hpp"
 
 namespace hackle {
 

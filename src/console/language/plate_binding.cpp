@@ -21,10 +21,10 @@
 namespace hackle {
 namespace {
 
-// With an outline, sizes follow from it.
+// With an outline, sizes follow from it. Its loads have functions of their own.
 constexpr auto plate_options = [] {
   auto options = joined(
-      options_of<Plate>,
+      without("damping", options_of<Plate>),
       std::array{Option{.name = "outline",
                         .type = OptionType::areas,
                         .read = read_areas,
@@ -96,7 +96,7 @@ int add_nofail(lua_State* L) {
 
 constexpr std::array own_methods_of_plate{Function{&nofail_doc, guarded<add_nofail>}};
 
-int to_text(lua_State* L) {
+int plate_to_text(lua_State* L) {
   push_text(L, describe(*object_at<Plate>(L, 1)));
   return 1;
 }
@@ -107,7 +107,7 @@ int push_value(lua_State* L) {
   return 1;
 }
 
-constexpr std::array fields{
+constexpr std::array plate_fields{
     Property{"width", "m", "Size along x.", push_value<&Plate::width>},
     Property{"height", "m", "Size along y.", push_value<&Plate::height>},
 };
@@ -129,8 +129,8 @@ const TypeDoc& plate_type() {
   static const TypeDoc type{.name = "plate",
                             .sentence = "A plate with its cracks and loads; simulate copies it.",
                             .methods = all,
-                            .fields = fields,
-                            .to_text = guarded<to_text>,
+                            .fields = plate_fields,
+                            .to_text = guarded<plate_to_text>,
                             .destroy = destroy_plate};
   return type;
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/image.hpp"
-#include "output/painting.hpp"
+#include "output/picture/painting.hpp"
 
 struct ChafaTermInfo;
 

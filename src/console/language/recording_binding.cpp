@@ -9,15 +9,14 @@
 
 #include "base/units.hpp"
 #include "console/language/background_binding.hpp"
-#include "console/language/movie_options.hpp"
 #include "console/language/recording_docs.hpp"
 #include "console/language/scripted_recording.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
 #include "console/session.hpp"
-#include "output/chart_data.hpp"
-#include "output/painting.hpp"
-#include "output/replay.hpp"
+#include "output/files/replay.hpp"
+#include "output/picture/chart_data.hpp"
+#include "output/picture/painting.hpp"
 
 namespace hackle {
 namespace {
@@ -46,27 +45,18 @@ int frame(lua_State* L) {
   const Arguments arguments = Arguments::from_table(L, 2, recorded_frame_doc);
   arguments.problems.throw_if_any();
   Session& session = session_of(L);
-  const PictureOptions options = sized_picture_of(arguments);
+  const auto options = noun_of<PictureOptions>(arguments);
   check("frame", options, recording.simulation().lattice().grid);
   check_recorded("frame", options);
   check_alone("frame", options);
   session.write_picture("frame", arguments.text("file"), [&] {
-    recording.go_to(recording.nearest(arguments.number("time", recording.times().back())));
+    show_record(recording, noun_of<ShownRecord>(arguments));
     return paint(recording.simulation(), options);
   });
   return 0;
 }
 
-std::optional<double> optional_number(const Arguments& arguments, std::string_view name) {
-  return arguments.has(name) ? std::optional(arguments.number(name)) : std::nullopt;
-}
-
-Moments moments_of(const Arguments& arguments) {
-  return {optional_number(arguments, "from"), optional_number(arguments, "to"),
-          optional_number(arguments, "every")};
-}
-
-// Claims the movie's name with its final extension.
+// Under the ending that it is going to have.
 std::filesystem::path claim_movie(Session& session, const char* who, const Arguments& arguments) {
   const bool fallback = arguments.flag("fallback");
   return session.claim(who, makeable(arguments.text("file"), fallback).path, FileKind::movie);
@@ -91,8 +81,8 @@ int movie(lua_State* L) {
   const auto path = claim_movie(session, "movie", arguments);
   if (session.settings.purpose != Purpose::results) return 0;
   make_claimed(*session.names, path, [&] {
-    film(recording, path, movie_of(arguments), moments_of(arguments), session.settings.talk,
-         session.names);
+    film(recording, path, noun_of<MovieOptions>(arguments), noun_of<Moments>(arguments),
+         session.settings.talk, session.names);
   });
   return 0;
 }
@@ -105,11 +95,11 @@ int side_by_side(lua_State* L) {
   const auto path = claim_movie(session, "side_by_side", arguments);
   if (session.settings.purpose != Purpose::results) return 0;
   make_claimed(*session.names, path, [&] {
-    MovieOptions options = movie_of(arguments);
-    options.picture.width = static_cast<int>(arguments.integer("width", 640));
-    film_side_by_side(tiles, path, options, moments_of(arguments),
-                      static_cast<int>(arguments.integer("columns", 2)), session.settings.talk,
-                      *session.names);
+    const auto options = noun_of<SideBySideOptions>(arguments);
+    auto movie = noun_of<MovieOptions>(arguments);
+    movie.picture.width = options.width;
+    film_side_by_side(tiles, path, movie, noun_of<Moments>(arguments), options.columns,
+                      session.settings.talk, *session.names);
   });
   return 0;
 }
@@ -118,7 +108,7 @@ Recording& recording_of(lua_State* L) {
   return *object_at<ScriptedRecording>(L, 1)->recording;
 }
 
-int to_text(lua_State* L) {
+int recording_to_text(lua_State* L) {
   const Recording& recording = recording_of(L);
   push_text(
       L,
@@ -140,7 +130,7 @@ int push_times(lua_State* L) {
   return 1;
 }
 
-int push_nodes(lua_State* L) {
+int push_recorded_nodes(lua_State* L) {
   lua_pushinteger(L, static_cast<lua_Integer>(recording_of(L).simulation().lattice().grid.nodes()));
   return 1;
 }
@@ -158,9 +148,9 @@ int push_script(lua_State* L) {
 constexpr std::array methods{Function{&recorded_frame_doc, guarded<frame>},
                              Function{&recorded_movie_doc, guarded<movie>}};
 
-constexpr std::array fields{
+constexpr std::array recording_fields{
     Property{"times", "s", "Times of the records, a list.", push_times},
-    Property{"nodes", "", "Number of nodes of the lattice.", push_nodes},
+    Property{"nodes", "", "Number of nodes of the lattice.", push_recorded_nodes},
     Property{"file", "", "Path of the run file.", push_file},
     Property{"script", "", "Name of the script that made the run.", push_script},
 };
@@ -171,15 +161,8 @@ Tiles tiles_of(Arguments& arguments, const char* who) {
   Tiles tiles;
   for (const auto& recording : arguments.get<Recordings>("recordings", {}))
     tiles.push_back({recording, recording->path().stem().string()});
-  if (tiles.size() == 1) tiles.front().title.clear();  // its pictures need no title
-  const std::vector<std::string> titles = arguments.texts("titles");
-  if (tiles.empty() || titles.empty()) return tiles;
-  if (titles.size() != tiles.size())
-    arguments.problems.add(
-        fmt::format("{}: there are {} titles for {} recordings", who, titles.size(), tiles.size()),
-        "give as many, or none");
-  for (std::size_t k = 0; k < std::min(titles.size(), tiles.size()); ++k)
-    tiles[k].title = titles[k];
+  if (tiles.size() == 1) tiles.front().title.clear();  // its pictures say enough
+  set_titles(who, "recordings", arguments.texts("titles"), tiles, arguments.problems);
   return tiles;
 }
 
@@ -187,8 +170,8 @@ const TypeDoc& recording_type() {
   static constexpr TypeDoc type{.name = "recording",
                                 .sentence = "A recorded run, for pictures and movies.",
                                 .methods = methods,
-                                .fields = fields,
-                                .to_text = guarded<to_text>,
+                                .fields = recording_fields,
+                                .to_text = guarded<recording_to_text>,
                                 .destroy = destroy_object<ScriptedRecording>};
   return type;
 }

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "console/language/mask.hpp"
 #include "console/language/scripted_plate.hpp"
 #include "console/language/shape_docs.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
 #include "console/session.hpp"
-#include "output/mask.hpp"
 #include "scene/geometry.hpp"
 #include "scene/random_cracks.hpp"
 

@@ -16,19 +16,14 @@
 #include "console/lua/description.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
-#include "output/chart_data.hpp"
-#include "output/painting.hpp"
+#include "output/files/replay.hpp"
+#include "output/picture/chart_data.hpp"
+#include "output/picture/painting.hpp"
 
 namespace hackle {
 namespace {
 
-constexpr auto show_options =
-    joined(std::array{Option{
-               .name = "time",
-               .unit = "s",
-               .alternative = true,
-               .sentence = "Time of the record to show, of a recording; default: the last."}},
-           picture_options);
+constexpr auto show_options = joined(options_of<ShownRecord>, unsized_picture_options);
 
 constexpr FunctionDoc show_doc{
     .name = "show",
@@ -39,13 +34,7 @@ constexpr FunctionDoc show_doc{
     .options = show_options,
     .example = "show(s) show(s, { zoom = {60*mm, 20*mm, 10*mm} })"};
 
-constexpr auto watch_options = joined(
-    std::array{Option{.name = "every",
-                      .unit = "s",
-                      .range = above(0.0),
-                      .alternative = true,
-                      .sentence = "Simulated time between pictures; without it drawing stops."}},
-    picture_options);
+constexpr auto watch_options = joined(options_of<WatchOptions>, unsized_picture_options);
 
 constexpr FunctionDoc watch_doc{.name = "watch",
                                 .owner = "s",
@@ -90,7 +79,7 @@ const Simulation& simulation_at(lua_State* L, int index, const Arguments& argume
     return scripted->simulation();
   }
   Recording& recording = *object_at<ScriptedRecording>(L, index)->recording;
-  recording.go_to(recording.nearest(arguments.number("time", recording.times().back())));
+  show_record(recording, noun_of<ShownRecord>(arguments));
   return recording.simulation();
 }
 
@@ -127,7 +116,7 @@ int show(lua_State* L) {
   }
   const Arguments arguments = Arguments::from_table(L, 2, show_doc);
   arguments.problems.throw_if_any();
-  const PictureOptions options = picture_of(arguments);
+  const PictureOptions options = noun_of<PictureOptions>(arguments);
   const Simulation& simulation = simulation_at(L, 1, arguments);
   check("show", options, simulation.lattice().grid);
   check_alone("show", options);
@@ -145,13 +134,14 @@ int watch(lua_State* L) {
   ScriptedRun& scripted = self<ScriptedRun>(L, watch_doc);
   const Arguments arguments = Arguments::from_table(L, 2, watch_doc);
   arguments.problems.throw_if_any();
-  const PictureOptions options = picture_of(arguments);
+  const PictureOptions options = noun_of<PictureOptions>(arguments);
   const Simulation& simulation = scripted.simulation();
   check("watch", options, simulation.lattice().grid);
   Session& session = session_of(L);
   std::shared_ptr<LiveView> view;
-  if (arguments.has("every") && session.settings.show_in_terminal) {
-    view = std::make_shared<LiveView>(session, options, arguments.number("every"), simulation);
+  const auto watched = noun_of<WatchOptions>(arguments);
+  if (watched.every && session.settings.show_in_terminal) {
+    view = std::make_shared<LiveView>(session, options, *watched.every, simulation);
     scripted.run().watch(view);
   }
   if (scripted.view) scripted.view->end();

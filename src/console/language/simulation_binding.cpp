@@ -12,7 +12,6 @@
 #include "console/language/background_binding.hpp"
 #include "console/language/load_binding.hpp"
 #include "console/language/measure_binding.hpp"
-#include "console/language/movie_options.hpp"
 #include "console/language/relax_binding.hpp"
 #include "console/language/scripted_plate.hpp"
 #include "console/language/scripted_run.hpp"
@@ -83,10 +82,8 @@ int movie(lua_State* L) {
   ScriptedRun& scripted = self<ScriptedRun>(L, movie_doc);
   const Arguments arguments = Arguments::from_table(L, 2, movie_doc);
   arguments.problems.throw_if_any();
-  MovieOptions options = movie_of(arguments);
-  options.every = arguments.number("every");
   const auto path = session_of(L).output_path("movie", arguments.text("file"));
-  scripted.promised.push_back(scripted.run().movie(path, options));
+  scripted.promised.push_back(scripted.run().movie(path, noun_of<MovieOptions>(arguments)));
   return 0;
 }
 
@@ -95,7 +92,7 @@ int frame(lua_State* L) {
   const Arguments arguments = Arguments::from_table(L, 2, frame_doc);
   arguments.problems.throw_if_any();
   scripted.run().frame(session_of(L).output_path("frame", arguments.text("file")),
-                       sized_picture_of(arguments));
+                       noun_of<PictureOptions>(arguments));
   return 0;
 }
 
@@ -103,10 +100,8 @@ int record(lua_State* L) {
   ScriptedRun& scripted = self<ScriptedRun>(L, record_doc);
   const Arguments arguments = Arguments::from_table(L, 2, record_doc);
   arguments.problems.throw_if_any();
-  RecordOptions options;
-  options.every = arguments.number("every");
   const auto path = session_of(L).output_path("record", arguments.text("file"));
-  scripted.run().record(path, options);
+  scripted.run().record(path, noun_of<RecordOptions>(arguments));
   scripted.promised.push_back(path);
   return 0;
 }
@@ -140,7 +135,7 @@ std::string rounded_count(std::int64_t count) {
   return grouped(std::llround(1e-6 * static_cast<double>(count))) + " M";
 }
 
-int to_text(lua_State* L) {
+int simulation_to_text(lua_State* L) {
   const Simulation& simulation = object_at<ScriptedRun>(L, 1)->simulation();
   const Numerics& numerics = simulation.numerics();
   std::string text =
@@ -226,7 +221,7 @@ constexpr auto energy_keys = std::to_array<std::string_view>(
     {"kinetic", "strain", "broken", "damped", "released", "contact", "external", "residual"});
 constexpr auto damage_keys = std::to_array<std::string_view>({"broken_bonds", "most"});
 
-constexpr std::array fields{
+constexpr std::array simulation_fields{
     Property{"time", "s", "Simulated time so far.", push_time},
     Property{"steps", "", "Steps taken so far.", push_steps},
     Property{"dt", "s", "The time step.", push_dt},
@@ -259,8 +254,8 @@ const TypeDoc& simulation_type() {
   static const TypeDoc type{.name = "simulation",
                             .sentence = "A plate being solved, and its output.",
                             .methods = all,
-                            .fields = fields,
-                            .to_text = guarded<to_text>,
+                            .fields = simulation_fields,
+                            .to_text = guarded<simulation_to_text>,
                             .destroy = destroy_object<ScriptedRun>};
   return type;
 }

@@ -4,11 +4,11 @@
 
 #include <array>
 
-#include "console/language/movie_options.hpp"
 #include "console/language/noun_options.hpp"
 #include "console/language/picture_options.hpp"
 #include "console/schema/schema.hpp"
 #include "lattice/numerics.hpp"
+#include "output/files/record_options.hpp"
 
 namespace hackle {
 
@@ -50,6 +50,8 @@ inline constexpr FunctionDoc step_doc{.name = "step",
                                       .options = step_options,
                                       .example = "s:step(10)"};
 
+inline constexpr auto movie_options = joined(file_option, options_of<MovieOptions>);
+
 inline constexpr FunctionDoc movie_doc{
     .name = "movie",
     .owner = "s",
@@ -58,8 +60,7 @@ inline constexpr FunctionDoc movie_doc{
     .options = movie_options,
     .example = "s:movie { \"crack.mp4\", field = \"damage\", every = 0.25*us }"};
 
-inline constexpr auto frame_options =
-    joined(std::array{file_option, width_option, scale_option}, picture_options);
+inline constexpr auto frame_options = joined(file_option, options_of<PictureOptions>);
 
 inline constexpr FunctionDoc frame_doc{.name = "frame",
                                        .owner = "s",
@@ -67,7 +68,7 @@ inline constexpr FunctionDoc frame_doc{.name = "frame",
                                        .options = frame_options,
                                        .example = "s:frame { \"crack.png\", width = 640 }"};
 
-inline constexpr std::array record_options{file_option, every_option};
+inline constexpr auto record_options = joined(file_option, options_of<RecordOptions>);
 
 inline constexpr FunctionDoc record_doc{
     .name = "record",

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "console/lua/lua_function.hpp"
-#include "output/schedule.hpp"
+#include "output/files/schedule.hpp"
 #include "scene/loads.hpp"
 
 namespace hackle {

@@ -52,12 +52,8 @@ class Arguments {
   // Returns a value of any type, also of a type that an option's own reader makes.
   template <class T>
   T get(std::string_view name, const T& fallback) const {
-    if constexpr (std::is_enum_v<T>)
-      return choice<T>(name, fallback);
-    else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+    if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
       return static_cast<T>(integer(name, static_cast<std::int64_t>(fallback)));
-    else if constexpr (std::is_same_v<T, std::optional<double>>)
-      return has(name) ? std::optional(number(name)) : fallback;
     else
       return value_or(name, fallback);
   }

@@ -4,19 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 
+#include "base/union_find.hpp"
+
 namespace hackle {
 namespace {
-
-int root_of(std::vector<int>& parent, int node) {
-  const auto up = [&](int k) -> int& { return parent[static_cast<std::size_t>(k)]; };
-  while (up(node) != node) node = up(node) = up(up(node));
-  return node;
-}
 
 void widen(Fragment& fragment, int i, int j) {
   if (fragment.nodes++ == 0)
@@ -40,31 +35,26 @@ Fragments::Fragments(const Lattice& lattice, const State& state, const NodeVecto
 }
 
 // The least node of the fragment that a node belongs to; itself when it has no bonds.
-std::vector<int> Fragments::roots(const Lattice& lattice, const State& state) const {
-  std::vector<int> parent(grid_.nodes());
-  std::iota(parent.begin(), parent.end(), 0);
+std::vector<std::size_t> Fragments::roots(const Lattice& lattice, const State& state) const {
+  UnionFind fragments(grid_.nodes());
   for (int j = 0; j < grid_.ny; ++j)
     for (int i = 0; i < grid_.nx; ++i)
       lattice.family.for_each_bond([&](int a, int b, const Vec2&, double, int bit) {
-        if (!state.bonds.holds(layout_.at(i, j), bit)) return;
-        const int here = root_of(parent, static_cast<int>(grid_.index(i, j)));
-        const int there = root_of(parent, static_cast<int>(grid_.index(i + a, j + b)));
-        parent[static_cast<std::size_t>(std::max(here, there))] = std::min(here, there);
+        if (state.bonds.holds(layout_.at(i, j), bit))
+          fragments.unite(grid_.index(i, j), grid_.index(i + a, j + b));
       });
-  for (int node = 0; node < static_cast<int>(parent.size()); ++node)
-    parent[static_cast<std::size_t>(node)] = root_of(parent, node);
-  return parent;
+  return fragments.firsts();
 }
 
-void Fragments::list_fragments(const std::vector<int>& root, const NodeVectors& mobile) {
+void Fragments::list_fragments(const std::vector<std::size_t>& root, const NodeVectors& mobile) {
   std::vector<int> size(root.size());
-  for (const int node : root) ++size[static_cast<std::size_t>(node)];
+  for (const std::size_t node : root) ++size[node];
   of_node_.assign(root.size(), none);
   std::vector<int> place(root.size(), none);
   for (int j = 0; j < grid_.ny; ++j)
     for (int i = 0; i < grid_.nx; ++i) {
       const std::size_t node = grid_.index(i, j);
-      const auto least = static_cast<std::size_t>(root[node]);
+      const std::size_t least = root[node];
       if (size[least] == 1) continue;
       if (place[least] == none) {
         place[least] = static_cast<int>(list_.size());

@@ -54,8 +54,8 @@ class Fragments {
  private:
   static constexpr int none = -1;
 
-  std::vector<int> roots(const Lattice& lattice, const State& state) const;
-  void list_fragments(const std::vector<int>& root, const NodeVectors& mobile);
+  std::vector<std::size_t> roots(const Lattice& lattice, const State& state) const;
+  void list_fragments(const std::vector<std::size_t>& root, const NodeVectors& mobile);
   // Calls work(x, place) for the nodes of row j, x from the centre of the fragment.
   template <class Work>
   void for_row(std::size_t fragment, int j, const Work& work) const;

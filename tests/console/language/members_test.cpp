@@ -9,7 +9,6 @@
 
 #include "console/language/load_docs.hpp"
 #include "console/language/material_binding.hpp"
-#include "console/language/movie_options.hpp"
 #include "console/language/plate_binding.hpp"
 #include "console/language/scripted_material.hpp"
 #include "console/language/scripted_plate.hpp"
@@ -450,7 +449,7 @@ TEST_F(Members, OfNumerics) {
       "s = simulate(p, { spacing = 1*mm, horizon = 3*mm, precision = 'f32', breaking = "
       "'next_step', "
       "quadrature = 'ramp', micromodulus = 'conical', constants = 'continuum', step = 50*ns, "
-      "fidelity = 0.2, fused = false, force_step = true })";
+      "fidelity = 0.2, fused = false, safety = 0.8, force_step = true })";
   expect_all_named(simulate_doc, calls);
   plate_after(calls);
   lua_getglobal(L, "s");
@@ -465,6 +464,7 @@ TEST_F(Members, OfNumerics) {
   EXPECT_NEAR(numerics.step.value(), 50e-9, 1e-20);
   EXPECT_EQ(numerics.fidelity, 0.2);
   EXPECT_FALSE(numerics.fused);
+  EXPECT_EQ(numerics.safety, 0.8);
   EXPECT_TRUE(numerics.force_step);
   run("s = simulate(p, { spacing = 2*mm })");
   lua_getglobal(L, "s");
@@ -485,7 +485,7 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
       "false, load_curve = true, energy = false, markers = {{1*mm, 2*mm, 'm'}} }";
   std::string known = options + " px_per_mm = percentile =";  // alternatives to other options
   expect_all_named(movie_doc, known);
-  const MovieOptions movie = movie_of(arguments(options, movie_doc));
+  const MovieOptions movie = noun_of<MovieOptions>(arguments(options, movie_doc));
   EXPECT_EQ(movie.fps, 12.0);
   EXPECT_EQ(movie.profile, Profile::paper);
   EXPECT_EQ(movie.crf, 33);
@@ -493,12 +493,12 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
   EXPECT_TRUE(movie.fallback);
   const PictureOptions& picture = movie.picture;
   EXPECT_EQ(picture.width, 640);
-  EXPECT_FALSE(picture.pixels_a_metre);
+  EXPECT_FALSE(picture.pixels_a_mm);
   EXPECT_EQ(picture.field, "stress_xx");
   EXPECT_EQ(picture.range->least, 1.0);
   EXPECT_EQ(picture.range->most, 2.0);
   EXPECT_FALSE(picture.percentile);
-  EXPECT_EQ(picture.logarithmic, true);
+  EXPECT_EQ(picture.scale, Scale::log);
   EXPECT_EQ(picture.colours, "roma");
   EXPECT_EQ(picture.second, "speed");
   EXPECT_EQ(picture.second_range->least, 3.0);
@@ -528,11 +528,11 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
 // Flags one at a time, and options that are alternatives to others.
 TEST_F(Members, OfPicturesOneByOne) {
   const auto picture = [this](const std::string& option) {
-    return sized_picture_of(arguments("{ 'a.png', " + option + " }", frame_doc));
+    return noun_of<PictureOptions>(arguments("{ 'a.png', " + option + " }", frame_doc));
   };
-  EXPECT_EQ(picture("px_per_mm = 7").pixels_a_metre, 7000.0);
+  EXPECT_EQ(picture("px_per_mm = 7").pixels_a_mm, 7.0);
   EXPECT_EQ(picture("percentile = 98").percentile, 98.0);
-  EXPECT_EQ(picture("scale = 'linear'").logarithmic, false);
+  EXPECT_EQ(picture("scale = 'linear'").scale, Scale::linear);
   EXPECT_EQ(picture("follow = 'none'").follow, std::nullopt);
   EXPECT_EQ(picture("second = 'none'").second, std::nullopt);
   const std::pair<const char*, bool OverlayOptions::*> flags[] = {

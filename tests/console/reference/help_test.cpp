@@ -68,7 +68,7 @@ TEST(Help, ListsEveryFieldOfPicturesAndTellsOfEach) {
 
 TEST(Help, OnAFunctionShowsItsOptionsExampleAndNeighbours) {
   const std::string text = printed("help \"movie\"");
-  EXPECT_THAT(text, HasSubstr("s:movie { file, every, width, px_per_mm, fps, profile, crf,"));
+  EXPECT_THAT(text, HasSubstr("s:movie { file, every, fps, profile, crf, hold, fallback,"));
   EXPECT_THAT(text,
               testing::ContainsRegex("width +integer +between 320 and 7680 px; default 1280"));
   EXPECT_THAT(text, HasSubstr("\nexample:\n  s:movie {"));

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "output/files/movie_file.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "base/hash.hpp"
+#include "base/streams.hpp"
+#include "base/version.hpp"
+#include "movie/rescue.hpp"
+#include "scene/check_members.hpp"
+
+namespace hackle {
+namespace {
+
+// Which script made it, so that a movie that lies about can be made again.
+std::string comment_of(const Origin& origin) {
+  std::string text = fmt::format("Made by Hackle {} ({})", version(), git_hash());
+  if (origin.script_text.empty()) return text;
+  Hash hash;
+  hash.add(std::span<const char>(origin.script_text));
+  const std::string name = std::filesystem::path(origin.script_name).filename().string();
+  return text + fmt::format(" from {}, XXH3 {}", name.empty() ? "the prompt" : name, hash.hex());
+}
+
+MovieFormat format_of(const MovieOptions& options) {
+  MovieFormat format;
+  format.fps = options.fps;
+  format.profile = options.profile;
+  format.crf = options.crf;
+  format.hold = options.hold;
+  return format;
+}
+
+void check(const std::filesystem::path& path, const MovieOptions& options) {
+  Problems problems;
+  check_members(options, "movie", problems);
+  if (problems.empty()) check_settings(path, format_of(options), problems);
+  problems.throw_if_any();
+}
+
+// What the kind it falls back to cannot be, it is as well as that can.
+MovieFormat adapted(MovieFormat format, const MovieKind& kind) {
+  format.crf.reset();
+  format.fps = std::min(format.fps, kind.max_fps);
+  if (!kind.settings(format.profile)) format.profile = Profile::paper;
+  return format;
+}
+
+}  // namespace
+
+MovieFile::MovieFile(const std::filesystem::path& path, const MovieOptions& options,
+                     const Origin& origin, int threads, Talk talk)
+    : format_(format_of(options)), talk_(talk) {
+  check(path, options);
+  const Makeable made = makeable(path, options.fallback);
+  path_ = made.path;
+  if (path_ != path) format_ = adapted(format_, movie_kind(path_));
+  tell(made.note);
+  format_.threads = threads;
+  format_.title = path_.stem().string();
+  format_.comment = comment_of(origin);
+}
+
+void MovieFile::tell(const std::string& note) const {
+  if (!note.empty() && talk_ != Talk::quiet) say("note: {}\n", note);
+}
+
+double MovieFile::expected_bytes(std::int64_t frames, double pixels) const {
+  return static_cast<double>(frames) * pixels * movie_kind(path_).bytes_a_pixel;
+}
+
+void MovieFile::begin(const std::function<bool(const std::filesystem::path&)>& taken) {
+  if (begun_) return;
+  make_folder_of(path_);
+  const std::optional<Rescued> rescued = rescue(path_, taken);
+  held_ = std::make_unique<PartialFile>(path_);
+  begun_ = true;
+  if (!rescued) return;
+  tell(fmt::format(
+      "an earlier run was cut off while it filmed '{}': its {} frames, {:.3g} s, are "
+      "kept as '{}'",
+      path_.string(), rescued->length.frames, rescued->length.seconds, rescued->file.string()));
+}
+
+void MovieFile::add(Image frame) {
+  if (!encoder_) {
+    format_.width = frame.width;
+    format_.height = frame.height;
+    encoder_ = std::make_unique<Encoder>(path_, format_, std::move(held_));
+  }
+  encoder_->add(std::move(frame));
+  seconds_ = encoder_->seconds();
+}
+
+void MovieFile::finish() {
+  if (!encoder_) return;
+  encoder_->finish();
+  seconds_ = encoder_->seconds();
+  encoder_.reset();
+}
+
+}  // namespace hackle

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// A movie of a run. The solver only hands over the field; painting and encoding have their threads.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "base/progress.hpp"
+#include "base/worker.hpp"
+#include "output/files/movie_file.hpp"
+#include "output/files/output.hpp"
+#include "output/files/output_names.hpp"
+#include "output/files/schedule.hpp"
+#include "output/picture/painting.hpp"
+
+namespace hackle {
+
+class MovieOutput : public Output {
+ public:
+  // Says what it falls back to, unless it is to be quiet. Throws as Run::movie does.
+  MovieOutput(const std::filesystem::path& path, const MovieOptions& options,
+              const Simulation& simulation, const Origin& origin, Talk talk,
+              std::shared_ptr<const OutputNames> names);
+
+  const std::filesystem::path& path() const { return file_.path(); }
+
+  std::int64_t next_due(const Simulation& simulation) override {
+    return schedule_.next_due(simulation);
+  }
+  bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
+  void observe(const Simulation& simulation) override;
+  void reserve() override;
+  void close() override;
+  Expected expected(double until, std::int64_t max_looks) const override;
+  std::vector<std::filesystem::path> files() const override;
+  void add_seconds(StageSeconds& wall) const override;
+
+ private:
+  // Without a shot, the end of the movie.
+  using Work = std::optional<Shot>;
+  void paint(const Work& work);
+  void hand_over(Work work);
+
+  MovieOptions options_;
+  PictureStyle style_;
+  Schedule schedule_;
+  MovieFile file_;
+  std::shared_ptr<const OutputNames> names_;
+  bool failed_ = false;
+  bool complete_ = false;
+  std::atomic<double> render_seconds_ = 0.0;
+  // Created with the first frame, on the painting thread, where GL wants to live and die.
+  std::unique_ptr<PlatePainter> painter_;
+  std::unique_ptr<Worker<Work>> painting_;
+};
+
+}  // namespace hackle

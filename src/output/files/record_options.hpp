@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What a user asks of a run file.
+#pragma once
+
+#include "output/files/movie_options.hpp"
+
+namespace hackle {
+
+struct RecordOptions {
+  double every = 0.0;  // simulated seconds from record to record, at least a step
+};
+
+template <>
+inline constexpr auto description_of<RecordOptions> =
+    describe_noun("record", "record", member("every", &RecordOptions::every, about_every));
+
+}  // namespace hackle

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "output/files/record_output.hpp"
+
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "base/partial_file.hpp"
+#include "base/stopwatch.hpp"
+#include "store/run_rescue.hpp"
+#include "store/xdmf.hpp"
+
+namespace hackle {
+
+RecordOutput::RecordOutput(std::filesystem::path path, const RecordOptions& options,
+                           const Simulation& simulation, Origin origin, Talk talk,
+                           std::shared_ptr<const OutputNames> names)
+    : path_(std::move(path)),
+      schedule_("record", options.every, simulation),
+      nodes_(simulation.lattice().grid.nodes()),
+      origin_(std::move(origin)),
+      talk_(talk),
+      names_(std::move(names)) {
+  check_name(path_);
+}
+
+void RecordOutput::reserve() {
+  if (lock_) return;
+  make_folder_of(path_);
+  auto lock = std::make_unique<HeldFile>(recording_lock(path_), path_);
+  const std::optional<RescuedRun> rescued = rescue_run(
+      path_, [&](const std::filesystem::path& name) { return names_->is_claimed(name); });
+  lock_ = std::move(lock);
+  if (rescued && talk_ != Talk::quiet)
+    fmt::print(stderr,
+               "note: an earlier run was cut off while it recorded '{}': its {} records are kept "
+               "as '{}'\n",
+               path_.string(), rescued->records, rescued->file.string());
+}
+
+void RecordOutput::observe(const Simulation& simulation) {
+  const Stopwatch watch(store_seconds_);
+  schedule_.advance(simulation);
+  failed_ = true;  // unless the end of this function is reached
+  reserve();
+  if (!file_) file_ = std::make_unique<RunFile>(path_, simulation, origin_);
+  file_->add(simulation);
+  failed_ = false;
+}
+
+Expected RecordOutput::expected(double until, std::int64_t max_looks) const {
+  const std::int64_t records = schedule_.moments(until, max_looks);
+  return {path_, records, run_file_bytes(nodes_, records)};
+}
+
+void RecordOutput::close() {
+  if (failed_ || complete_ || !file_) return;
+  const Stopwatch watch(store_seconds_);
+  failed_ = true;
+  file_->finish();
+  lock_.reset();
+  failed_ = false;
+  complete_ = true;
+}
+
+std::vector<std::filesystem::path> RecordOutput::files() const {
+  if (!complete_) return {};
+  return {file_->path(), file_->sidecar()};
+}
+
+}  // namespace hackle

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A run file, written between steps. It may be read meanwhile.
+#pragma once
+
+#include <memory>
+
+#include "base/file_lock.hpp"
+#include "base/progress.hpp"
+#include "output/files/output.hpp"
+#include "output/files/output_names.hpp"
+#include "output/files/record_options.hpp"
+#include "output/files/schedule.hpp"
+#include "store/run_file.hpp"
+
+namespace hackle {
+
+class RecordOutput : public Output {
+ public:
+  RecordOutput(std::filesystem::path path, const RecordOptions& options,
+               const Simulation& simulation, Origin origin, Talk talk,
+               std::shared_ptr<const OutputNames> names);
+
+  std::int64_t next_due(const Simulation& simulation) override {
+    return schedule_.next_due(simulation);
+  }
+  bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
+  void observe(const Simulation& simulation) override;
+  void reserve() override;
+  void close() override;
+  Expected expected(double until, std::int64_t max_looks) const override;
+  std::vector<std::filesystem::path> files() const override;
+  void add_seconds(StageSeconds& wall) const override { wall.store += store_seconds_; }
+
+ private:
+  std::filesystem::path path_;
+  Schedule schedule_;
+  std::size_t nodes_;
+  Origin origin_;
+  Talk talk_;
+  std::shared_ptr<const OutputNames> names_;
+  std::unique_ptr<HeldFile> lock_;  // from reserve() to close()
+  std::unique_ptr<RunFile> file_;   // created with the first record
+  bool failed_ = false;
+  bool complete_ = false;
+  double store_seconds_ = 0.0;
+};
+
+}  // namespace hackle

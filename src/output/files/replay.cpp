@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "output/files/replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "base/units.hpp"
+#include "output/files/movie_file.hpp"
+#include "output/files/movie_output.hpp"
+#include "output/picture/automatic_range.hpp"
+#include "output/picture/chart_data.hpp"
+#include "output/picture/field_choice.hpp"
+#include "output/picture/painting.hpp"
+
+namespace hackle {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double max_frames = 1e5;
+constexpr double title_size = 0.03;  // of a run, in widths of its picture
+constexpr double the_end = std::numeric_limits<double>::infinity();
+
+void show_at(Recording& recording, double time) {
+  const std::size_t record = recording.nearest(time);
+  if (record != recording.shown()) recording.go_to(record);
+}
+
+bool is_titled(const Tiles& tiles) {
+  return !std::ranges::all_of(tiles, &std::string::empty, &Tile::title);
+}
+
+// From record to record on average, of the run that has most; a step where there is one alone.
+double usual_every(const Tiles& tiles) {
+  double every = 0.0;
+  std::size_t most = 0;
+  for (const Tile& tile : tiles) {
+    const std::vector<double>& times = tile.recording->times();
+    if (times.size() <= most) continue;
+    most = times.size();
+    const double span = times.back() - times.front();
+    every = span > 0.0 ? span / static_cast<double>(times.size() - 1)
+                       : tile.recording->simulation().dt();
+  }
+  return every;
+}
+
+void check_moments(const char* who, double from, double to, double every) {
+  Problems problems;
+  if (!(every > 0.0) || !std::isfinite(every))
+    problems.add(fmt::format("{}: every is {}, it must be above 0 s", who, quantity(every, "s")));
+  if (!(from <= to) || !std::isfinite(to - from))
+    problems.add(
+        fmt::format("{}: it would go from {} to {}", who, quantity(from, "s"), quantity(to, "s")),
+        "from must come before to");
+  problems.throw_if_any();
+  if ((to - from) / every >= max_frames)
+    throw Error(ErrorKind::refused,
+                fmt::format("{}: there would be more than {:.0f} frames", who, max_frames),
+                "take a longer every");
+}
+
+// Says how far it is, and stops on Ctrl-C after the frame that is being made.
+class Frames {
+ public:
+  Frames(Talk talk, std::size_t count) : progress_(talk), count_(count) {}
+
+  void next() {
+    if (interrupted())
+      throw Error(ErrorKind::interrupted,
+                  fmt::format("interrupted after frame {} of {}", done_, count_));
+    const double fraction = static_cast<double>(done_++) / static_cast<double>(count_);
+    if (progress_.due(fraction))
+      progress_.show(fraction, fmt::format("frame {} of {}", done_, count_));
+  }
+
+ private:
+  Progress progress_;
+  std::size_t count_;
+  std::size_t done_ = 0;
+};
+
+// Makes one frame for every time. What there is when it is interrupted is completed all the same.
+template <class Make, class Finish>
+void make_all(const std::vector<double>& times, Talk talk, Make make, Finish finish) {
+  Frames frames(talk, times.size());
+  try {
+    for (const double time : times) {
+      frames.next();
+      make(time);
+    }
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::interrupted) finish();
+    throw;
+  }
+  finish();
+}
+
+// A painter for each tile, and all pictures of a moment on one.
+class Composition {
+ public:
+  Composition(Tiles tiles, const MovieOptions& options, int columns)
+      : tiles_(std::move(tiles)), options_(options.picture) {
+    layout_.columns = columns;
+    layout_.width = options_.width;
+    layout_.even = true;
+    layout_.font = title_size;
+    layout_.titled = is_titled(tiles_);
+    for (const Tile& tile : tiles_) {
+      PictureStyle style = style_of(options_, tile.recording->simulation());
+      if (options.every > 0.0) style.slow_motion = slow_motion_of(options);
+      painters_.emplace_back(std::move(style));
+      layout_.height = std::max(layout_.height, painters_.back().height());
+    }
+  }
+
+  Image at(double time) {
+    std::vector<SheetImage> images;
+    for (std::size_t k = 0; k < tiles_.size(); ++k) {
+      show_at(*tiles_[k].recording, time);
+      images.push_back({painters_[k].paint(shot_of(options_, tiles_[k].recording->simulation())),
+                        tiles_[k].title});
+    }
+    return contact_sheet(images, layout_);
+  }
+
+ private:
+  Tiles tiles_;
+  PictureOptions options_;
+  SheetLayout layout_;
+  std::deque<PlatePainter> painters_;
+};
+
+void check_all(const char* who, const Tiles& tiles, const PictureOptions& options) {
+  for (const Tile& tile : tiles) check(who, options, tile.recording->simulation().lattice().grid);
+  check_recorded(who, options);
+  check_opaque(who, options);
+}
+
+}  // namespace
+
+void show_record(Recording& recording, const ShownRecord& record) {
+  recording.go_to(recording.nearest(record.time.value_or(the_end)));
+}
+
+std::vector<double> frame_times(const char* who, const Tiles& tiles, const Moments& moments) {
+  double first = tiles.front().recording->times().front(), last = first;
+  for (const Tile& tile : tiles) {
+    first = std::min(first, tile.recording->times().front());
+    last = std::max(last, tile.recording->times().back());
+  }
+  const double from = moments.from.value_or(first), to = moments.to.value_or(last);
+  const double every = moments.every.value_or(usual_every(tiles));
+  check_moments(who, from, to, every);
+  const auto count = static_cast<std::size_t>(std::floor((to - from) / every + 1e-9)) + 1;
+  std::vector<double> times(count);
+  for (std::size_t k = 0; k < count; ++k) times[k] = from + static_cast<double>(k) * every;
+  return times;
+}
+
+PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
+                                 const std::vector<double>& times) {
+  if (options.range) return options;
+  AutomaticRange seen(options);
+  Ends widest = usual_ends(options, tiles.front().recording->simulation());
+  for (const Tile& tile : tiles) {
+    const Ends usual = usual_ends(options, tile.recording->simulation());
+    widest = {std::min(widest.least, usual.least), std::max(widest.most, usual.most)};
+    if (!options.percentile) continue;
+    for (const double time : times.empty() ? std::vector{the_end} : times) {
+      throw_if_interrupted();
+      show_at(*tile.recording, time);
+      seen.add(tile.recording->simulation());
+    }
+  }
+  options.range = options.percentile ? seen.ends() : widest;
+  options.percentile.reset();
+  return options;
+}
+
+void film(const std::shared_ptr<Recording>& recording, const fs::path& path, MovieOptions options,
+          const Moments& moments, Talk talk, std::shared_ptr<const OutputNames> names) {
+  const Tiles tiles{{recording, ""}};
+  const std::vector<double> times = frame_times("movie", tiles, moments);
+  check_all("movie", tiles, options.picture);
+  options.every = times.size() > 1 ? times[1] - times[0] : recording->simulation().dt();
+  options.every = std::max(options.every, recording->simulation().dt());
+  options.picture = with_common_range(options.picture, tiles, times);
+  MovieOutput movie(path, options, recording->simulation(), recording->origin(), talk,
+                    std::move(names));
+  make_all(
+      times, talk,
+      [&](double time) {
+        show_at(*recording, time);
+        movie.observe(recording->simulation());
+      },
+      [&] { movie.close(); });
+}
+
+void film_side_by_side(const Tiles& tiles, const fs::path& path, MovieOptions options,
+                       const Moments& moments, int columns, Talk talk, const OutputNames& names) {
+  const std::vector<double> times = frame_times("side_by_side", tiles, moments);
+  check_all("side_by_side", tiles, options.picture);
+  options.every = times.size() > 1 ? times[1] - times[0] : 0.0;
+  options.picture = with_common_range(options.picture, tiles, times);
+  Composition composition(tiles, options, columns);
+  const Recording& first = *tiles.front().recording;
+  MovieFile movie(path, options, first.origin(), first.simulation().threads(), talk);
+  movie.begin([&](const fs::path& other) { return names.is_claimed(other); });
+  make_all(
+      times, talk, [&](double time) { movie.add(composition.at(time)); }, [&] { movie.finish(); });
+}
+
+Image sheet_of(const Tiles& tiles, const std::vector<double>& times, PictureOptions options,
+               SheetLayout layout) {
+  check_all("contact_sheet", tiles, options);
+  check_alone("contact_sheet", options);
+  std::vector<SheetImage> images;
+  layout.height = 0;
+  layout.font = title_size;
+  layout.titled = is_titled(tiles);
+  options = with_common_range(options, tiles, times);
+  for (const Tile& tile : tiles) {
+    PlatePainter painter(style_of(options, tile.recording->simulation()));
+    layout.height = std::max(layout.height, painter.height() * layout.width / painter.width());
+    for (const double time : times.empty() ? std::vector{the_end} : times) {
+      throw_if_interrupted();
+      show_at(*tile.recording, time);
+      images.push_back({painter.paint(shot_of(options, tile.recording->simulation())), tile.title});
+    }
+  }
+  if (tiles.size() > 1 && times.size() > 1) layout.columns = static_cast<int>(times.size());
+  return contact_sheet(images, layout);
+}
+
+}  // namespace hackle

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "output/picture/field_choice.hpp"
+
+#include <limits>
+
+namespace hackle {
+
+FieldChoice first_field(const PictureOptions& options) {
+  const Scalar& scalar = scalar_of(options.field);
+  const bool logarithmic = options.scale ? *options.scale == Scale::log : scalar.logarithmic;
+  return {scalar, options.range, options.colours, logarithmic, options.thickness};
+}
+
+FieldChoice second_field(const PictureOptions& options) {
+  const Scalar& scalar = scalar_of(*options.second);
+  return {scalar, options.second_range, "", scalar.logarithmic, options.thickness};
+}
+
+Ends usual_ends(const FieldChoice& field, const Simulation& simulation) {
+  Ends ends = field.scalar.ends(simulation);
+  if (field.is_fringes()) ends.most *= field.thickness;
+  if (field.logarithmic && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
+  return ends;
+}
+
+std::vector<float> values_of(const FieldChoice& field, const Simulation& simulation) {
+  std::vector<float> values = field.scalar.values(simulation);
+  if (field.is_fringes())
+    for (float& order : values) order *= static_cast<float>(field.thickness);
+  const std::vector<std::uint8_t>& material = simulation.lattice().material;
+  for (std::size_t node = 0; node < material.size(); ++node)
+    if (material[node] == Lattice::void_node)
+      values[node] = std::numeric_limits<float>::quiet_NaN();
+  return values;
+}
+
+bool is_logarithmic(const PictureOptions& options) {
+  return first_field(options).logarithmic;
+}
+
+Ends usual_ends(const PictureOptions& options, const Simulation& simulation) {
+  return usual_ends(first_field(options), simulation);
+}
+
+std::vector<float> field_values(const PictureOptions& options, const Simulation& simulation) {
+  return values_of(first_field(options), simulation);
+}
+
+}  // namespace hackle

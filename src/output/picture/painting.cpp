@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "output/picture/painting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "measure/links.hpp"
+#include "output/picture/automatic_range.hpp"
+#include "output/picture/chart_data.hpp"
+#include "output/picture/field_choice.hpp"
+#include "output/picture/view.hpp"
+#include "scene/check_members.hpp"
+
+namespace hackle {
+namespace {
+
+FieldStyle style_of(const FieldChoice& field, const Simulation& simulation) {
+  FieldStyle style;
+  style.colour_map = field.colours.empty() ? std::string(field.scalar.colours) : field.colours;
+  const Ends ends = field.range.value_or(usual_ends(field, simulation));
+  style.least = ends.least;
+  style.most = ends.most;
+  style.logarithmic = field.logarithmic;
+  style.sampling = field.scalar.sampling;
+  style.label = field.scalar.label;
+  style.unit = field.scalar.unit;
+  return style;
+}
+
+void check_range(const char* output, const char* option, const FieldChoice& field,
+                 Problems& problems) {
+  if (!field.range) return;
+  const auto [least, most] = *field.range;
+  if (!(std::isfinite(least) && std::isfinite(most) && least < most))
+    problems.add(fmt::format("{}: {} is {{{}, {}}}, it must go from a smaller to a larger value",
+                             output, option, least, most));
+  else if (field.logarithmic && least <= 0.0)
+    problems.add(fmt::format("{}: {} begins at {}, on a logarithmic scale it must be above 0",
+                             output, option, least));
+}
+
+// And of those beside it, whose bonds reach into it.
+std::vector<BondLine> bonds_in(const Window& window, const Simulation& simulation) {
+  const int reach = simulation.lattice().family.reach();
+  return bond_lines(simulation, {window.left - reach, window.left + window.nx - 1 + reach,
+                                 window.bottom - reach, window.bottom + window.ny - 1 + reach});
+}
+
+std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
+  std::vector<std::uint8_t> bytes(shares.size());
+  std::ranges::transform(shares, bytes.begin(), [](float share) {
+    return static_cast<std::uint8_t>(std::lround(255.0F * share));
+  });
+  return bytes;
+}
+
+// Throws Error (refused) when the picture would be too large.
+void set_size(PictureStyle& style, const PictureOptions& options) {
+  style.width = options.width;
+  if (!options.pixels_a_mm) return;
+  style.cell = 1e3 * *options.pixels_a_mm * style.grid.dx;
+  const Grid seen = part(style.grid, *style.window);
+  const double longest = style.cell * std::max(seen.nx, seen.ny);
+  const PlateSize size{style.cell, options.second && options.arrangement == Arrangement::beside};
+  if (longest < max_picture_width) style.width = width_for(seen, size);
+  if (longest >= max_picture_width || style.width > max_picture_width)
+    throw Error(ErrorKind::refused,
+                fmt::format("px_per_mm is {}, the picture would be wider or higher than {} px",
+                            shortest(*options.pixels_a_mm), max_picture_width),
+                "take fewer, or a zoom");
+}
+
+std::string title_of(const PictureOptions& options, const Simulation& simulation) {
+  if (options.overlay.title) return *options.overlay.title;
+  const std::string& name = simulation.plate().material.name;
+  if (!first_field(options).is_fringes()) return name;
+  return fmt::format("{}, {} thick", name, quantity(options.thickness, "m"));
+}
+
+}  // namespace
+
+void refuse_percentile(const char* output, const PictureOptions& options) {
+  if (options.percentile)
+    throw Error(ErrorKind::refused,
+                fmt::format("{}: percentile needs to know what will be seen", output),
+                "give a range; or record the run, and let recording(...):movie{} find it");
+}
+
+void check_opaque(const char* output, const PictureOptions& options) {
+  if (options.background == Background::transparent)
+    throw Error(ErrorKind::refused, fmt::format("{}: the background cannot be transparent", output),
+                "only a PNG by itself can; here it is dark or light");
+}
+
+void check(const char* output, const PictureOptions& options, const Grid& grid) {
+  Problems problems;
+  check_members(options, output, problems);
+  check_members(options.overlay, output, problems);
+  if (options.width % 2 != 0)
+    problems.add(fmt::format("{}: width is {} px, it must be even", output, options.width));
+  check_view(output, options, grid, problems);
+  problems.throw_if_any();
+  check_range(output, "range", first_field(options), problems);
+  if (options.second) check_range(output, "second_range", second_field(options), problems);
+  if (options.range && options.percentile)
+    problems.add(fmt::format("{}: range and percentile are given", output),
+                 "range says where the colour bar ends, percentile lets the values say it");
+  problems.throw_if_any();
+}
+
+PictureStyle style_of(const PictureOptions& options, const Simulation& simulation) {
+  PictureStyle style;
+  style.grid = simulation.lattice().grid;
+  style.window = window_of(options, simulation);
+  style.rotation = options.rotation;
+  style.magnification = magnification_of(options, simulation);
+  if (style.magnification > 0.0)
+    style.note = fmt::format("displacements × {:.4g}", style.magnification);
+  style.background = options.background;
+  set_size(style, options);
+  FieldChoice first = first_field(options);
+  if (options.percentile) first.range = automatic_range(options, simulation);
+  style.field = style_of(first, simulation);
+  if (options.second) style.second = style_of(second_field(options), simulation);
+  style.arrangement = options.arrangement;
+  style.overlay = options.overlay;
+  style.title = title_of(options, simulation);
+  return style;
+}
+
+Image paint(const Simulation& simulation, const PictureOptions& options,
+            const std::optional<Extent>& bare) {
+  simulation.check_finite();
+  PictureStyle style = style_of(options, simulation);
+  if (bare) {
+    style.width = bare->width;
+    style.bare_height = bare->height;
+  }
+  return PlatePainter(style).paint(shot_of(options, simulation));
+}
+
+int widest_picture(const PictureOptions& options, const Simulation& simulation,
+                   const Extent& most) {
+  PictureStyle style = style_of(options, simulation);
+  for (int width = std::min(most.width, max_picture_width) / 2 * 2; width >= min_picture_width;
+       width -= 2) {
+    style.width = width;
+    if (layout_of(style).height <= most.height) return width;
+  }
+  return 0;
+}
+
+Shot shot_of(const PictureOptions& options, const Simulation& simulation) {
+  Shot shot;
+  shot.values = field_values(options, simulation);
+  if (options.second) shot.second = values_of(second_field(options), simulation);
+  shot.time = simulation.time();
+  shot.discs = impactors(simulation);
+  if (options.cracks && options.field != "damage" && options.second != "damage")
+    shot.gaps = in_255ths(damage(simulation).values);
+  if (magnification_of(options, simulation) > 0.0) {
+    shot.displacement = displacement(simulation).values;
+    shot.links = links(simulation);
+  }
+  const Window window = followed(window_of(options, simulation), options, simulation);
+  if (options.follow) shot.window = window;
+  if (options.bonds) shot.bonds = bonds_in(window, simulation);
+  if (options.overlay.load_curve) shot.load_curve = load_curve(simulation);
+  if (options.overlay.energy) shot.energy = energy_chart(simulation);
+  return shot;
+}
+
+}  // namespace hackle

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "output/picture/view.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "measure/cracks.hpp"
+#include "render/bond_drawing.hpp"
+
+namespace hackle {
+namespace {
+
+std::string place_text(const Vec2& place) {
+  return fmt::format("{{{}, {}}}", quantity(place.x(), "m"), quantity(place.y(), "m"));
+}
+
+// Half the size of the lattice and of the window that Zoom describes, m.
+Vec2 half_size(const Grid& grid) {
+  return 0.5 * grid.dx * Vec2(grid.nx, grid.ny);
+}
+Vec2 half_size(const Zoom& zoom, const Grid& grid) {
+  return zoom.half_width * Vec2(1.0, static_cast<double>(grid.ny) / grid.nx);
+}
+
+void check(const char* output, const Zoom& zoom, const Grid& grid, Problems& problems) {
+  const double most = grid.nx * grid.dx;
+  if (!(zoom.half_width >= grid.dx && zoom.half_width <= most)) {
+    problems.add(
+        fmt::format("{}: half the width of zoom is {}, it must lie between {} and {}", output,
+                    quantity(zoom.half_width, "m"), quantity(grid.dx, "m"), quantity(most, "m")),
+        "the spacing of nodes, and the width of the plate");
+    return;
+  }
+  const Vec2 half = half_size(grid), reach = half + half_size(zoom, grid);
+  // Written so that nan is out of reach.
+  if (((zoom.centre - grid.centre).array().abs() < reach.array()).all()) return;
+  problems.add(fmt::format("{}: zoom shows nothing of the plate, its middle is {}", output,
+                           place_text(zoom.centre)),
+               fmt::format("the plate reaches from {} to {}", place_text(grid.centre - half),
+                           place_text(grid.centre + half)));
+}
+
+Window window_of(const Zoom& zoom, const Grid& grid) {
+  const Vec2 size = 2.0 / grid.dx * half_size(zoom, grid);
+  Window window;
+  window.nx = std::max(1, static_cast<int>(std::lround(size.x())));
+  window.ny = std::max(1, static_cast<int>(std::lround(size.y())));
+  return window;
+}
+
+// Its middle as near to the place, m, as whole cells allow, and not so far away that cells could
+// not be counted.
+Window moved(Window window, const Vec2& middle, const Grid& grid) {
+  constexpr double farthest = 1e8;
+  const Vec2 corner =
+      (grid.from_centre(middle) + 0.5 * Vec2(grid.nx - window.nx, grid.ny - window.ny))
+          .cwiseMax(-farthest)
+          .cwiseMin(farthest);
+  window.left = static_cast<int>(std::lround(corner.x()));
+  window.bottom = static_cast<int>(std::lround(corner.y()));
+  return window;
+}
+
+// The largest displacement to be expected of a plate that breaks, m.
+double usual_displacement(const Simulation& simulation) {
+  return scalar_of("displacement").ends(simulation).most;
+}
+
+// Cells that a displaced plate needs beside itself. What is broken goes on moving: the edges of the
+// paper's first plate have come 11.5 times as far as usual by 32 us.
+int margin_of(const PictureOptions& options, const Simulation& simulation) {
+  constexpr double flight = 12.0;
+  const Grid& grid = simulation.lattice().grid;
+  const double reach =
+      flight * magnification_of(options, simulation) * usual_displacement(simulation) / grid.dx;
+  return static_cast<int>(std::ceil(std::min(reach, 0.5 * std::min(grid.nx, grid.ny))));
+}
+
+double nodes_seen(const PictureOptions& options, const Grid& grid) {
+  if (!options.zoom) return static_cast<double>(grid.nodes());
+  const Window window = window_of(*options.zoom, grid);
+  return static_cast<double>(window.nx) * window.ny;
+}
+
+Vec2 direction_of(Toward toward) {
+  constexpr std::array<std::array<double, 2>, enum_names<Toward>.size()> directions{
+      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  const auto& [x, y] = directions[static_cast<std::size_t>(toward)];
+  return {x, y};
+}
+
+}  // namespace
+
+void check_view(const char* output, const PictureOptions& options, const Grid& grid,
+                Problems& problems) {
+  if (options.zoom) check(output, *options.zoom, grid, problems);
+  if (options.bonds && nodes_seen(options, grid) > max_drawn_nodes)
+    problems.add(fmt::format("{}: bonds of {:.0f} nodes would be drawn, {} are the most", output,
+                             nodes_seen(options, grid), max_drawn_nodes),
+                 "zoom = {x, y, half} looks at a part of the plate");
+  if (options.follow && !options.zoom)
+    problems.add(fmt::format("{}: follow needs a zoom", output),
+                 "zoom = {x, y, half} says where to begin, and how much is seen");
+}
+
+double magnification_of(const PictureOptions& options, const Simulation& simulation) {
+  if (!options.deformed) return 0.0;
+  if (options.magnification) return *options.magnification;
+  constexpr double share = 0.01;
+  const Plate& plate = simulation.plate();
+  return neat_at_most(share * std::min(plate.width, plate.height) / usual_displacement(simulation));
+}
+
+Window window_of(const PictureOptions& options, const Simulation& simulation) {
+  const Grid& grid = simulation.lattice().grid;
+  if (options.zoom) return moved(window_of(*options.zoom, grid), options.zoom->centre, grid);
+  return whole_window(grid, options.rotation, margin_of(options, simulation));
+}
+
+Window followed(Window window, const PictureOptions& options, const Simulation& simulation) {
+  if (!options.follow) return window;
+  const Grid& grid = simulation.lattice().grid;
+  const auto tip = foremost(damage(simulation), grid, direction_of(*options.follow));
+  if (!tip) return window;
+  const Vec2 node = grid.from_centre(*tip) + 0.5 * Vec2(grid.nx - 1, grid.ny - 1);
+  const Vec2 moved_by =
+      magnification_of(options, simulation) *
+      simulation.displacement(std::clamp(static_cast<int>(node.x()), 0, grid.nx - 1),
+                              std::clamp(static_cast<int>(node.y()), 0, grid.ny - 1));
+  return moved(window, *tip + moved_by, grid);
+}
+
+}  // namespace hackle

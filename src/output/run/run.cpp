@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+#include "output/run/run.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/stopwatch.hpp"
+#include "base/units.hpp"
+#include "output/files/movie_output.hpp"
+#include "output/files/outputs.hpp"
+#include "output/files/picture_files.hpp"
+#include "output/files/record_output.hpp"
+#include "output/picture/chart_data.hpp"
+#include "output/picture/painting.hpp"
+#include "output/report/notes.hpp"
+#include "output/report/report.hpp"
+#include "output/run/rehearsal.hpp"
+#include "output/run/run_loop.hpp"
+
+namespace hackle {
+namespace fs = std::filesystem;
+namespace {
+
+bool same_lattice(const Lattice& one, const Lattice& other) {
+  return one.grid.layout() == other.grid.layout() && one.grid.dx == other.grid.dx &&
+         one.bonds == other.bonds && one.initial_neighbours == other.initial_neighbours &&
+         one.material == other.material && one.strength == other.strength;
+}
+
+}  // namespace
+
+struct Run::Parts {
+  Parts(Plate plate, const Numerics& numerics, Execution execution, Talk talk_, Origin origin_)
+      : talk(talk_),
+        origin(std::move(origin_)),
+        simulation(std::move(plate), numerics, execution),
+        setup_seconds(life.seconds()) {}
+  explicit Parts(const Parts& other)
+      : talk(other.talk),
+        origin(other.origin),
+        simulation(other.simulation),
+        prospect(other.prospect) {
+    outputs.limit(other.outputs.limit());
+    outputs.share(other.outputs.names());
+  }
+
+  double unused = 0.0;
+  Stopwatch life{unused};
+  Talk talk;
+  Origin origin;
+  Simulation simulation;
+  double setup_seconds = 0.0;
+  Outputs outputs{default_output_limit};
+  PictureFiles pictures;  // of frame()
+  RunLoop loop;
+  Notes notes{talk};
+  Prospect prospect;
+  bool rehearsing = false;
+
+  // Outputs, watchers and `others` look on while the simulation goes where it aims.
+  void go_on(std::vector<Observer*> others) {
+    if (rehearsing) return prospect.arrive(simulation);
+    for (Observer* output : outputs.observers()) others.push_back(output);
+    loop.go_on(simulation, loop.with_watchers(std::move(others)));
+  }
+};
+
+Run::Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin origin)
+    : parts_(
+          std::make_unique<Parts>(std::move(plate), numerics, execution, talk, std::move(origin))) {
+  parts_->notes.begin(parts_->simulation);
+}
+
+Run::~Run() = default;
+
+fs::path Run::movie(const fs::path& path, const MovieOptions& options) {
+  check("movie", options.picture, parts_->simulation.lattice().grid);
+  refuse_percentile("movie", options.picture);
+  check_opaque("movie", options.picture);
+  parts_->loop.refuse_while_running();
+  auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation, parts_->origin,
+                                              parts_->talk, parts_->outputs.names());
+  fs::path made = output->path();
+  parts_->outputs.add("movie", made, FileKind::movie, std::move(output));
+  return made;
+}
+
+void Run::record(const fs::path& path, const RecordOptions& options) {
+  parts_->loop.refuse_while_running();
+  check_ending("record", path, FileKind::run_file);
+  auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin,
+                                               parts_->talk, parts_->outputs.names());
+  parts_->outputs.add("record", path, FileKind::run_file, std::move(output));
+}
+
+void Run::frame(const fs::path& path, const PictureOptions& options) {
+  check("frame", options, parts_->simulation.lattice().grid);
+  check_alone("frame", options);
+  parts_->outputs.names()->claim_checked("frame", path, FileKind::picture);
+  if (parts_->rehearsing) return;
+  parts_->pictures.write(path, [&] { return paint(parts_->simulation, options); });
+}
+
+void Run::share_names(std::shared_ptr<OutputNames> names) {
+  parts_->outputs.share(std::move(names));
+}
+
+void Run::limit_output(double bytes) {
+  parts_->outputs.limit(bytes);
+}
+
+void Run::set_loads(Loads loads) {
+  if (!parts_->loop.is_watched()) parts_->loop.refuse_while_running();
+  const Mark busy = parts_->loop.mark_busy();  // functions of place are called now
+  const std::vector<double> strain = parts_->simulation.thermal_strain();
+  if (parts_->rehearsing) parts_->prospect.exchange_loads(parts_->simulation, loads);
+  parts_->simulation.set_loads(std::move(loads));
+  parts_->notes.exchange_loads(parts_->simulation, strain);
+  if (under_way() && !parts_->rehearsing) parts_->notes.look_at_loads(parts_->simulation);
+}
+
+void Run::watch(std::shared_ptr<Observer> watcher) {
+  parts_->loop.watch(std::move(watcher));
+}
+
+void Run::stop() {
+  if (under_way()) parts_->simulation.stop();
+  parts_->simulation.break_off();  // from slow loading
+}
+
+Run::Run(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {
+}
+
+std::shared_ptr<Run> Run::fork() const {
+  std::shared_ptr<Run> run(new Run(std::make_unique<Parts>(*parts_)));
+  run->stop();
+  run->parts_->notes.begin_judging_at(run->parts_->simulation);
+  return run;
+}
+
+void Run::rewind(const Run& other) {
+  parts_->loop.refuse_while_running();
+  check_arrived("rewind");
+  if (!same_lattice(parts_->simulation.lattice(), other.simulation().lattice()))
+    throw Error(ErrorKind::refused, "rewind: that is a simulation of another plate or lattice",
+                "go back to what s:fork() has kept");
+  if (!parts_->outputs.empty() && !parts_->outputs.closed())
+    throw Error(ErrorKind::refused, "rewind: its movies and records would go back in time",
+                "complete them with s:close(), or go on with the other simulation");
+  if (&other == this) return;
+  parts_->simulation = other.simulation();
+  parts_->prospect = other.parts_->prospect;
+}
+
+void Run::check_open(const char* who) const {
+  parts_->loop.refuse_while_running();
+  if (parts_->outputs.closed() && !parts_->outputs.empty())
+    throw Error(ErrorKind::refused,
+                fmt::format("{}: the simulation is closed and its files are complete", who));
+}
+
+void Run::check_arrived(const char* who) const {
+  if (under_way())
+    throw Error(ErrorKind::refused,
+                fmt::format("{}: a run is under way until {}", who,
+                            quantity(parts_->simulation.end_time(), "s")),
+                "s:wait() lets it arrive, s:stop() ends it");
+}
+
+void Run::run(double duration) {
+  start(duration);
+  try {
+    wait();
+  } catch (const Error&) {
+    parts_->simulation.stop();  // what was not reached is not owed
+    throw;
+  }
+}
+
+void Run::start(double duration) {
+  check_open("run");
+  parts_->outputs.check_room(parts_->simulation, duration,
+                             std::numeric_limits<std::int64_t>::max());
+  if (!parts_->rehearsing) parts_->outputs.reserve();
+  resume();
+  const Mark busy = parts_->loop.mark_busy();  // functions of time are called now
+  parts_->simulation.aim(duration);
+  parts_->notes.look_at_loads(parts_->simulation);
+}
+
+void Run::go_on(double seconds) {
+  if (paused() || !under_way()) return;
+  Break end(parts_->simulation);
+  end.after_seconds(seconds);
+  parts_->go_on({&end});
+}
+
+void Run::wait(std::optional<std::int64_t> steps) {
+  parts_->loop.refuse_while_running();
+  resume();
+  Simulation& simulation = parts_->simulation;
+  ProgressObserver progress(parts_->talk, simulation.time(), simulation.end_time());
+  Break end(simulation);
+  if (steps) end.after_step(*steps);
+  try {
+    parts_->go_on({&progress, &end});
+  } catch (const Error&) {
+    pause();  // after an interrupt
+    throw;
+  }
+}
+
+bool Run::under_way() const {
+  return !parts_->simulation.has_arrived();
+}
+
+void Run::pause() {
+  parts_->loop.pause();
+}
+
+void Run::resume() {
+  parts_->loop.resume();
+}
+
+bool Run::paused() const {
+  return parts_->loop.paused();
+}
+
+void Run::interrupt_at(std::int64_t step) {
+  watch(std::make_shared<Interrupt>(step));
+}
+
+std::optional<std::int64_t> Run::take_interrupt() {
+  return parts_->loop.take_interrupt();
+}
+
+void Run::step(std::int64_t count) {
+  check_open("step");
+  check_arrived("step");
+  const Simulation& simulation = parts_->simulation;
+  run(simulation.time_at(simulation.state().step + count) - simulation.end_time());
+}
+
+RelaxResult Run::relax(double tolerance) {
+  check_open("relax");
+  check_arrived("relax");
+  if (parts_->rehearsing) {
+    parts_->prospect.relax(parts_->simulation);
+    return {};
+  }
+  const Mark busy = parts_->loop.mark_busy();
+  Progress progress(parts_->talk);
+  return parts_->simulation.relax(
+      {tolerance, [&](double fraction, int iterations) {
+         if (progress.due(fraction))
+           progress.show(fraction,
+                         fmt::format("coming to rest  iteration {}", grouped(iterations)));
+       }});
+}
+
+QuasistaticResult Run::load_slowly(double duration, int increments, double tolerance) {
+  check_open("quasistatic");
+  check_arrived("quasistatic");
+  parts_->outputs.check_room(parts_->simulation, duration, increments + 1LL);
+  if (parts_->rehearsing) {
+    parts_->prospect.arrive_slowly(parts_->simulation, duration, increments);
+    return {};
+  }
+  parts_->outputs.reserve();
+  const std::vector<Observer*> observers = parts_->loop.with_watchers(parts_->outputs.observers());
+  const Mark busy = parts_->loop.mark_busy();
+  Progress progress(parts_->talk);
+  const auto show = [&](double fraction, int increment, int pass, std::int64_t broken) {
+    if (progress.due(fraction))
+      progress.show(fraction, fmt::format("increment {} of {}  pass {}  {} bonds broken", increment,
+                                          increments, pass, grouped(broken)));
+  };
+  return parts_->simulation.load_slowly({duration, increments, tolerance, show}, observers);
+}
+
+void Run::close() {
+  parts_->loop.refuse_while_running();
+  stop();
+  judge();
+  parts_->loop.forget_watchers();
+  parts_->outputs.close();
+}
+
+void Run::judge() {
+  if (!parts_->rehearsing) parts_->notes.judge(parts_->simulation);
+}
+
+void Run::rehearse() {
+  parts_->rehearsing = true;
+  parts_->outputs.names()->rehearses = true;
+}
+
+void Run::look() {
+  parts_->prospect.look();
+}
+
+void Run::doubt(std::string why) {
+  if (parts_->rehearsing) parts_->prospect.doubt(std::move(why));
+}
+
+Rehearsal Run::rehearsal() const {
+  return hackle::rehearse(parts_->simulation, parts_->prospect);
+}
+
+const Simulation& Run::simulation() const {
+  return parts_->simulation;
+}
+
+Summary Run::summary() const {
+  Summary summary = summary_of(parts_->simulation);
+  summary.script = parts_->origin.script_name;
+  summary.notes = parts_->notes.all();
+  summary.wall.setup = parts_->setup_seconds;
+  parts_->pictures.add_to(summary);
+  parts_->outputs.add_to(summary);
+  summary.wall.total = parts_->life.seconds();
+  return summary;
+}
+
+std::string Run::report() const {
+  return hackle::report(parts_->simulation, summary());
+}
+
+}  // namespace hackle

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Draws lines, areas and texts on the pixels of an image with Cairo. Lengths in px, y downwards.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include <cairo.h>
+
+#include "base/image.hpp"
+#include "render/colour_map.hpp"
+#include "render/overlay/font.hpp"
+#include "render/overlay/rectangle.hpp"
+#include "scene/vec2.hpp"
+
+namespace hackle {
+
+class Canvas {
+ public:
+  // Draws over the content of the image, which must outlive the canvas. The upper left corner of
+  // the image has the coordinates `x`, `y`.
+  explicit Canvas(Image& image, int x = 0, int y = 0);
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  void colour(Colour colour, double opacity = 1.0);
+  void fill(double x, double y, double width, double height);
+  // Draws a frame of this width around the rectangle.
+  void outline(const Rectangle& r, int width);
+  // Restricts later drawing to the rectangle.
+  void clip(const Rectangle& r);
+  void line(std::span<const Vec2> points, double width);
+  // Draws a translucent disc with a bright rim.
+  void disc(const Vec2& centre, double radius_x, double radius_y, Colour colour);
+  void dot(const Vec2& centre, double radius);
+  // Draws an image with its upper left corner at x, y, scaled.
+  void picture(cairo_surface_t* from, double x, double y, double scale);
+
+  void write(const Font& font, const PlacedText& text);
+  // Writes with a rim in another colour, so that the text is legible on any ground.
+  void write(const Font& font, const PlacedText& text, Colour rim);
+
+ private:
+  void set_font(const Font& font, double size);
+
+  struct Free {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+  };
+  std::unique_ptr<cairo_surface_t, Free> surface_;
+  std::unique_ptr<cairo_t, Free> cairo_;
+};
+
+}  // namespace hackle

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The colours of a field and the values they stand for.
+#pragma once
+
+#include <vector>
+
+#include "render/overlay/canvas.hpp"
+#include "render/overlay/layout.hpp"
+
+namespace hackle {
+
+class ColourBar {
+ public:
+  ColourBar(const Layout& layout, const BarRoom& room, const BarText& text, const Theme& theme,
+            const Font& font);
+
+  void draw(Canvas& canvas, const ColourMap& map) const;
+  // Returns the name and the numbers.
+  const std::vector<PlacedText>& texts() const { return texts_; }
+
+ private:
+  Rectangle bar_;
+  int mark_ = 0, hairline_ = 1;  // px, length and width of marks
+  std::vector<int> marks_;       // px from the left
+  std::vector<PlacedText> texts_;
+  Colour colour_;
+};
+
+}  // namespace hackle

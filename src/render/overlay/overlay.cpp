@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "render/overlay/overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "render/overlay/canvas.hpp"
+#include "render/overlay/colour_bar.hpp"
+#include "render/overlay/scale_bar.hpp"
+#include "render/overlay/strip_chart.hpp"
+
+namespace hackle {
+namespace {
+
+// Copies to a rectangle as large as `from`.
+void copy(const Image& from, Image& to, const Rectangle& area) {
+  const std::uint8_t* row = from.pixels.data();
+  const std::ptrdiff_t left = 4 * static_cast<std::ptrdiff_t>(area.x);
+  std::uint8_t* at = to.pixels.data() + static_cast<std::ptrdiff_t>(area.y) * to.stride() + left;
+  for (int k = 0; k < area.height; ++k, row += from.stride(), at += to.stride())
+    std::memcpy(at, row, static_cast<std::size_t>(from.stride()));
+}
+
+// Returns the base line of the letters of one caption line.
+double base_line(const Rectangle& line, double font) {
+  return line.y + font;
+}
+
+}  // namespace
+
+Overlay::Overlay(const Layout& layout, const OverlayText& text, const std::vector<ColourMap>& maps,
+                 double pixels_a_metre)
+    : layout_(layout),
+      theme_(theme_of(text.background)),
+      slow_motion_(slow_motion_text(text.slow_motion)) {
+  if (layout.font == 0.0) return;
+  font_.emplace();
+  markers_ = text.parts.markers;
+  draw_once(text, maps, pixels_a_metre);
+}
+
+void Overlay::draw_once(const OverlayText& text, const std::vector<ColourMap>& maps,
+                        double pixels_a_metre) {
+  write_caption(text);
+  std::vector<ColourBar> bars;
+  for (std::size_t k = 0; k < layout_.bars.size(); ++k) {
+    const ColourBar& bar =
+        bars.emplace_back(layout_, layout_.bars[k], text.bars[k], theme_, *font_);
+    lasting_.insert(lasting_.end(), bar.texts().begin(), bar.texts().end());
+  }
+  std::optional<ScaleBar> scale;
+  if (!layout_.scale.empty()) {
+    scale.emplace(layout_, text, *font_, 1.0 / pixels_a_metre);
+    lasting_.push_back(scale->text());
+  }
+  const auto draw_all = [&](Canvas& canvas) {
+    for (std::size_t k = 0; k < bars.size(); ++k) bars[k].draw(canvas, maps[k]);
+    if (scale) scale->draw(canvas);
+    for (const PlacedText& one : lasting_) canvas.write(*font_, one);
+  };
+  keep({0, 0, layout_.width, layout_.caption.bottom()}, draw_all);
+  keep({0, layout_.foot, layout_.width, layout_.height - layout_.foot}, draw_all);
+}
+
+void Overlay::keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all) {
+  if (area.empty()) return;
+  Strip& strip = strips_.emplace_back(Strip{area, Image(area.width, area.height)});
+  Canvas canvas(strip.pixels, area.x, area.y);
+  canvas.colour(theme_.background, theme_.opacity);
+  canvas.fill(area.x, area.y, area.width, area.height);
+  draw_all(canvas);
+}
+
+void Overlay::write_caption(const OverlayText& text) {
+  const auto write = [&](const std::string& words, const Rectangle& line, double size,
+                         Colour colour) {
+    if (line.empty()) return;
+    lasting_.push_back(font_->place(font_->fitting(words, size, line.width), line.x,
+                                    base_line(line, layout_.font), size, 0.0, colour));
+  };
+  write(text.title, layout_.title, layout_.font, theme_.text);
+  write(text.note, layout_.note, layout_.small_font, theme_.quiet);
+}
+
+void Overlay::draw_marks(Image& image, const Rectangle& plate, const Camera& camera,
+                         const Moment& moment) {
+  Canvas canvas(image);
+  if (font_) {
+    canvas.colour(theme_.outline);
+    canvas.outline(plate, layout_.hairline);
+  }
+  const Vec2 scale = camera.pixels_a_metre();
+  for (const Circle& disc : moment.discs)
+    canvas.disc(camera.pixel(disc.centre), disc.radius * scale.x(), disc.radius * scale.y(),
+                theme_.disc);
+  if (!font_) return;
+  const auto placed = place_markers(markers_, layout_, plate, camera, *font_);
+  hackle::draw(canvas, placed, layout_, *font_);
+  placed_.insert(placed_.end(), placed.begin(), placed.end());
+}
+
+void Overlay::draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& history,
+                         const Chart& chart, double time) {
+  if (room.empty()) return;
+  const StripChart strip(room, history.add(chart, time), time, layout_, theme_, *font_);
+  strip.draw(canvas);
+  fleeting_.insert(fleeting_.end(), strip.texts().begin(), strip.texts().end());
+}
+
+// The slow motion stands beside the time; it moves only for times that are longer than usual.
+void Overlay::write_clock(double time) {
+  const Rectangle& clock = layout_.clock;
+  double left = clock.right();
+  if (!clock.empty()) {
+    const std::string text = font_->fitting(time_text(time), layout_.font, clock.width);
+    fleeting_.push_back(font_->place(text, clock.right(), base_line(clock, layout_.font),
+                                     layout_.font, 1.0, theme_.text));
+    left = std::min(fleeting_.back().x, clock.right() - font_->width_of("000.00 µs", layout_.font));
+  }
+  const Rectangle& slow = layout_.slow_motion;
+  if (slow.empty()) return;
+  const double right = slow.y == clock.y ? left - layout_.font : slow.right();
+  fleeting_.push_back(font_->place(font_->fitting(slow_motion_, layout_.small_font, slow.width),
+                                   right, base_line(slow, layout_.font), layout_.small_font, 1.0,
+                                   theme_.quiet));
+}
+
+void Overlay::draw(Image& image, const std::vector<Camera>& cameras, const Moment& moment) {
+  placed_.clear();
+  draw_marks(image, layout_.plate, cameras.front(), moment);
+  if (!layout_.second_plate.empty())
+    draw_marks(image, layout_.second_plate, cameras.back(), moment);
+  for (const Strip& strip : strips_) copy(strip.pixels, image, strip.area);
+  if (font_) draw_fleeting(image, moment);
+}
+
+void Overlay::draw_fleeting(Image& image, const Moment& moment) {
+  Canvas canvas(image);
+  fleeting_.clear();
+  write_clock(moment.time);
+  for (const PlacedText& one : fleeting_) canvas.write(*font_, one);
+  draw_chart(canvas, layout_.load_curve, loads_, moment.load_curve, moment.time);
+  draw_chart(canvas, layout_.energy, energy_, moment.energy, moment.time);
+}
+
+std::vector<PlacedText> Overlay::texts() const {
+  std::vector<PlacedText> all = lasting_;
+  all.insert(all.end(), fleeting_.begin(), fleeting_.end());
+  for (const PlacedMarker& marker : placed_)
+    if (marker.label) all.push_back(*marker.label);
+  return all;
+}
+
+}  // namespace hackle

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Texts, bars and charts around a plate and marks on it, drawn with Cairo on the pixels of a
+// picture. Parts that all pictures of a series share are drawn once and copied.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "base/image.hpp"
+#include "measure/field.hpp"
+#include "render/camera.hpp"
+#include "render/colour_map.hpp"
+#include "render/overlay/chart.hpp"
+#include "render/overlay/font.hpp"
+#include "render/overlay/layout.hpp"
+#include "render/overlay/markers.hpp"
+#include "render/overlay/overlay_text.hpp"
+
+namespace hackle {
+
+// The content of an overlay at one time.
+struct Moment {
+  double time = 0.0;  // s
+  std::vector<Circle> discs;
+  Chart load_curve, energy;  // used if the layout has room for them
+};
+
+class Overlay {
+ public:
+  // Takes a colour map for each bar of the text, and px per metre along x. A bare layout shows only
+  // discs. Throws what Font throws.
+  Overlay(const Layout& layout, const OverlayText& text, const std::vector<ColourMap>& maps,
+          double pixels_a_metre);
+
+  // Draws on a picture of the layout's size, over anything there that extends beyond the plate.
+  // Takes a camera per plate. Moments of a series must be drawn in order: charts show the earlier
+  // ones.
+  void draw(Image& image, const std::vector<Camera>& cameras, const Moment& moment);
+
+  // Returns all texts of the last draw().
+  std::vector<PlacedText> texts() const;
+
+ private:
+  struct Strip {
+    Rectangle area;
+    Image pixels;
+  };
+
+  void draw_once(const OverlayText& text, const std::vector<ColourMap>& maps,
+                 double pixels_a_metre);
+  void keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all);
+  void write_caption(const OverlayText& text);
+  void draw_marks(Image& image, const Rectangle& plate, const Camera& camera, const Moment& moment);
+  void draw_fleeting(Image& image, const Moment& moment);
+  void write_clock(double time);
+  void draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& history, const Chart& chart,
+                  double time);
+
+  Layout layout_;
+  Theme theme_;
+  std::string slow_motion_;
+  std::optional<Font> font_;  // empty on a bare picture, which has no text
+  std::vector<Strip> strips_;
+  std::vector<Marker> markers_;
+  std::vector<PlacedMarker> placed_;  // of markers_, as last drawn
+  ChartHistory loads_, energy_;
+  std::vector<PlacedText> lasting_, fleeting_;
+};
+
+}  // namespace hackle

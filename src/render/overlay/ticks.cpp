@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "render/overlay/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace hackle {
+namespace {
+
+constexpr double slack = 1e-9;  // so that a round end gets its tick
+
+double neat_at_least(double least) {
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 2.5, 5.0})
+    if (factor * decade >= least) return factor * decade;
+  return 10.0 * decade;
+}
+
+double step_of(double least, double most, int intervals) {
+  const double share = most / intervals - least / intervals;  // does not overflow
+  return neat_at_least(share * (1.0 - slack));
+}
+
+std::vector<double> multiples(double step, double first, double last) {
+  constexpr double most = 100.0;  // there are fewer, unless the numbers are too close to differ
+  std::vector<double> values;
+  if (!std::isfinite(step) || step == 0.0 || last - first > most) return values;
+  for (double k = first; k <= last; ++k) values.push_back(k == 0.0 ? 0.0 : k * step);  // never -0
+  return values;
+}
+
+// Writes "−" for "-", and powers of ten in the usual form.
+std::string printed(const std::string& text) {
+  const std::size_t e = text.find('e');
+  std::string number = text.substr(0, e);
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  if (e == std::string::npos) return number;
+  constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string power = number == "1" ? "10" : number + "·10";
+  const int exponent = std::stoi(text.substr(e + 1));
+  if (exponent < 0) power += "⁻";
+  for (const char digit : std::to_string(std::abs(exponent))) power += raised[digit - '0'];
+  return power;
+}
+
+}  // namespace
+
+std::vector<double> neat_values(double least, double most, int intervals) {
+  const double step = step_of(least, most, intervals);
+  return multiples(step, std::ceil(least / step - slack), std::floor(most / step + slack));
+}
+
+std::vector<double> enclosing_values(double least, double most, int intervals) {
+  const double step = step_of(least, most, intervals);
+  return multiples(step, std::floor(least / step + slack), std::ceil(most / step - slack));
+}
+
+std::vector<double> decades(double least, double most, int intervals) {
+  const double first = std::ceil(std::log10(least) - slack);
+  const double last = std::floor(std::log10(most) + slack);
+  const double stride = std::max(1.0, std::ceil((last - first) / intervals));
+  std::vector<double> values;
+  for (double power = first; power <= last; power += stride)
+    values.push_back(std::pow(10.0, power));
+  return values;
+}
+
+std::vector<std::string> tick_texts(const std::vector<double>& values) {
+  constexpr int fewest = 4, most = 12;
+  std::vector<std::string> texts;
+  for (int digits = fewest; digits <= most; ++digits) {
+    texts.clear();
+    for (const double value : values)
+      texts.push_back(printed(fmt::format("{:.{}g}", value, digits)));
+    if (std::ranges::adjacent_find(texts) == texts.end()) break;
+  }
+  return texts;
+}
+
+}  // namespace hackle

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "output/files/outputs.hpp"
+
+#include <functional>
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "support/folder.hpp"
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+using testing::HasSubstr;
+
+// An output that cannot complete its file.
+class Hopeless : public Output {
+ public:
+  explicit Hopeless(std::string name) : name_(std::move(name)) {}
+  bool due(const Simulation&) override { return false; }
+  void observe(const Simulation&) override {}
+  Expected expected(double, std::int64_t max_looks) const override {
+    return {name_, max_looks, 6e8};
+  }
+  void close() override { throw Error(ErrorKind::files, name_ + " is lost", "pray"); }
+  std::vector<std::filesystem::path> files() const override { return {}; }
+  void add_seconds(StageSeconds& wall) const override { wall.encode += 1.0; }
+
+ private:
+  std::string name_;
+};
+
+std::string failure_of(const std::function<void()>& work) {
+  try {
+    work();
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+Outputs two(const test::Folder& folder) {
+  Outputs outputs(1e9);
+  outputs.add("movie", folder.path / "a", FileKind::movie, std::make_unique<Hopeless>("a"));
+  outputs.add("record", folder.path / "b", FileKind::run_file, std::make_unique<Hopeless>("b"));
+  return outputs;
+}
+
+TEST(Outputs, ClosingTellsOfEveryFileThatIsLost) {
+  const test::Folder folder;
+  Outputs outputs = two(folder);
+  const std::string message = failure_of([&] { outputs.close(); });
+  EXPECT_THAT(message, HasSubstr("a is lost"));
+  EXPECT_THAT(message, HasSubstr("b is lost"));
+  EXPECT_TRUE(outputs.closed());
+}
+
+TEST(Outputs, TogetherTheyMayNotTakeMoreThanTheLimit) {
+  const test::Folder folder;
+  Outputs outputs = two(folder);
+  const Simulation simulation(test::bare_plate(20, 20), test::numerics());
+  const auto check = [&] { outputs.check_room(simulation, 1e-6, 3); };
+  EXPECT_THAT(failure_of(check), HasSubstr("'a' 600 MB in 3 pieces, 'b' 600 MB in 3 pieces"));
+  outputs.limit(2e9);
+  EXPECT_EQ(failure_of(check), "");
+}
+
+TEST(Outputs, OneFileIsWrittenByOneOfThem) {
+  const test::Folder folder;
+  Outputs outputs = two(folder);
+  const auto add = [&] {
+    outputs.add("movie", folder.path / "a", FileKind::movie, std::make_unique<Hopeless>("a"));
+  };
+  EXPECT_THAT(failure_of(add), HasSubstr("already written by movie"));
+}
+
+TEST(Outputs, AddUpTheirTime) {
+  const test::Folder folder;
+  const Outputs outputs = two(folder);
+  Summary summary;
+  outputs.add_to(summary);
+  EXPECT_EQ(summary.wall.encode, 2.0);
+}
+
+}  // namespace
+}  // namespace hackle

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "output/files/schedule.hpp"
+
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "support/scenes.hpp"
+
+namespace hackle {
+namespace {
+
+Simulation small() {
+  return Simulation(test::bare_plate(20, 10), test::numerics(), {1});
+}
+
+// Returns the steps at which an output with interval `every` sees the state.
+std::vector<std::int64_t> served(double every, std::int64_t steps) {
+  Simulation simulation = small();
+  Schedule schedule("movie", every, simulation);
+  std::vector<std::int64_t> list;
+  for (;;) {
+    if (schedule.reached(simulation)) {
+      list.push_back(simulation.state().step);
+      schedule.advance(simulation);
+    }
+    if (simulation.state().step == steps) return list;
+    simulation.step();
+  }
+}
+
+TEST(Schedule, EveryStepServesEveryStep) {
+  EXPECT_THAT(served(small().dt(), 4), testing::ElementsAre(0, 1, 2, 3, 4));
+}
+
+TEST(Schedule, TakesTheNearestStepAndNeverDrifts) {
+  // Moments 0, 2.4, 4.8, 7.2, 9.6, 12 steps.
+  EXPECT_THAT(served(2.4 * small().dt(), 12), testing::ElementsAre(0, 2, 5, 7, 10, 12));
+}
+
+TEST(Schedule, StartsWhereTheSimulationIs) {
+  Simulation simulation = small();
+  simulation.step();
+  simulation.step();
+  const Schedule schedule("movie", 5.0 * simulation.dt(), simulation);
+  EXPECT_TRUE(schedule.reached(simulation));
+}
+
+TEST(Schedule, RefusesLessThanAStepAndNonsense) {
+  const Simulation simulation = small();
+  for (const double every : {0.0, -1.0, 0.9 * simulation.dt(), std::nan("")}) {
+    try {
+      const Schedule schedule("movie", every, simulation);
+      FAIL() << every;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::refused);
+      EXPECT_THAT(error.what(), testing::HasSubstr("less than one time step of"));
+    }
+  }
+}
+
+// Its times count from the present time of the simulation when the output was added.
+TEST(Schedule, CountsFromItsOwnStart) {
+  Simulation simulation = small();
+  simulation.step();
+  simulation.step();
+  Schedule schedule("movie", 5.0 * simulation.dt(), simulation);
+  std::vector<std::int64_t> list;
+  for (; simulation.state().step <= 12; simulation.step())
+    if (schedule.reached(simulation)) {
+      list.push_back(simulation.state().step);
+      schedule.advance(simulation);
+    }
+  EXPECT_THAT(list, testing::ElementsAre(2, 7, 12));
+}
+
+// Quasi-static loading passes many times at once: the following steps do not make up for them.
+TEST(Schedule, MomentsThatHavePassedAreNotMadeUpFor) {
+  Simulation simulation = small();
+  const double dt = simulation.dt();
+  Schedule schedule("on", 2.0 * dt, simulation);
+  schedule.advance(simulation);
+  simulation.load_slowly({21.0 * dt, 1});
+  EXPECT_TRUE(schedule.reached(simulation));
+  schedule.advance(simulation);
+  EXPECT_FALSE(schedule.reached(simulation));
+  simulation.run(dt);
+  EXPECT_TRUE(schedule.reached(simulation));
+}
+
+// Counts the times until a given time, including those that have passed.
+TEST(Schedule, SaysHowManyMomentsThereAre) {
+  Simulation simulation = small();
+  simulation.step();
+  simulation.step();
+  const double dt = simulation.dt();
+  Schedule schedule("movie", 5.0 * dt, simulation);
+  EXPECT_EQ(schedule.moments(2.0 * dt, 100), 1);
+  EXPECT_EQ(schedule.moments(6.9 * dt, 100), 1);
+  EXPECT_EQ(schedule.moments(7.0 * dt, 100), 2);
+  EXPECT_EQ(schedule.moments(22.0 * dt, 100), 5);
+  EXPECT_EQ(schedule.moments(22.0 * dt, 3), 3);
+  schedule.advance(simulation);
+  EXPECT_EQ(schedule.moments(22.0 * dt, 100), 5);
+  EXPECT_EQ(schedule.moments(22.0 * dt, 3), 4);  // one has passed, three more
+  EXPECT_EQ(schedule.moments(0.0, 100), 1);
+}
+
+}  // namespace
+}  // namespace hackle
