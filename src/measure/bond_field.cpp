@@ -17,7 +17,7 @@ void visit_bonds(const View& view, Visit visit) {
   hackle::visit_bonds(view.lattice(), view.state(), view.thermal_strain(), visit);
 }
 
-// For each node the first node of its fragment.
+// Returns, for each node, the first node of its fragment.
 std::vector<std::size_t> first_nodes(const View& view) {
   UnionFind fragments(view.lattice().grid.nodes());
   visit_bonds(view, [&](const VisitedBond& bond) {
@@ -26,7 +26,7 @@ std::vector<std::size_t> first_nodes(const View& view) {
   return fragments.firsts();
 }
 
-// zz of a plate that is held from straining across its thickness.
+// Adds zz of a plate that cannot strain across its thickness.
 void add_stress_across(const View& view, std::vector<Stress>& stresses) {
   const Lattice& lattice = view.lattice();
   const std::vector<double>& heat = view.thermal_strain();
@@ -59,7 +59,7 @@ double Stress::von_mises() const {
 std::vector<Stress> stresses(const View& view) {
   const Grid& grid = view.lattice().grid;
   std::vector<Stress> stresses(grid.nodes());
-  const double unit = 0.5 * std::pow(grid.dx, 3);  // of 1/2 |xi| V
+  const double unit = 0.5 * std::pow(grid.dx, 3);  // from 1/2 |xi| V
   visit_bonds(view, [&](const VisitedBond& bond) {
     if (!bond.holds) return;
     const double pull = unit * bond.c * bond.weight * bond.s / bond.length;
@@ -77,7 +77,7 @@ std::vector<Stress> stresses(const View& view) {
 std::vector<double> energy_densities(const View& view) {
   const Grid& grid = view.lattice().grid;
   std::vector<double> densities(grid.nodes());
-  const double unit = 0.25 * std::pow(grid.dx, 3);  // of 1/2 c s^2/2 |xi| V
+  const double unit = 0.25 * std::pow(grid.dx, 3);  // from 1/2 c s^2/2 |xi| V
   visit_bonds(view, [&](const VisitedBond& bond) {
     const double density = unit * bond.c * bond.weight * bond.length * bond.s * bond.s;
     densities[bond.one] += density;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fields that follow from a node's bonds: stress, energy, closeness to breaking. Values are by
-// Grid::index, 0 where no bond holds. Within a horizon of an edge or a crack a node lacks bonds;
-// its stress is that of the bonds it has.
+// Grid::index, 0 for nodes without intact bonds. Within a horizon of an edge or a crack a node
+// lacks bonds; its stress is that of its remaining bonds.
 #pragma once
 
 #include <vector>
@@ -11,31 +11,31 @@
 namespace hackle {
 
 // Pa. The stress across the plate, zz, is 0 in plane stress; in plane strain it is nu (xx + yy) - E
-// th by Hooke's law, with the moduli of the node's material on the lattice and th its thermal
-// strain.
+// th by Hooke's law, with the moduli of the node's material on the lattice and its thermal strain
+// th.
 struct Stress {
   double xx = 0.0, yy = 0.0, xy = 0.0;
   double zz = 0.0;
 
   double first() const;   // the larger principal stress in the plate
   double second() const;  // the smaller
-  double shear() const;   // the largest in the plane: half their difference
+  double shear() const;   // largest in-plane shear: half their difference
   double von_mises() const;
 };
 
-// sigma = 1/2 sum over its bonds of c w s |xi| (e x e) V, the derivative of the energy density by a
-// uniform small strain; e the direction of the bond at rest.
+// Computes sigma = 1/2 sum over its bonds of c w s |xi| (e x e) V, the derivative of the energy
+// density by a uniform small strain; e is the direction of the undeformed bond.
 std::vector<Stress> stresses(const View& view);
 
-// J/m3: each end of a bond has half of its energy.
+// Computes J/m3; each end of a bond has half of its energy.
 std::vector<double> energy_densities(const View& view);
 
-// The largest s/s0 of the bonds that hold; below 0 where all are compressed.
+// Computes the largest s/s0 of the intact bonds; below 0 where all are compressed.
 std::vector<double> closest_to_breaking(const View& view);
 
-// Which fragment of the plate each node belongs to: 1 for the one with the most nodes, and so on; 0
-// where no bond holds. Of fragments alike, the one that begins nearer to the lower left corner is
-// first.
+// Returns the number of the fragment of each node: 1 for the fragment with the most nodes, and so
+// on; 0 for nodes without intact bonds. Of equal fragments, the one that begins nearer to the lower
+// left corner comes first.
 std::vector<int> fragment_numbers(const View& view);
 
 }  // namespace hackle

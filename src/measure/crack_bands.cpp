@@ -37,8 +37,8 @@ Nodes nodes_on_crack(const Field& damage) {
   return nodes;
 }
 
-// All that discs about the nodes cover, less all that discs outside of that cover (a closing). The
-// outside of the plate takes nothing away.
+// A morphological closing: the area covered by discs about the nodes, minus the area covered by
+// discs outside that. The outside of the plate removes nothing.
 Nodes close_gaps(const Nodes& nodes, const Grid& grid, double reach) {
   const std::vector<Offset> brush = disc(0.5 * reach);
   Nodes wide(nodes.size());

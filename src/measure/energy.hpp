@@ -9,18 +9,20 @@ namespace hackle {
 
 // All in J per metre of thickness.
 struct Energy {
-  double kinetic = 0.0;  // sum of 1/2 rho V v^2
-  double strain = 0.0;   // sum over the bonds that hold of 1/2 c w s^2 |xi| V^2, s without the
-                         // thermal part
-  double broken = 0.0;   // the same at s = s0, over the bonds that broke since t = 0: what the
-                        // fracture energy G0 charges for them. Cuts made by the scene cost nothing.
-  double damped = 0.0;    // kinetic energy taken by damping
-  double released = 0.0;  // given off where a plate jumps from one state at rest to another, or is
-                          // brought to rest: what would have become motion, and was taken away
+  double kinetic = 0.0;   // sum of 1/2 rho V v^2
+  double strain = 0.0;    // sum over the intact bonds of 1/2 c w s^2 |xi| V^2, s without the
+                          // thermal part
+  double broken = 0.0;    // the same at s = s0, over the bonds broken since t = 0: the fracture
+                          // energy G0 of these bonds. Cuts made by the scene cost nothing.
+  double damped = 0.0;    // kinetic energy dissipated by damping
+  double released = 0.0;  // set free when a plate jumps from one static equilibrium to another, or
+                          // is brought into one: energy that would have become motion and was
+                          // removed
   double contact = 0.0;   // stored where faces and fragments touch, or lost there when bonds broke;
-                          // less what is stored since the plate came to rest without them
-  double external = 0.0;  // work done by loads, supports and impactors, what the start gave, and by
-                          // how much changes of temperature raised the strain energy
+                          // minus the part stored since the plate reached an equilibrium without
+                          // contact
+  double external = 0.0;  // work of loads, supports and impactors, energy of initial conditions,
+                          // and the increase of strain energy by changes of temperature
   double residual() const {
     return external - kinetic - strain - broken - damped - released - contact;
   }

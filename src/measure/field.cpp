@@ -4,7 +4,7 @@
 namespace hackle {
 namespace {
 
-// A field of two components from a vector for every node, given by its column and row.
+// Makes a field of two components from a vector per node, given by its column and row.
 template <class Of>
 Field vector_field(const View& view, const char* name, const char* unit, Of of) {
   const Grid& grid = view.lattice().grid;
@@ -19,7 +19,7 @@ Field vector_field(const View& view, const char* name, const char* unit, Of of) 
   return field;
 }
 
-// From the number of bonds that are left.
+// Computes damage from the number of intact bonds.
 Field damage_by(const BondBits& bonds, const Lattice& lattice) {
   const auto left = degrees(lattice.grid, lattice.family, bonds);
   Field field{"damage", "", 1, std::vector<float>(lattice.grid.nodes())};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A quantity over the plate at one time, as pictures and files take it.
+// A quantity over the plate at one time, for pictures and files.
 #pragma once
 
 #include <string>
@@ -17,12 +17,12 @@ struct Field {
   std::vector<float> values;
 };
 
-// Share of a node's initial bonds that are broken, 0..1; 0 where it has none. A straight crack
-// shows as 0.4 to 0.5 on its two sides.
+// Returns the share of a node's initial bonds that are broken, 0..1; 0 for a node without any. A
+// straight crack shows as 0.4 to 0.5 on its two sides.
 Field damage(const View& view);
-// The damage that the cracks of the scene make, before anything breaks.
+// Returns the damage by the cracks of the scene, before anything breaks.
 Field damage_at_start(const View& view);
-// The damage of one node.
+// Returns the damage of one node.
 double damage_of(const View& view, int i, int j);
 Field displacement(const View& view);  // m, components x and y; 0 where void
 Field velocity(const View& view);      // m/s, components x and y

@@ -19,7 +19,7 @@ namespace hackle {
 namespace {
 
 constexpr double shortest_branch = 1.0;  // horizons
-constexpr double looked_at = 4.0;        // horizons of a branch, for its middle line
+constexpr double looked_at = 4.0;        // horizons along a branch, for its middle line
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
@@ -33,13 +33,13 @@ void for_neighbours(const Grid& grid, std::size_t node, Visit visit) {
         visit(grid.index(i + a, j + b), a != 0 && b != 0 ? std::numbers::sqrt2 : 1.0);
 }
 
-// Spacings along the band from the nearest of some nodes, by Grid::index.
+// Path lengths in spacings along the band from the nearest of some nodes, by Grid::index.
 class Ways {
  public:
   Ways(const Nodes& band, const Grid& grid)
       : band_(&band), grid_(&grid), way_(band.size(), unreached) {}
 
-  // The last node reached.
+  // Returns the last node reached.
   std::size_t spread(const std::vector<std::size_t>& from) {
     using Stop = std::pair<double, std::size_t>;
     std::priority_queue<Stop, std::vector<Stop>, std::greater<>> next;
@@ -62,7 +62,7 @@ class Ways {
     }
     return last;
   }
-  // From the end of a band that is farthest from `node`, which nothing has reached.
+  // Starts from the end of an unreached band that is farthest from `node`.
   void spread_from_end(std::size_t node) {
     Ways there(*band_, *grid_);
     spread({there.spread({node})});
@@ -107,9 +107,9 @@ std::optional<Vec2> meeting(const Line& one, const Line& other) {
   return one.point + cross(other.point - one.point, other.direction) / slant * one.direction;
 }
 
-// Finds the branches of the bands by visiting the farthest nodes first: the nodes beyond some way
-// from the start fall into parts, each a branch, and two of them become one at the node where they
-// part.
+// Finds the branches of the bands by visiting the farthest nodes first: the nodes beyond some
+// distance from the start form components, each a branch, and two of them merge at the node where
+// they part.
 class Branches {
  public:
   Branches(const Nodes& nodes, const Ways& ways, const Grid& grid, double m)
@@ -155,7 +155,7 @@ class Branches {
     tip_[one] = std::max(tip_[one], tip_[two]);
   }
 
-  // Where they part, unless their middle lines tell better.
+  // Returns where they part, unless their middle lines give a better point.
   Vec2 place_of_fork(std::size_t node, std::size_t one, std::size_t two) {
     Vec2 parting = place(node);
     const auto first = line_through(middles(one, ways_->to(node)));
@@ -166,7 +166,7 @@ class Branches {
     return meet && (*meet - parting).norm() < farthest ? *meet : parting;
   }
 
-  // The middles of what lies on the crack, one for each spacing of the way along a branch.
+  // Returns the midpoints of the nodes on the crack, one per spacing along a branch.
   std::vector<Vec2> middles(std::size_t branch, double from) {
     const auto most = static_cast<std::size_t>(looked_at * m_) + 1;
     std::vector<Vec2> sums(most, Vec2(0, 0));
@@ -194,7 +194,7 @@ class Branches {
   const Grid* grid_;
   double m_;
   std::vector<std::size_t> parent_;
-  std::vector<double> tip_;  // the way to the farthest node of a branch, by its root
+  std::vector<double> tip_;  // distance to the farthest node of a branch, by its root
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where cracks fork, whichever way they run.
+// Finds where cracks fork, in any direction.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace hackle {
 
-// The places, m, from left to right, where cracks fork: where the middle lines of two branches
-// meet. Branches count when each goes on for more than a horizon from where they lie a horizon
-// apart, and they do not meet again. `nodes` lie on a crack, `at_start` did so before anything
-// broke: branches lead away from the latter, or, in a crack that began elsewhere, from one of its
-// ends. Cracks that cross or touch each other at the start do not fork there. `m` is the horizon in
-// spacings.
+// Returns the points, m, from left to right, where cracks fork: where the middle lines of two
+// branches meet. Branches count if each continues for more than a horizon beyond the point where
+// they are a horizon apart, and they do not meet again. `nodes` lie on a crack, `at_start` did so
+// before anything broke: branches lead away from the latter, or, in a crack that began elsewhere,
+// from one of its ends. Initial cracks that cross or touch each other do not fork there. `m` is the
+// horizon in spacings.
 std::vector<Vec2> forks(const Nodes& nodes, const Nodes& at_start, const Grid& grid, double m);
 
 }  // namespace hackle

@@ -27,7 +27,8 @@ double critical_speed(const View& view) {
   const Lattice& lattice = view.lattice();
   return critical_stretch(view) * std::sqrt(lattice.calibration.moduli.C11 / lattice.rho);
 }
-// Displacement of an edge when the shorter side is stretched by half the critical stretch.
+// Returns the displacement of an edge when the shorter side is stretched by half the critical
+// stretch.
 double critical_length(const View& view) {
   const Plate& plate = view.plate();
   return 0.25 * critical_stretch(view) * std::min(plate.width, plate.height);
@@ -38,7 +39,7 @@ Ends fixed(const View&) {
   return {0.01 * least, 0.01 * most};
 }
 
-// `least` and `most` per cent of what breaks it.
+// Returns `least` and `most` per cent of the critical value.
 template <double (*critical)(const View&), int least, int most>
 Ends share(const View& view) {
   return {0.01 * least * critical(view), 0.01 * most * critical(view)};

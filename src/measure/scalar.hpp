@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be painted: quantities with one value per node, and how a picture shows each unless it
-// is told otherwise.
+// The fields of pictures: quantities with one value per node, and their default appearance.
 #pragma once
 
 #include <array>
@@ -25,7 +24,7 @@ inline constexpr auto description_of<Ends> = describe_noun("ends", "ends",
                                                            member("least", &Ends::least),
                                                            member("most", &Ends::most));
 
-// What a pixel that covers many nodes shows: the largest value, so that features one node wide stay
+// The value of a pixel that covers many nodes: the largest, so that features one node wide stay
 // visible, or the mean.
 enum class Sampling { largest, mean };
 
@@ -37,8 +36,8 @@ struct Scalar {
   std::string_view colours;   // a colour map
   Sampling sampling = Sampling::mean;
   bool logarithmic = false;
-  // From the strength of the plate's own material, so that pictures of one scene can be compared
-  // and a movie knows them from its first frame.
+  // Computes the range from the strength of the plate's own material, so that pictures of one scene
+  // are comparable and the range of a movie is known from the first frame.
   Ends (*ends)(const View&) = nullptr;
   std::vector<float> (*values)(const View&) = nullptr;  // by Grid::index
 };
@@ -51,12 +50,12 @@ inline constexpr auto scalar_names = std::to_array<std::string_view>(
 
 // In the order of scalar_names.
 std::span<const Scalar> scalars();
-// Throws Error (refused), with the nearest name, when there is none.
+// Throws Error (refused), with the nearest name, for an unknown name.
 const Scalar& scalar_of(std::string_view name);
 
 // "fringes" is the order of isochromatics, N = (sigma_1 - sigma_2) h/f, for a plate 1 m thick: its
-// values and ends grow in proportion to the thickness h. f is Material::fringe. Throws Error
-// (refused), as its values do, when a material of the lattice has none.
+// values and range grow in proportion to the thickness h. f is Material::fringe. Throws Error
+// (refused), as its values do, if a material of the lattice has no f.
 inline constexpr std::string_view fringes_name = "fringes";
 void check_fringes(const Lattice& lattice);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The partial file of a movie whose bytes we write ourselves; nothing waits in a buffer.
+// The partial file of a movie whose bytes we write ourselves, without buffering.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace hackle {
 
-// Bytes on their way to a file, least significant byte first.
+// Bytes to be written, least significant byte first.
 class Bytes {
  public:
   Bytes& add(std::string_view text);
   Bytes& add(std::span<const std::uint8_t> bytes);
-  // The lowest `count` bytes of a number.
+  // Appends the lowest `count` bytes of a number.
   Bytes& number(std::uint64_t value, int count);
 
   std::span<const std::uint8_t> all() const { return bytes_; }
@@ -28,7 +28,7 @@ class Bytes {
 
 class ByteFile {
  public:
-  // Creates the partial file of `path`, or empties it. Everything throws Error (files).
+  // Creates the partial file of `path`, or empties it. Every function throws Error (files).
   explicit ByteFile(const std::filesystem::path& path);
   ~ByteFile();
   ByteFile(const ByteFile&) = delete;

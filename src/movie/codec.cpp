@@ -12,7 +12,7 @@ bool is_yuv(AVPixelFormat format) {
   return (av::ffmpeg().av_pix_fmt_desc_get(format)->flags & AV_PIX_FMT_FLAG_RGB) == 0;
 }
 
-// What players assume of pictures of this size; other matrices dull reds.
+// Sets the colour matrix that players assume for this size; with another one reds look dull.
 void tag_as_bt709(AVCodecContext& context) {
   context.color_range = AVCOL_RANGE_MPEG;
   context.colorspace = AVCOL_SPC_BT709;
@@ -40,7 +40,7 @@ void Codec::open(const MovieKind& kind, const MovieFormat& format, bool global_h
   context_->pix_fmt = av::ffmpeg().av_get_pix_fmt(kind.pixels);
   context_->time_base = av_inv_q(rate);
   context_->framerate = rate;
-  context_->bit_rate = 0;  // whatever the quality takes
+  context_->bit_rate = 0;  // the quality alone determines it
   context_->gop_size = std::max(1, static_cast<int>(std::lround(2.0 * format.fps)));
   context_->thread_count = format.threads;
   if (is_yuv(context_->pix_fmt)) tag_as_bt709(*context_);
@@ -66,7 +66,7 @@ void Codec::open_frame() {
   av::check(path_, "encode", av::ffmpeg().av_frame_get_buffer(frame_.get(), 0));
 }
 
-// Between orders of bytes; pictures in YUV take another way.
+// Converts the order of bytes; pictures in YUV take another path.
 void Codec::open_scaler() {
   if (is_yuv(context_->pix_fmt)) return;
   const int width = context_->width, height = context_->height;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An encoder of FFmpeg, set up for a movie, and the frame it is fed with.
+// An FFmpeg encoder, set up for a movie, with its input frame.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,18 @@ namespace hackle {
 
 class Codec {
  public:
-  // With `global_header` what a decoder must know first is kept out of the packets. Throws Error
-  // (run_failed) when the encoder is not there, Error (files) naming `path` when it does not open.
+  // With `global_header` the decoder's set-up data are kept out of the packets. Throws Error
+  // (run_failed) if the encoder is missing, Error (files) naming `path` if it does not open.
   Codec(const std::filesystem::path& path, const MovieFormat& format, bool global_header);
 
-  // Hands over the frame that is shown at `number`/fps. Throws Error (files).
+  // Sends the frame shown at `number`/fps. Throws Error (files).
   void send(const Image& image, std::int64_t number);
-  // The frame before once more.
+  // Sends the previous frame again.
   void send_again(std::int64_t number);
-  // No frame follows.
+  // Tells the encoder that no frame follows.
   void send_end();
-  // The next packet in units of 1/fps, or null until more is sent. Valid until the next call.
+  // Returns the next packet in units of 1/fps, or null until more is sent. Valid until the next
+  // call.
   AVPacket* receive();
 
   const AVCodecContext& context() const { return *context_; }
@@ -38,7 +39,7 @@ class Codec {
   av::Owner<AVCodecContext> context_;
   av::Owner<AVFrame> frame_;
   av::Owner<AVPacket> packet_;
-  av::Owner<SwsContext> scaler_;  // none for pictures in YUV
+  av::Owner<SwsContext> scaler_;  // null for pictures in YUV
   YuvPlanes yuv_;
 };
 

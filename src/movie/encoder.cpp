@@ -35,10 +35,10 @@ struct Encoder::Parts {
   MovieFormat format;
   std::unique_ptr<PartialFile> partial;
   std::unique_ptr<Film> film;
-  std::optional<Image> last;  // to be held
+  std::optional<Image> last;  // to be repeated
   std::atomic<double> seconds = 0.0;
   int frames = 0;
-  // Last, so that its thread ends before what it works on.
+  // Declared last, so that its thread ends before the objects it uses.
   Worker<Image> thread{waiting_frames, [this](Image image) { encode(std::move(image)); }};
 
   void encode(Image image) {

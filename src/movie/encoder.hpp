@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures to a video file, of the kind that the ending of its name says.
+// Encodes pictures to a movie, whose kind follows from the extension of its name.
 #pragma once
 
 #include <filesystem>
@@ -12,31 +12,31 @@
 
 namespace hackle {
 
-// Encodes on a thread of its own, behind a queue of a few frames. The file bears a partial name
-// until finish() has completed it; under that it plays too, up to about the last second of what was
-// encoded, so a program that is killed leaves a movie behind; see rescue().
+// Encodes on its own thread, behind a queue of a few frames. The file has a partial name until
+// finish() has completed it; under that name it also plays, up to about the last second encoded, so
+// that a killed program leaves a movie; see rescue().
 class Encoder {
  public:
-  // Opens the file, over what is under its partial name. Throws Error (files) when it cannot be
-  // written or is being filmed by another run, Error (run_failed) when FFmpeg lacks the encoder
-  // (names the package), Error (refused) for impossible formats, all problems at once. The partial
-  // file may be `held` already.
+  // Opens the file, replacing any file under its partial name. Throws Error (files) if it cannot be
+  // written or another run is writing it, Error (run_failed) if FFmpeg lacks the encoder (names the
+  // package), Error (refused) for impossible formats, all problems at once. The partial file may
+  // already be `held`.
   Encoder(const std::filesystem::path& path, const MovieFormat& format,
           std::unique_ptr<PartialFile> held = nullptr);
-  // Removes the partial file unless finish() has completed it. A file of the same name from an
-  // earlier run stays as it is until then.
+  // Removes the partial file unless finish() has completed it. An earlier file of the same name is
+  // unchanged until then.
   ~Encoder();
 
-  // Hands a frame over; waits while the queue is full. Frame k is shown at k/fps, to the tick of
-  // the kind: 1/100 s in a GIF, 1 ms in WebP, webm and mkv. Errors of the encoder's thread come out
-  // here or in finish().
+  // Queues a frame; waits while the queue is full. Frame k is shown at k/fps, rounded to the tick
+  // of the kind: 1/100 s in a GIF, 1 ms in WebP, webm and mkv. Errors of the encoder's thread are
+  // rethrown here or in finish().
   void add(Image frame);
-  // Encodes what waits, and the last frame again for as long as it is held, closes the file and
-  // gives it its name. Once only.
+  // Encodes the queued frames and repeats the last one for as long as it is held, closes the file
+  // and renames it. Call it only once.
   void finish();
 
-  int frames() const;      // handed over so far, without those that are held
-  double seconds() const;  // of encoding so far; exact after finish()
+  int frames() const;      // queued so far, without held repeats
+  double seconds() const;  // spent encoding so far; exact after finish()
 
   static std::string library_version();  // "libavcodec 59.37.100, ..."
 

@@ -11,7 +11,7 @@
 namespace hackle::av {
 namespace {
 
-// By the names under which Debian installs them: "libavcodec.so.59".
+// The names under which Debian installs them: "libavcodec.so.59".
 struct Libraries {
   std::string avformat = name_of("avformat", LIBAVFORMAT_VERSION_MAJOR);
   std::string avcodec = name_of("avcodec", LIBAVCODEC_VERSION_MAJOR);
@@ -23,7 +23,7 @@ struct Libraries {
   }
 };
 
-// Never closed: encoders leave threads and handlers of their own behind.
+// Never closed: encoders leave threads and handlers behind.
 template <class Function>
 void load(const std::string& library, const char* name, Function& function) {
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);

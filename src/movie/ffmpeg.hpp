@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FFmpeg's libraries, loaded when the first of their functions is called: they take longer to load
-// than all the rest of the program, and most commands film nothing.
+// FFmpeg's libraries, loaded when one of their functions is first called: they take longer to load
+// than the rest of the program, and most commands make no movie.
 #pragma once
 
 extern "C" {
@@ -69,8 +69,8 @@ struct Functions {
 #undef HACKLE_FFMPEG_MEMBER
 };
 
-// Throws Error (run_failed) when a library is not installed, or is another one than Hackle was
-// built with.
+// Throws Error (run_failed) if a library is not installed, or differs from the one Hackle was built
+// with.
 const Functions& ffmpeg();
 
 }  // namespace hackle::av

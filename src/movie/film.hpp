@@ -6,18 +6,18 @@
 
 namespace hackle {
 
-// Writes the partial file of a path. What it has written stays playable, up to about the last
-// second, when the program is killed.
+// Writes the partial file of a path. If the program is killed, the written part stays playable up
+// to about the last second.
 class Film {
  public:
   virtual ~Film() = default;
 
-  // Frame k is shown at k/fps, or at the tick of the kind next to it. What is transparent lies on
-  // black. Throws Error (files) when it cannot be written.
+  // Adds frame k, shown at k/fps or the nearest tick of the kind. Transparent pixels are laid on
+  // black. Throws Error (files) if it cannot be written.
   virtual void add(const Image& image) = 0;
-  // The same as add() for an image that is the one before.
+  // Like add(), for an image equal to the previous one.
   virtual void repeat(const Image& last) { add(last); }
-  // Completes the partial file. Once only. Throws Error (files).
+  // Completes the partial file. Call it only once. Throws Error (files).
   virtual void finish() = 0;
 };
 

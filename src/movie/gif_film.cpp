@@ -9,11 +9,11 @@
 namespace hackle {
 namespace {
 
-constexpr std::int64_t palette_at = 13;  // behind signature and size of the screen
+constexpr std::int64_t palette_at = 13;  // after signature and size of the screen
 constexpr int max_delay = 65535;
 constexpr std::size_t max_in_block = 255;
 
-// A run of blocks of at most 255 bytes, ended by an empty one.
+// Writes blocks of at most 255 bytes, ended by an empty one.
 void add_blocks(Bytes& bytes, std::span<const std::uint8_t> data) {
   while (!data.empty()) {
     const auto block = data.first(std::min(data.size(), max_in_block));
@@ -46,7 +46,7 @@ void GifFilm::write_head(const MovieFormat& format) {
   head.add("GIF89a").number(width_, 2).number(height_, 2);
   head.number(0xf7, 1).number(0, 2);  // a palette of 256 colours for all frames
   head.add(palette_bytes(palette_).all());
-  head.add("\x21\xff\x0bNETSCAPE2.0").number(3, 1).number(1, 1).number(0, 3);  // again and again
+  head.add("\x21\xff\x0bNETSCAPE2.0").number(3, 1).number(1, 1).number(0, 3);  // loops for ever
   for (const std::string& text : {format.title, format.comment}) {
     if (text.empty()) continue;
     head.add("\x21\xfe");
@@ -86,7 +86,7 @@ GifFilm::Part GifFilm::changed_part(const std::vector<std::uint8_t>& places) con
   return {left, top, right - left + 1, bottom - top + 1};
 }
 
-// What is the same as before is transparent: long runs, which compress well.
+// Pixels equal to the previous frame are transparent: long runs, which compress well.
 std::vector<std::uint8_t> GifFilm::pixels_of(const Part& part,
                                              const std::vector<std::uint8_t>& places) const {
   std::vector<std::uint8_t> pixels;
@@ -104,7 +104,7 @@ std::vector<std::uint8_t> GifFilm::pixels_of(const Part& part,
 void GifFilm::write_part(const Part& part, const std::vector<std::uint8_t>& places, int delay) {
   const Part drawn{part.x, part.y, std::max(part.width, 1), std::max(part.height, 1)};
   constexpr int keep_below_and_see_through = 0x05;
-  const std::int64_t at = file_.size() - 1;  // over the mark of the end
+  const std::int64_t at = file_.size() - 1;  // overwrites the end mark
   Bytes frame;
   frame.add("\x21\xf9\x04").number(keep_below_and_see_through, 1).number(delay, 2);
   frame.number(Palette::transparent, 1).number(0, 1);

@@ -13,8 +13,8 @@
 
 namespace hackle {
 
-// Times are in ticks of 1/100 s: frame k is shown at the one next to k/fps. A frame that is the
-// same as the one before only prolongs it.
+// Times are in ticks of 1/100 s: frame k is shown at the tick nearest to k/fps. A frame equal to
+// the previous one only prolongs that.
 class GifFilm : public Film {
  public:
   GifFilm(const std::filesystem::path& path, const MovieFormat& format);
@@ -23,7 +23,8 @@ class GifFilm : public Film {
   void finish() override { file_.close(); }
 
  private:
-  // The smallest rectangle that holds what differs from the frame before; width 0 for nothing.
+  // The smallest rectangle that contains all differences from the previous frame; width 0 if there
+  // are none.
   struct Part {
     int x = 0, y = 0, width = 0, height = 0;  // px
   };
@@ -39,8 +40,8 @@ class GifFilm : public Film {
   ByteFile file_;
   Palette palette_;
   std::int64_t next_ = 0;
-  std::vector<std::uint8_t> shown_;  // the places in the palette of what is on the screen
-  std::int64_t delay_at_ = 0;        // where the file says how long that is shown
+  std::vector<std::uint8_t> shown_;  // palette indices of the pixels on the screen
+  std::int64_t delay_at_ = 0;        // position of its duration in the file
   int delay_ = 0;                    // ticks
 };
 

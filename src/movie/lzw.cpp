@@ -26,7 +26,7 @@ class CodeStream {
   int pending_bits_ = 0;
 };
 
-// The strings met so far: a code goes on with a byte to another code.
+// The strings found so far: a code extended by a byte is another code.
 class Strings {
  public:
   Strings() { clear(); }
@@ -37,7 +37,7 @@ class Strings {
     width_ = first_width;
   }
 
-  // The code of the string `code` with `byte` behind it, or null and its slot in `at_`.
+  // Returns the code of the string `code` followed by `byte`, or null with its slot in `at_`.
   const std::uint32_t* find(std::uint32_t code, std::uint8_t byte) {
     key_ = (code << 8) | byte;
     for (at_ = (key_ * 2654435761U) >> 19; slots_[at_].key != empty.key; at_ = (at_ + 1) % size)
@@ -45,8 +45,8 @@ class Strings {
     return nullptr;
   }
 
-  // Gives what find() did not find the next code. A reader knows it one code later, and then reads
-  // wider ones.
+  // Gives the next code to the string that find() did not find. A reader learns it one code later,
+  // and then reads wider codes.
   void add() {
     slots_[at_] = {key_, next_};
     count();
@@ -63,7 +63,7 @@ class Strings {
   struct Slot {
     std::uint32_t key, code;
   };
-  static constexpr std::uint32_t size = 8192;  // twice what there can be; 32 - 19 bits
+  static constexpr std::uint32_t size = 8192;  // twice the largest number; 32 - 19 bits
   static constexpr Slot empty{0xffffffffU, 0};
 
   std::vector<Slot> slots_;

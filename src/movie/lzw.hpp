@@ -8,8 +8,8 @@
 
 namespace hackle {
 
-// The code stream of at least one byte, as the GIF89a specification (appendix F) has it for pixels
-// of eight bits, not yet cut into blocks.
+// Returns the code stream for at least one byte, as in the GIF89a specification (appendix F) for
+// pixels of eight bits, not yet divided into blocks.
 std::vector<std::uint8_t> lzw(std::span<const std::uint8_t> bytes);
 
 }  // namespace hackle

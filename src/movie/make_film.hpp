@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The film for the kind of a movie.
+// Makes the film for the kind of a movie.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace hackle {
 
-// The one for the ending of `path`; opens the partial file. Throws as Encoder does.
+// Makes the film for the extension of `path` and opens the partial file. Throws as Encoder does.
 std::unique_ptr<Film> make_film(const std::filesystem::path& path, const MovieFormat& format);
 
 }  // namespace hackle

@@ -12,7 +12,7 @@
 namespace hackle {
 namespace {
 
-constexpr int max_pixels = 16384;  // a side; x264 and WebP take no more
+constexpr int max_pixels = 16384;  // per side, the limit of x264 and WebP
 constexpr double min_fps = 0.1;
 
 void check_fps(const MovieKind& kind, double fps, Problems& problems) {

@@ -33,7 +33,7 @@ constexpr std::array kinds{
               .name = "H.264",
               .muxer = "mp4",
               .encoder = "libx264",
-              .pixels = "yuv420p",  // what every player takes
+              .pixels = "yuv420p",  // accepted by every player
               .muxer_options = fragments,
               .final_options = index_first,
               .lookahead = "rc-lookahead",
@@ -85,7 +85,7 @@ constexpr std::array kinds{
     MovieKind{.ending = ".gif",
               .name = "GIF",
               .writer = Writer::gif,
-              .max_fps = 50.0,  // players slow down what is faster
+              .max_fps = 50.0,  // players slow down faster ones
               .profiles = {ProfileSettings{}, ProfileSettings{}, ProfileSettings{}, cannot_be},
               .bytes_a_pixel = 0.3},
     MovieKind{.ending = ".apng",
@@ -127,7 +127,7 @@ std::string_view package_of(const MovieKind& kind) {
   return kind.ending == ".mp4" ? "libavcodec59 (or libavcodec-extra59)" : "libavcodec59";
 }
 
-// The next best kind whose encoder is there, or null.
+// Returns the next best kind whose encoder is installed, or null.
 const MovieKind* next_best(const MovieKind& kind,
                            const std::function<bool(const std::string&)>& has) {
   for (const std::string_view ending : kind.instead)

@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-constexpr int bits = 6;  // of each channel that tell colours apart
+constexpr int bits = 6;  // per channel that distinguish colours
 
 std::size_t cell_of(const Palette::Colour& colour) {
   constexpr int dropped = 8 - bits;

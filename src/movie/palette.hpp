@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The colours of a GIF: taken as they are met, so that all frames share them and none flickers.
+// The colours of a GIF: added as they occur, so that all frames share them and none flickers.
 #pragma once
 
 #include <array>
@@ -10,24 +10,24 @@
 
 namespace hackle {
 
-// A colour met for the first time gets a place of its own as long as no place is near; what counts
-// as near grows as places run out. The first half of them goes to colours that differ by four
-// levels or more; a picture of one colour map and a few plain colours is exact to four levels.
+// A new colour gets its own entry unless an entry is near; the threshold of nearness grows as the
+// palette fills. The first half goes to colours that differ by four levels or more; a picture of
+// one colour map and a few plain colours is exact to four levels.
 class Palette {
  public:
   struct Colour {
     std::uint8_t red = 0, green = 0, blue = 0;
   };
-  // The last place is kept for what is transparent.
+  // The last entry is reserved for transparent pixels.
   static constexpr int size = 255;
   static constexpr std::uint8_t transparent = 255;
 
   Palette();
 
-  // The place of each pixel's colour, row by row from the top.
+  // Returns the entry of each pixel's colour, row by row from the top.
   std::vector<std::uint8_t> places_of(const Image& image);
 
-  int taken() const { return taken_; }  // so many of the places
+  int taken() const { return taken_; }  // number of used entries
   const std::array<Colour, size + 1>& colours() const { return colours_; }
 
  private:
@@ -36,7 +36,8 @@ class Palette {
 
   std::array<Colour, size + 1> colours_{};
   int taken_ = 0;
-  std::vector<std::uint8_t> places_;  // of colours to six bits each; `transparent`: not met yet
+  // of colours with six bits per channel; `transparent`: not used yet
+  std::vector<std::uint8_t> places_;
 };
 
 }  // namespace hackle

@@ -15,7 +15,7 @@ void add_big_endian(Bytes& bytes, std::uint32_t value) {
 }  // namespace
 
 Bytes png_text(std::string_view keyword, std::string_view text) {
-  // Not compressed, in no language.
+  // Not compressed, without a language.
   Bytes content;
   content.add("iTXt").add(keyword).number(0, 5).add(text);
   const auto all = content.all();

@@ -8,7 +8,7 @@
 
 namespace hackle {
 
-// A chunk "iTXt" (PNG 11.3.4.5), which may stand between any two others; the text is UTF-8.
+// Returns a chunk "iTXt" (PNG 11.3.4.5), which may stand between any two others; the text is UTF-8.
 Bytes png_text(std::string_view keyword, std::string_view text);
 
 }  // namespace hackle

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 av::Owner<AVFormatContext> open_to_read(const fs::path& path) {
-  av::ffmpeg().av_log_set_level(AV_LOG_FATAL);  // what was cut off is no news
+  av::ffmpeg().av_log_set_level(AV_LOG_FATAL);  // a truncated file is expected
   AVFormatContext* context = nullptr;
   if (av::ffmpeg().avformat_open_input(&context, path.c_str(), nullptr, nullptr) < 0)
     return nullptr;
@@ -26,7 +26,7 @@ av::Owner<AVFormatContext> open_to_read(const fs::path& path) {
   return input;
 }
 
-// The file that is written, with a stream like the one that is read.
+// Opens the output file, with a stream like that of the input.
 av::Owner<AVFormatContext> open_to_write(const fs::path& path, const AVFormatContext& input,
                                          const fs::path& named) {
   const MovieKind& kind = movie_kind(named);
@@ -56,7 +56,7 @@ void close(AVFormatContext& output, const fs::path& named) {
   av::check(named, "write", broken);
 }
 
-// Shows every packet; the end of a file that was cut off may be an error, what came before it is
+// Visits every packet; the end of a truncated file may be an error, but everything before it is
 // whole.
 template <class Visit>
 FilmLength for_each_packet(AVFormatContext& input, Visit visit) {
@@ -105,7 +105,7 @@ void put_index_first(const fs::path& path, std::int64_t frames) {
   std::error_code ignored;
   try {
     if (copy_film(partial, indexed, path).frames == frames) fs::rename(indexed, partial, ignored);
-  } catch (const Error&) {  // no room for two; the fragments play as well
+  } catch (const Error&) {  // no space for two files; the fragments also play
   }
   fs::remove(indexed, ignored);
 }

@@ -13,7 +13,7 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
-// Into the partial file of `name`.
+// Completes the remains of `name` into its partial file.
 FilmLength complete(const fs::path& partial, const fs::path& name) {
   const fs::path to = partial_name(name);
   switch (movie_kind(name).writer) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program that was killed had filmed.
+// Keeps the movie of a killed program.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,14 @@
 namespace hackle {
 
 struct Rescued {
-  std::filesystem::path file;  // "crack.cut_off.mp4", or with a number when there is one already
+  std::filesystem::path file;  // "crack.cut_off.mp4", with a number if that exists
   FilmLength length;
 };
 
-// Makes of the partial file of `path` a complete movie beside it and removes the partial file.
-// Nothing when there is none, no frame is in it, or a living program is writing it. It gets no name
-// that is `taken`. Throws Error (files) when the movie cannot be written; the partial file then
-// stays.
+// Turns the partial file of `path` into a complete movie beside it and removes the partial file.
+// Returns nothing if there is none, it has no frame, or a running program is writing it. The name
+// is never one that is `taken`. Throws Error (files) if the movie cannot be written; the partial
+// file then stays.
 std::optional<Rescued> rescue(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& taken = [](const auto&) {

@@ -14,13 +14,13 @@ namespace {
 
 av::Owner<AVFormatContext> container_of(const std::filesystem::path& path, const char* muxer) {
   AVFormatContext* container = nullptr;
-  // The name of a partial file says nothing about its format: name the muxer.
+  // The name of a partial file does not determine its format, so the muxer is named.
   const std::string name = partial_name(path).string();
   av::check(path, "open",
             av::ffmpeg().avformat_alloc_output_context2(&container, nullptr, muxer, name.c_str()));
-  // Whatever is complete goes to the file at once.
+  // Every complete packet goes to the file at once.
   container->flags |= AVFMT_FLAG_FLUSH_PACKETS;
-  // Matroska numbers tracks and segments at random unless it must not.
+  // Matroska numbers tracks and segments at random unless told otherwise.
   if (std::string_view(muxer) != "mp4") container->flags |= AVFMT_FLAG_BITEXACT;
   return av::Owner<AVFormatContext>(container);
 }
@@ -64,7 +64,7 @@ void StreamFilm::repeat(const Image&) {
 void StreamFilm::write_packets() {
   const AVRational frame = codec_->context().time_base;
   while (AVPacket* packet = codec_->receive()) {
-    // write_header chose the stream's own time base.
+    // write_header has chosen the stream's time base.
     av::ffmpeg().av_packet_rescale_ts(packet, frame, stream_->time_base);
     packet->duration = av::ffmpeg().av_rescale_q(1, frame, stream_->time_base);
     packet->stream_index = stream_->index;
@@ -73,7 +73,7 @@ void StreamFilm::write_packets() {
   }
 }
 
-// FFmpeg writes none of its own accord.
+// FFmpeg does not write any by itself.
 void StreamFilm::write_png_texts() {
   for (const auto& [keyword, key] : {std::pair{"Title", "title"}, {"Comment", "comment"}}) {
     const AVDictionaryEntry* entry =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A film of one stream in a container of FFmpeg, written in fragments.
+// A movie of one stream in an FFmpeg container, written in fragments.
 #pragma once
 
 #include "movie/codec.hpp"

@@ -34,7 +34,7 @@ bool is(View chunk, std::string_view name) {
   return std::equal(name.begin(), name.end(), chunk.begin());
 }
 
-// Cuts the first chunk off, with its head and the byte that makes its size even.
+// Removes and returns the first chunk, with its head and its padding byte.
 View take_chunk(View& bytes) {
   const std::size_t size = number_at(bytes, 4, 4);
   const View chunk = bytes.first(std::min(bytes.size(), chunk_head + size + size % 2));
@@ -42,7 +42,7 @@ View take_chunk(View& bytes) {
   return chunk;
 }
 
-// A frame of the animation: where it lies and how long it is shown, and its picture as chunks.
+// A frame of the animation: its position, its duration, and its picture as chunks.
 struct Frame {
   std::array<std::uint8_t, frame_head> head{};
   View picture;
@@ -56,7 +56,7 @@ struct Frame {
   }
 };
 
-// A picture that never changes comes as one that is not animated.
+// A picture that never changes is encoded without animation.
 Frame still(View picture, int width, int height) {
   Frame frame{.picture = picture};
   const Bytes size = Bytes().number(0, 6).number(width - 1, 3).number(height - 1, 3);
@@ -83,7 +83,7 @@ std::int64_t ms_of(std::int64_t frame, double fps) {
   return std::llround(1000.0 * static_cast<double>(frame) / fps);
 }
 
-// Title and comment as Dublin Core has them.
+// Title and comment as Dublin Core.
 std::string xmp(const MovieFormat& format) {
   const auto property = [](const char* name, const std::string& text) {
     return fmt::format(
@@ -113,7 +113,7 @@ void WebpFilm::write_head() {
   head.add("RIFF").number(0, 4).add("WEBP");
   head.add("VP8X").number(10, 4).number(animated | with_alpha, 4);
   head.number(format_.width - 1, 3).number(format_.height - 1, 3);
-  head.add("ANIM").number(6, 4).number(0, 4).number(0, 2);  // again and again
+  head.add("ANIM").number(6, 4).number(0, 4).number(0, 2);  // loops for ever
   file_.append(head);
   file_.write(size_bytes(file_.size()), 4);
 }
@@ -135,7 +135,7 @@ void WebpFilm::end_chapter() {
 void WebpFilm::write_chapter(View animation) {
   std::vector<Frame> frames = frames_of(animation, format_.width, format_.height);
   if (frames.empty()) throw Error(ErrorKind::run_failed, "movie: the WebP encoder gave no frames");
-  // The encoder guesses how long its last frame is shown.
+  // The encoder can only guess the duration of its last frame.
   std::int64_t left = ms_of(next_, format_.fps) - ms_of(chapter_at_, format_.fps);
   for (const Frame& frame : std::span(frames).first(frames.size() - 1)) left -= frame.duration();
   frames.back().show_for(left);
@@ -168,7 +168,7 @@ FilmLength copy_webp(const std::filesystem::path& from, const std::filesystem::p
   const std::string text = read_text(from);
   const View all(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   if (all.size() < riff_head) return {};
-  // What the head does not count was being written.
+  // Bytes beyond the size in the head were being written.
   const View whole = all.first(std::min(all.size(), chunk_head + number_at(all, 4, 4)));
   FilmLength length;
   for (const Frame& frame : frames_of(whole, 1, 1)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A film in an animated WebP that is complete after every second.
+// An animated WebP that is complete after every second.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace hackle {
 
-// The encoder hands out nothing before its end, so it films chapters of about a second, each from
-// a whole picture on; their frames follow each other in one file. Times are in ms.
+// The encoder delivers nothing before its end, so it encodes chapters of about a second, each
+// beginning with a whole picture; their frames follow one another in one file. Times are in ms.
 class WebpFilm : public Film {
  public:
   WebpFilm(const std::filesystem::path& path, const MovieFormat& format);
@@ -32,10 +32,10 @@ class WebpFilm : public Film {
   ByteFile file_;
   std::optional<Codec> chapter_;
   std::int64_t next_ = 0;        // frame
-  std::int64_t chapter_at_ = 0;  // the frame with which it begins
+  std::int64_t chapter_at_ = 0;  // its first frame
 };
 
-// Of `from`, which may have been cut off, into `to`. Throws Error (files).
+// Copies `from`, which may be truncated, to `to`. Throws Error (files).
 FilmLength copy_webp(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace hackle

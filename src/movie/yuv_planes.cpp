@@ -7,8 +7,8 @@
 namespace hackle {
 namespace {
 
-// ITU-R BT.709: the share of red and blue in brightness; 219 levels from 16 on for it, 112 to both
-// sides of 128 for a difference.
+// ITU-R BT.709: the shares of red and blue in luma; 219 levels from 16 on for luma, 112 levels to
+// both sides of 128 for a colour difference.
 constexpr double red_share = 0.2126, blue_share = 0.0722;
 constexpr double green_share = 1.0 - red_share - blue_share;
 constexpr double luma_range = 219.0 / 255.0, chroma_range = 112.0 / 255.0;
@@ -31,7 +31,7 @@ constexpr Weights redness{fixed(chroma_range),
                           fixed(-chroma_range* green_share / (1.0 - red_share)),
                           fixed(-chroma_range* blue_share / (1.0 - red_share))};
 
-// Of a sum of 2^`bits` pixels; written so that compilers take several at once.
+// For a sum of 2^`bits` pixels; written so that compilers vectorise it.
 template <int bits>
 inline std::uint8_t level(const Weights& weights, int zero, int red, int green, int blue) {
   constexpr int shift = fraction_bits + bits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures as most encoders want them: BT.709, limited range, colour at half the resolution.
+// Pictures in the form most encoders need: BT.709, limited range, colour at half resolution.
 #pragma once
 
 #include <array>
@@ -10,20 +10,20 @@
 
 namespace hackle {
 
-// Brightness of every pixel, and two colour differences of the mean of every two by two, each a
-// plane of bytes with so many of them a row. Rounded to the nearest level.
+// The luma of every pixel, and two colour differences of the mean of every two by two pixels, each
+// as a plane of bytes with its own row length. Rounded to the nearest level.
 class YuvPlanes {
  public:
   using Planes = std::array<std::uint8_t*, 3>;
   using Strides = std::array<int, 3>;
 
-  // Fills the planes, which hold what the last call left there: rows that are the same as in the
-  // image before, nine of ten when a crack runs, are not computed again. All images are of one
-  // size, even both ways.
+  // Fills the planes, which keep the result of the last call: rows equal to those of the previous
+  // image, nine of ten while a crack runs, are not computed again. All images have one size, even
+  // in both directions.
   void fill(const Image& image, const Planes& planes, const Strides& strides);
 
  private:
-  std::vector<std::uint8_t> pixels_;  // of the image before
+  std::vector<std::uint8_t> pixels_;  // of the previous image
 };
 
 }  // namespace hackle

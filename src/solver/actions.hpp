@@ -14,7 +14,7 @@ struct PrescribedNode {
   Vec2 move{0, 0};  // change of u in the step, lattice units
   bool along_x = true;
   bool along_y = true;
-  double inertia = 1.0;  // density there over Lattice::rho
+  double inertia = 1.0;  // its density over Lattice::rho
 };
 
 // What acts on the nodes in a step, besides their bonds: each node once, ordered by index.

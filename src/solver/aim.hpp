@@ -7,7 +7,7 @@
 
 namespace hackle {
 
-inline constexpr double max_steps = 1e15;  // of a run; whole numbers up to there are exact
+inline constexpr double max_steps = 1e15;  // per run; whole numbers up to this are exact
 
 // How far a run is to go. The time asked for is kept exactly, so that durations add up whatever the
 // step is.

@@ -16,16 +16,16 @@ struct VisitedBond {
   std::size_t one = 0, other = 0;  // its nodes, by Grid::index
   Vec2 xi{0, 0};                   // from one to the other, in units of dx
   double length = 0.0;             // of xi
-  double weight = 0.0;             // of its quadrature
+  double weight = 0.0;             // from its quadrature
   double c = 0.0;                  // micromodulus, N/m6
   double s0 = 0.0;                 // critical stretch
-  double s = 0.0;                  // stretch, less the thermal part; 0 when it is broken
+  double s = 0.0;                  // stretch without the thermal part; 0 if it is broken
   bool holds = true;
 };
 
-// s from the relative displacement h of a bond xi, in units of dx, without cancellation.
-// `per_length2` is 1/|xi|^2, the same for all bonds of an offset; `heat` is the thermal part of
-// e = (1 + s)^2 - 1.
+// Computes s from the relative displacement h of a bond xi, in units of dx, without cancellation.
+// `per_length2` is 1/|xi|^2, the same for all bonds of an offset; `heat` is the thermal part of e =
+// (1 + s)^2 - 1.
 inline double stretch(const Vec2& xi, double per_length2, const Vec2& h, double heat) {
   const double e = h.dot(h + 2.0 * xi) * per_length2 - heat;
   return e / (1.0 + std::sqrt(std::max(1.0 + e, 0.0)));

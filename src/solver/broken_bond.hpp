@@ -6,7 +6,7 @@
 
 namespace hackle {
 
-// A bond that was found stretched too far.
+// An overstretched bond.
 struct BrokenBond {
   std::ptrdiff_t at = 0;  // place of the node that keeps it
   int word = 0;

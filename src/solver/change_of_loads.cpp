@@ -87,8 +87,8 @@ double MovingPlate::lost_in_half_step() const {
   return damping == nullptr ? 0.0 : damping->lost_in_half_step(around(), state_);
 }
 
-// v becomes the velocity of now, as at the start: the rate of the step in which it was found does
-// not hold for the next one.
+// v becomes the present velocity, as at the start: the rate of the step that produced it does not
+// hold for the next one.
 void MovingPlate::change_damping(double rate) {
   const std::vector<Vec2> now = velocities();
   close_ledger();

@@ -5,12 +5,12 @@
 
 namespace hackle {
 
-// The time of steps, counted from the last moment that was reached other than by steps.
+// The time of steps, counted from the last time that was not reached by steps.
 struct Clock {
   double moment = 0.0;     // s
-  std::int64_t since = 0;  // the step at which it was that time
+  std::int64_t since = 0;  // the step at that time
 
-  // In the middle of a step where `share` of one is 0.5, s.
+  // Returns the time in the middle of a step for `share` 0.5, s.
   double time(std::int64_t step, double share, double dt) const {
     return moment + (static_cast<double>(step - since) + share) * dt;
   }

@@ -7,7 +7,7 @@ namespace hackle {
 
 // Returns the default step for a limit, s: `safety` times it, rounded down to three digits.
 double default_step(double limit, double safety = step_fraction);
-// The same, and short enough for every disc (see longest_step_of_impact).
+// Returns the default step, also short enough for every disc (see longest_step_of_impact).
 double default_step(const Plate& plate, const Lattice& lattice, double safety);
 
 // Checks the step for discs or springs that are added later; those of the plate are checked with

@@ -38,7 +38,7 @@ namespace {
 }  // namespace
 
 double check_finite(const View& view) {
-  // What a field can hold, which is in single precision.
+  // The largest value of a field, which is in single precision.
   constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
   const Grid& grid = view.lattice().grid;
   const State& state = view.state();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sums of numbers that are rounded once: the same bits in whatever order the terms come, and the
-// negative of them when every term changes its sign.
+// Sums that are rounded only once: they have the same bits in any order of the terms, and exactly
+// the opposite value if every term changes its sign.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@
 
 namespace hackle {
 
-// Of finite terms whose sum is finite (Shewchuk, Discrete Comput. Geom. 18 (1997) 305). Slower than
-// a plain sum by ten times; of one or two terms it is the plain sum.
+// Requires finite terms with a finite sum (Shewchuk, Discrete Comput. Geom. 18 (1997) 305). Ten
+// times slower than a plain sum; for one or two terms it is the plain sum.
 class ExactSum {
  public:
   void add(double term) {
@@ -41,14 +41,14 @@ class ExactSum {
   }
 
  private:
-  // Half a unit in the last place is rounded by what is left below it.
+  // A tie is rounded according to the rest below it.
   static double to_nearest(double high, double low, double below) {
     if ((low < 0.0) != (below < 0.0)) return high;
     const double rounded = high + 2.0 * low;
     return rounded - high == 2.0 * low ? rounded : high;
   }
 
-  std::vector<double> parts_;  // whose sum is exact; the least first, none overlaps the next
+  std::vector<double> parts_;  // their sum is exact; smallest first, without overlaps
 };
 
 class ExactVectorSum {

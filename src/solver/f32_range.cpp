@@ -31,7 +31,7 @@ Spread spread_of(const State& state, const std::vector<std::uint8_t>& material) 
 }
 
 bool take_out_drift(State& state, const std::vector<std::uint8_t>& material) {
-  // Rounded to f32, so that the origin is what is really subtracted.
+  // Rounded to f32, so that the origin is exactly what is subtracted.
   const Vec2 middle = spread_of(state, material).middle.cast<float>().cast<double>();
   if (!(middle.cwiseAbs().maxCoeff() > max_drift)) return false;
   for_solid(state, material, [&](int i, int j) { state.set_u(i, j, state.u(i, j) - middle); });

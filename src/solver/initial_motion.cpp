@@ -26,7 +26,7 @@ SpreadCondition spread(const InitialCondition& start, const Lattice& lattice, do
   return spread;
 }
 
-// The sum of one quantity over all starts, by Grid::index.
+// Returns the sum of one quantity over all initial conditions, by Grid::index.
 std::vector<Vec2> sum_of(const std::vector<SpreadCondition>& starts,
                          std::vector<Vec2> SpreadCondition::*quantity,
                          const std::vector<Meeting>& crowds, const Grid& grid) {

@@ -114,7 +114,7 @@ void MovingPlate::step() {
     keep_f32_exact();
 }
 
-// At fixed steps, so that the bits do not depend on how a run is cut into pieces.
+// At fixed steps, so that the bits do not depend on the division of a run.
 void MovingPlate::keep_f32_exact() {
   const bool moved = take_out_drift(state_, lattice_.material);
   if (is_too_wide_for_f32(state_, lattice_.min_stretch(), lattice_.material)) {

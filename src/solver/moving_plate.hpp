@@ -12,17 +12,17 @@
 
 namespace hackle {
 
-// How a run is carried out; none of it changes a bit of the result.
+// The execution of a run; it changes no bit of the result.
 struct Execution {
-  int threads = 0;  // 0: one for each available core
+  int threads = 0;  // 0: one per available core
   InstructionSet instruction_set = best_instruction_set();
 };
 
-// A state as it was once, with what belongs to it in a picture.
+// A former state with the data that a picture needs.
 struct Snapshot {
   State state;                         // step == start: u and v belong to the same time
-  std::vector<double> thermal_strain;  // by Grid::index; empty where nothing was heated
-  std::vector<Impactor> impactors;     // one for each disc of the state
+  std::vector<double> thermal_strain;  // by Grid::index; empty if nothing was heated
+  std::vector<Impactor> impactors;     // one per disc of the state
 };
 
 class MovingPlate {
@@ -31,7 +31,7 @@ class MovingPlate {
   MovingPlate(Plate plate, const Numerics& numerics, const Execution& execution,
               std::vector<float> strength);
 
-  // One time step. Nothing is written, printed or checked in it.
+  // Makes one time step. Nothing is written, printed or checked in it.
   void step();
   // Functions of time are asked now for all steps from the present one up to `last`.
   void tabulate(std::int64_t last) { terms_.tabulate(state_.clock, state_.step, last + 1, dt_); }

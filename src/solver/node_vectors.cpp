@@ -18,7 +18,7 @@ double largest_of_row(const NodeLayout& layout, const NodeVectors& a, int j) {
   double most = 0.0;
   for (int i = 0; i < layout.nx; ++i) {
     const double squared = x[i] * x[i] + y[i] * y[i];
-    if (!(squared <= most)) most = squared;  // a NaN stays
+    if (!(squared <= most)) most = squared;  // nan stays
   }
   return std::sqrt(most);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A vector for every node, in double precision: displacements, forces, and what a solver of linear
-// equations makes of them. Sums are the same for any number of threads, and of mirror images.
+// A vector per node, in double precision: displacements, forces, and the vectors of a linear
+// solver. Sums are the same for any number of threads, and for mirror images.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct NodeVectors {
   Values<double> x, y;
 };
 
-// The sum of term(0) to term(count - 1), the same to the bit when their order is reversed.
+// Computes the sum of term(0) to term(count - 1), which is the same to the bit in reversed order.
 template <class Term>
 double paired_sum(int count, const Term& term) {
   double sum = 0.0;
@@ -37,12 +37,12 @@ void for_rows(const Threads& threads, int rows, const Work& work) {
   });
 }
 
-// a . b of row j.
+// Computes a . b of row j.
 double dot_of_row(const NodeLayout& layout, const NodeVectors& a, const NodeVectors& b, int j);
-// The largest length of a vector of row j.
+// Returns the largest length of a vector in row j.
 double largest_of_row(const NodeLayout& layout, const NodeVectors& a, int j);
 
-// The values of rows as one number.
+// Returns the sum of the values of rows.
 double sum_of_rows(std::span<const double> of_row);
 double max_of_rows(std::span<const double> of_row);
 

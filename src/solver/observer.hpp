@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Observers look at a simulation between its steps.
+// Observers see a simulation between its steps.
 #pragma once
 
 #include <cstdint>

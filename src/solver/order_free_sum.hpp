@@ -11,7 +11,7 @@
 namespace hackle {
 
 // A vector in fixed point: terms are rounded to multiples of 2^-44, 6e-14, and may add up to 5e5.
-// Meant for accelerations in lattice units, which are far below 1.
+// Intended for accelerations in lattice units, which are far below 1.
 class OrderFreeSum {
  public:
   void add(const Vec2& term) {

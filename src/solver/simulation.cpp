@@ -110,7 +110,7 @@ void Simulation::run(double duration, std::span<Observer* const> observers) {
   try {
     go_on(observers);
   } catch (...) {
-    stop();  // what was not reached is not owed
+    stop();  // time not reached is not made up for
     throw;
   }
 }
@@ -165,7 +165,7 @@ QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
     stop();
     audience.look_anew(*this);
   }
-  // What a step or a run went too far is not owed, here as there.
+  // The time by which a step or a run went too far is not made up for, as in a run.
   if (k > options.increments && result.bears && !break_off_) aim_.end_time = end;
   return result;
 }

@@ -18,32 +18,32 @@ namespace hackle {
 
 class Simulation {
  public:
-  // Checks plate and numerics first: throws Error (refused) with every problem found, before
-  // anything large is allocated. `strength` is the critical stretch of every node over s0, above 0,
-  // by Grid::index, or nothing, when the scatter of
-  // the plate holds: a bond breaks by the weaker of its ends.
+  // Checks plate and numerics first: throws Error (refused) with every problem, before anything
+  // large is allocated. `strength` is the critical stretch of every node over s0, above 0, by
+  // Grid::index; if empty, the scatter of the plate applies: a bond breaks at the smaller value of
+  // its ends.
   Simulation(Plate plate, Numerics numerics, Execution execution = {},
              std::vector<float> strength = {});
 
-  // One time step. Nothing is written, printed or checked in it.
+  // Makes one time step. Nothing is written, printed or checked in it.
   void step();
 
-  // Steps until `duration` seconds more have been simulated, to the first step at or after it; the
-  // time asked for is kept exactly, so that run(a); run(b) ends at the same step as run(a + b).
-  // Functions of time in the loads are asked before the first of these steps, and may throw.
-  // Between steps, and at the start, every observer that is due sees the state. Stops after the
-  // current step with Error (interrupted) on Ctrl-C, and with Error (run_failed) when the solution
-  // has diverged: it holds values that are no numbers, or a thousand times the energy that was ever
-  // put in.
+  // Runs until `duration` seconds more have been simulated, to the first step at or after that
+  // time; the requested time is kept exactly, so that run(a); run(b) ends at the same step as run(a
+  // + b). Functions of time in the loads are evaluated before the first of these steps, and may
+  // throw. Between steps, and at the start, every observer that is due sees the state. Stops after
+  // the current step with Error (interrupted) on Ctrl-C, and with Error (run_failed) if the
+  // solution has diverged: if it contains values that are not finite, or a thousand times the
+  // energy ever supplied.
   void run(double duration, std::span<Observer* const> observers = {});
 
-  // run() in pieces: aim() adds to the time to be reached, go_on() goes there, or returns when an
-  // observer breaks off and may be called again. Each throws what run() throws; the aim stays.
+  // run() in parts: aim() adds to the time to be reached, go_on() runs to it, or returns if an
+  // observer breaks off, and may be called again. Each throws what run() throws; the aim stays.
   void aim(double duration);
   void go_on(std::span<Observer* const> observers = {});
   bool has_arrived() const { return state().step >= aim_.last_step; }
   std::int64_t last_step() const { return aim_.last_step; }  // of the current aim
-  // For observers: go_on() returns after this step, load_slowly() after this increment.
+  // For observers: makes go_on() return after this step, load_slowly() after this increment.
   void break_off() { break_off_ = true; }
   // Cancels the remaining run; from an observer, after the current step.
   void stop();
@@ -67,12 +67,12 @@ class Simulation {
   QuasistaticResult load_slowly(const QuasistaticOptions& options,
                                 std::span<Observer* const> observers = {});
 
-  // Replaces all loads from now on; an observer may do so between two steps. Throws Error (refused)
-  // with every problem found, a step that is too long for them among them.
+  // Replaces all loads from now on; an observer may call it between two steps. Throws Error
+  // (refused) with every problem, including a step that is too long for them.
   void set_loads(Loads loads);
 
-  // Continues from another state of the same lattice: a kept one, which gives the same bits, or one
-  // prepared by hand.
+  // Continues from another state of the same lattice: a stored one, which gives the same bits, or
+  // one prepared by hand.
   void restore(State state);
 
   // Shows a recorded state with its discs. Requires a simulation built without loads; step() must
@@ -85,7 +85,7 @@ class Simulation {
   const State& state() const { return plate_.state(); }
   // What acts in the step to come.
   const Actions& actions() const { return plate_.terms().actions(); }
-  // Of every node, now, by Grid::index; empty when nothing is heated.
+  // Returns the present thermal strain of every node, by Grid::index; empty if nothing is heated.
   const std::vector<double>& thermal_strain() const { return plate_.thermal_strain(); }
   int threads() const { return plate_.threads().count(); }
   InstructionSet instruction_set() const { return plate_.instruction_set(); }
@@ -102,13 +102,13 @@ class Simulation {
   double kinetic_energy() const { return view().kinetic_energy(); }            // now, J/m
   Vec2 displacement(int i, int j) const { return view().displacement(i, j); }  // m
   std::vector<Vec2> velocities() const { return plate_.velocities(); }  // m/s, by Grid::index
-  // Whether the bond of node (i, j) to (i + column, j + row) holds.
+  // Returns whether the bond of node (i, j) to (i + column, j + row) is intact.
   bool holds(int i, int j, int column, int row) const { return view().holds(i, j, column, row); }
-  // The bonds that broke in the last step, or increment of slow loading.
+  // Returns the bonds that broke in the last step, or increment of quasi-static loading.
   const std::vector<BrokenBond>& broken_bonds() const { return plate_.stepper().broken_bonds(); }
-  // Tile-steps so far by the path they took.
+  // Returns tile-steps so far by path.
   const PathCounts& path_counts() const { return plate_.stepper().path_counts(); }
-  // When a run in f32 went over to f64, s: its displacements had grown too large.
+  // Returns when an f32 run changed to f64, s: its displacements had grown too large.
   std::optional<double> widened_at() const { return plate_.widened_at(); }
   // Bytes of state, lattice and stepper that grow with the plate.
   std::size_t bytes() const { return plate_.bytes(); }
@@ -116,8 +116,8 @@ class Simulation {
   // The parts that terms of the scene took; the rest is the stepper's.
   std::vector<TermSeconds> term_seconds() const { return plate_.terms().seconds(); }
 
-  // Throws Error (run_failed) unless every displacement and velocity is a number, and one that the
-  // single precision of fields can hold.
+  // Throws Error (run_failed) unless every displacement and velocity is finite, also in the single
+  // precision of fields.
   void check_finite() const { hackle::check_finite(view()); }
 
  private:

@@ -25,7 +25,7 @@ void set(Values<Real>& x, Values<Real>& y, std::size_t at, const Vec2& value) {
   y[at] = static_cast<Real>(value.y());
 }
 
-// The order in which discs were said means nothing.
+// The order of discs has no meaning.
 std::vector<std::array<double, 4>> sorted(const std::vector<Disc>& discs) {
   std::vector<std::array<double, 4>> list;
   list.reserve(discs.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What changes while a scene is solved.
+// The variables of a run: everything that changes while a scene is solved.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 namespace hackle {
 
 // Displacement and velocity of every node in lattice units, u/dx and v dt/dx, so that u += v needs
-// no factor. Places are those of a NodeLayout; ghosts mean nothing.
+// no factor. Places are those of a NodeLayout; values of ghosts are meaningless.
 template <class Real>
 struct Motion {
   Values<Real> ux, uy;
   Values<Real> vx, vy;
-  Values<Real> threshold;  // e above which the bonds of a node break; only where a history moves it
+  Values<Real> threshold;  // e above which the bonds of a node break; only with a history
 };
 
 // Calls visit(name, values) for the arrays of a motion, and of more motions side by side.
@@ -32,15 +32,15 @@ void for_each_array(const Visit& visit, Motions&... motions) {
   visit("threshold", motions.threshold...);
 }
 
-// A rigid disc in flight, in lattice units: its place from the centre of the lattice, and its
+// A rigid disc in flight, in lattice units: its position from the centre of the lattice, and its
 // velocity half a step earlier.
 struct Disc {
   Vec2 centre{0, 0};
   Vec2 velocity{0, 0};
 };
 
-// Leapfrog: u belongs to the time of the step, v to half a step earlier; at step `start` both to
-// the same time. The bonds are those that hold when the next step begins.
+// Leapfrog: u belongs to the time of the step, v to half a step earlier; at step `start` both
+// belong to the same time. The bonds are those intact at the beginning of the next step.
 struct State {
   State() = default;
   State(const Lattice& lattice, Precision precision);
@@ -48,27 +48,29 @@ struct State {
   NodeLayout layout;
   std::variant<Motion<double>, Motion<float>> motion;
   BondBits bonds;
-  std::int64_t step = 0;  // done so far; slow loading goes on in time without any
+  std::int64_t step = 0;  // done so far; quasi-static loading advances time without steps
   Clock clock;
-  std::int64_t start = 0;      // step at which the plate was last set in motion, or brought to rest
-  double external_work = 0.0;  // done by loads so far, and by supports and changes of temperature
+  std::int64_t start = 0;      // step at which the plate was last set in motion, or in equilibrium
+  double external_work = 0.0;  // by loads so far, and by supports and changes of temperature
                                // up to half a step ago, in units of rho dx^4/dt^2 (J/m)
-  double damped = 0.0;         // taken by damping up to a step ago, in the same units
-  double released = 0.0;       // energy released by jumps and on the way to rest so far, likewise
-  double contact_lost = 0.0;   // stored in contacts and gone when bonds broke there, less what is
-                               // stored there since the plate came to rest without them, likewise
-  Vec2 origin{0, 0};           // a translation of the whole plate that was taken out of u
+  double damped = 0.0;         // dissipated by damping up to a step ago, in the same units
+  double released = 0.0;       // set free by jumps and on the way to equilibrium so far, likewise
+  double contact_lost = 0.0;   // stored in contacts and lost when bonds broke there, minus the part
+                               // stored since the plate reached an equilibrium without contacts,
+                               // likewise
+  Vec2 origin{0, 0};           // a translation of the whole plate, removed from u
   std::vector<Disc> discs;     // in the order of the impactors of the plate
 
   Precision precision() const { return motion.index() == 0 ? Precision::f64 : Precision::f32; }
   bool is_start() const { return step == start; }
-  // In lattice units; u without the origin.
+  // Returns u in lattice units, without the origin.
   Vec2 u(int i, int j) const;
   Vec2 v(int i, int j) const;
   void set_u(int i, int j, const Vec2& u);
   void set_v(int i, int j, const Vec2& v);
 
-  // Sixteen hexadecimal digits over all of the above, ghosts apart: equal means the same bits.
+  // Returns sixteen hexadecimal digits over all of the above, except ghosts: equal means the same
+  // bits.
   std::string hash() const;
   // Of all that grows with the plate.
   std::size_t bytes() const;

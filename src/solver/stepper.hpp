@@ -24,29 +24,29 @@ class Stepper {
   // there a step earlier.
   virtual void prepare(const Lattice& lattice, State& state) = 0;
 
-  // Sets what acts from now on.
+  // Sets the loads from now on.
   virtual void set_actions(const Actions& actions) = 0;
   // Sets the thermal strain of every node from now on, by Grid::index; only where the stepper was
   // made for a plate that is heated.
   virtual void set_heat(const Lattice& lattice, const std::vector<double>& strain) = 0;
 
-  // Advances u, v, bonds and thresholds by one step; the rest of the state is the caller's. v
+  // Advances u, v, bonds and thresholds by one step; the caller updates the rest of the state. v
   // changes by `kick` times the acceleration.
   virtual void step(const Lattice& lattice, State& state, double kick) = 0;
 
   // Of every node at the time of u, by Grid::index, in lattice units, as if none were prescribed.
   virtual std::vector<Vec2> accelerations(const Lattice& lattice, const State& state) = 0;
 
-  // Work of supports up to the beginning of the last step, in units of rho dx^4/dt^2
+  // Returns the work of supports up to the beginning of the last step, in units of rho dx^4/dt^2
   // (src/solver/README.md 3.5).
   virtual double prescribed_work() const = 0;
 
-  // The bonds that broke in the last step, or those given to note_broken_bonds().
+  // Returns the bonds that broke in the last step, or those given to note_broken_bonds().
   virtual const std::vector<BrokenBond>& broken_bonds() const = 0;
   virtual void note_broken_bonds(std::vector<BrokenBond> broken_bonds) = 0;
 
   virtual const PathCounts& path_counts() const = 0;  // so far
-  virtual std::size_t bytes() const = 0;              // of all that grows with the plate
+  virtual std::size_t bytes() const = 0;              // of everything that grows with the plate
 };
 
 }  // namespace hackle

@@ -10,16 +10,16 @@
 
 namespace hackle {
 
-// A factor of time, asked at the steps of a run.
+// An amplitude, evaluated at the steps of a run.
 class TabulatedAmplitude {
  public:
-  // In a step the factor holds of the time when `shift` of it is over.
+  // In a step the amplitude is that at the time when the share `shift` of the step has passed.
   TabulatedAmplitude(Amplitude amplitude, double shift)
       : amplitude_(std::move(amplitude)), shift_(shift) {}
 
   bool is_constant() const { return amplitude_.is_constant(); }
-  // Asks a function for the steps begin <= n < end, so that at() need not. Throws Error (refused)
-  // for more than 1e8 of them.
+  // Evaluates a function for the steps begin <= n < end, so that at() need not. Throws Error
+  // (refused) for more than 1e8 steps.
   void tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt);
   double at(const Clock& clock, std::int64_t step, double dt) const;
   const Amplitude& amplitude() const { return amplitude_; }

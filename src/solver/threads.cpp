@@ -17,8 +17,8 @@
 namespace hackle {
 namespace {
 
-// oneTBB is not instrumented: ThreadSanitizer must be told that what came before release() on one
-// thread is seen after acquire() on another. Nothing in other builds.
+// oneTBB is not instrumented: this tells ThreadSanitizer that writes before release() on one thread
+// are visible after acquire() on another. Empty in other builds.
 struct Handover {
 #ifdef __SANITIZE_THREAD__
   void release() {
@@ -39,7 +39,8 @@ struct Handover {
 
 struct Threads::Pool {
   explicit Pool(int count) : arena(count) {
-    // oneTBB gives no more threads than cores, and says so on stderr, unless it is told to.
+    // Unless told otherwise, oneTBB uses at most as many threads as cores, and reports that on
+    // stderr.
     if (count > tbb::info::default_concurrency())
       permission.emplace(tbb::global_control::max_allowed_parallelism, count);
   }

@@ -8,13 +8,13 @@ namespace hackle {
 
 class Threads {
  public:
-  // count >= 1; more than there are cores is allowed, and slower.
+  // count >= 1; more than the number of cores is allowed, but slower.
   explicit Threads(int count);
 
   int count() const { return count_; }
 
-  // Calls work(task, thread) for 0 <= task < tasks, with thread < count() saying on which thread;
-  // returns when all are done.
+  // Calls work(task, thread) for 0 <= task < tasks, where thread < count() is the index of the
+  // thread; returns when all are done.
   template <class Work>
   void for_tasks(int tasks, const Work& work) const {
     if (count_ == 1 || tasks == 1) {

@@ -32,7 +32,7 @@ class View {
   const Numerics& numerics() const { return *numerics_; }
   const Lattice& lattice() const { return *lattice_; }
   const State& state() const { return *state_; }
-  // By Grid::index; empty when nothing is heated.
+  // By Grid::index; empty if nothing is heated.
   const std::vector<double>& thermal_strain() const { return *thermal_strain_; }
 
   double dt() const { return dt_; }                                           // s
@@ -42,7 +42,7 @@ class View {
   double kinetic_energy() const;          // J/m
   Vec2 displacement(int i, int j) const;  // m
   std::vector<Vec2> velocities() const;   // m/s, by Grid::index
-  // Whether the bond of node (i, j) to (i + column, j + row) holds.
+  // Returns whether the bond of node (i, j) to (i + column, j + row) is intact.
   bool holds(int i, int j, int column, int row) const;
 
  private:

@@ -18,7 +18,7 @@
 namespace hackle {
 namespace {
 
-// Which script made it, so that a movie that lies about can be made again.
+// The script that made the movie, so that it can be made again.
 std::string comment_of(const Origin& origin) {
   std::string text = fmt::format("Made by Hackle {} ({})", version(), git_hash());
   if (origin.script_text.empty()) return text;
@@ -44,7 +44,7 @@ void check(const std::filesystem::path& path, const MovieOptions& options) {
   problems.throw_if_any();
 }
 
-// What the kind it falls back to cannot be, it is as well as that can.
+// Adapts the format to the kind of the fallback, as closely as that allows.
 MovieFormat adapted(MovieFormat format, const MovieKind& kind) {
   format.crf.reset();
   format.fps = std::min(format.fps, kind.max_fps);

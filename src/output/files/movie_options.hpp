@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user asks of a movie.
+// The user's options for a movie.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@ namespace hackle {
 
 struct MovieOptions {
   PictureOptions picture;
-  double every = 0.0;  // simulated seconds from frame to frame, at least a step
+  double every = 0.0;  // simulated seconds between frames, at least a step
   double fps = 30.0;   // frames a second when played, no more than its kind can say
   Profile profile = Profile::web;
-  std::optional<int> crf;  // in the range of the kind; what the profile sets if not given
+  std::optional<int> crf;  // in the range of the kind; default: set by the profile
   double hold = 1.0;       // s of played time for which the last frame stays
-  bool fallback = false;   // to the next best kind when an encoder is missing
+  bool fallback = false;   // use the next best kind if an encoder is missing
 };
 
 // From a frame or a record to the next.
@@ -49,7 +49,7 @@ inline constexpr auto description_of<MovieOptions> = describe_noun(
             .sentence = "Uses the next best kind of file if an encoder is missing."}),
     member("", &MovieOptions::picture));
 
-// How many times slower than it was a movie shows what happened.
+// Returns the slow-motion factor of a movie.
 inline double slow_motion_of(const MovieOptions& options) {
   return 1.0 / (options.every * options.fps);
 }

@@ -71,7 +71,7 @@ Expected MovieOutput::expected(double until, std::int64_t max_looks) const {
 void MovieOutput::close() {
   if (failed_ || complete_ || !painting_) return;
   hand_over(std::nullopt);
-  failed_ = true;  // unless the next line returns
+  failed_ = true;  // unless the next line succeeds
   painting_->finish();
   failed_ = false;
   complete_ = true;

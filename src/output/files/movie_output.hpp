@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A movie of a run. The solver only hands over the field; painting and encoding have their threads.
+// A movie of a run. The solver only hands over the field; painting and encoding run on threads of
+// their own.
 #pragma once
 
 #include <atomic>
@@ -18,7 +19,7 @@ namespace hackle {
 
 class MovieOutput : public Output {
  public:
-  // Says what it falls back to, unless it is to be quiet. Throws as Run::movie does.
+  // Reports a fallback to another kind, unless it is quiet. Throws as Run::movie does.
   MovieOutput(const std::filesystem::path& path, const MovieOptions& options,
               const Simulation& simulation, const Origin& origin, Talk talk,
               std::shared_ptr<const OutputNames> names);
@@ -37,7 +38,7 @@ class MovieOutput : public Output {
   void add_seconds(StageSeconds& wall) const override;
 
  private:
-  // Without a shot, the end of the movie.
+  // An empty optional ends the movie.
   using Work = std::optional<Shot>;
   void paint(const Work& work);
   void hand_over(Work work);
@@ -50,7 +51,8 @@ class MovieOutput : public Output {
   bool failed_ = false;
   bool complete_ = false;
   std::atomic<double> render_seconds_ = 0.0;
-  // Created with the first frame, on the painting thread, where GL wants to live and die.
+  // Created with the first frame, on the painting thread, because a GL context must be created and
+  // destroyed there.
   std::unique_ptr<PlatePainter> painter_;
   std::unique_ptr<Worker<Work>> painting_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every output of a run can do.
+// The interface of every output of a run.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace hackle {
 
-// What an output has written and is going to write: a measured guess for what is compressed.
+// The expected size of an output, written and to come: a measured estimate for compressed files.
 struct Expected {
   std::filesystem::path file;
   std::int64_t pieces = 0;  // frames or records
@@ -20,16 +20,17 @@ struct Expected {
 
 class Output : public Observer {
  public:
-  // By the time `until`, s, of a run that lets it look at most so many times more.
+  // Returns the size expected at time `until`, s, for a run with at most `max_looks` more calls.
   virtual Expected expected(double until, std::int64_t max_looks) const = 0;
-  // Makes sure that nobody else writes its files, keeps what a killed run has left of them, and
-  // changes nothing else. Before the first look of a run. Throws Error (files).
+  // Makes sure that nobody else writes its files and keeps the remains of a killed run; changes
+  // nothing else. Called before the first look of a run. Throws Error (files).
   virtual void reserve() {}
-  // Completes the files. Once only. After a failure it has already reported, does nothing.
+  // Completes the files. Call it only once. After a failure that it has already reported, it does
+  // nothing.
   virtual void close() = 0;
-  // The files it has completed.
+  // Returns the completed files.
   virtual std::vector<std::filesystem::path> files() const = 0;
-  // Adds the wall time it took so far.
+  // Adds the wall time spent so far.
   virtual void add_seconds(StageSeconds& wall) const = 0;
 };
 

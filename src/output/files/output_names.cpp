@@ -55,20 +55,20 @@ bool holds(const Endings& known, std::string_view ending) {
   return std::ranges::find(known.endings, ending) != known.endings.end();
 }
 
-// Who makes what is named so, or "".
+// Returns the function that makes files of this extension, or "".
 std::string maker_of(std::string_view ending) {
   for (const Endings& known : all_endings())
     if (holds(known, ending)) return fmt::format("; {}{{}} makes {}", known.maker, ending);
   return "";
 }
 
-// A file may be replaced under its own name, or written where a link leads.
+// A file may be replaced under its own name, or written through a link.
 void add_names(const fs::path& path, std::set<fs::path>& names) {
   names.insert(real_path(path));
   names.insert(real_path(path.parent_path()) / path.filename());
 }
 
-// Of a movie; one with an index gets that in a file of its own at first.
+// Returns the companions of a movie; a movie with an index first gets that in a separate file.
 std::vector<fs::path> movie_companions(const fs::path& path) {
   std::vector<fs::path> list{partial_name(path)};
   const auto kind = std::ranges::find(movie_kinds(), ending_of(path), &MovieKind::ending);
@@ -77,7 +77,7 @@ std::vector<fs::path> movie_companions(const fs::path& path) {
   return list;
 }
 
-// Those first by which a user knows them: a refusal names the first that is taken.
+// The user's own names come first: a refusal names the first that is taken.
 std::vector<fs::path> companions(const fs::path& path, FileKind kind) {
   switch (kind) {
     case FileKind::movie:
@@ -95,14 +95,14 @@ std::vector<fs::path> companions(const fs::path& path, FileKind kind) {
   return {};
 }
 
-// One that is in both, or nothing.
+// Returns a name that is in both, or nothing.
 std::optional<fs::path> common(const std::set<fs::path>& one, const std::set<fs::path>& other) {
   for (const fs::path& name : one)
     if (other.contains(name)) return name;
   return std::nullopt;
 }
 
-// The first of what `path` would take that is in `taken`, or nothing.
+// Returns the first name of `path` that is in `taken`, or nothing.
 std::optional<fs::path> first_taken(const fs::path& path, FileKind kind,
                                     const std::set<fs::path>& taken) {
   std::vector<fs::path> wanted = companions(path, kind);

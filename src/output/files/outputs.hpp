@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The movies and records of a run, together.
+// The movies and records of a run together.
 #pragma once
 
 #include <memory>
@@ -13,33 +13,33 @@ namespace hackle {
 
 class Outputs {
  public:
-  // They may take so many bytes in all.
+  // Together they may take `max_bytes`.
   explicit Outputs(double max_bytes) : limit_(max_bytes) {}
   void limit(double bytes) { limit_ = bytes; }
   double limit() const { return limit_; }
 
-  // The files of all that share them are written once; a registry of its own at first.
+  // Sets the registry in which every file is written only once; initially each object has its own.
   void share(std::shared_ptr<OutputNames> names) { names_ = std::move(names); }
   const std::shared_ptr<OutputNames>& names() const { return names_; }
 
-  // Takes one on that is going to write `path`; `who` names the call. Throws Error (refused) when
-  // they are closed or somebody else writes it, Error (files) when it cannot be written.
+  // Adds an output that will write `path`; `who` names the calling function. Throws Error (refused)
+  // if the outputs are closed or somebody else writes it, Error (files) if it cannot be written.
   void add(const char* who, const std::filesystem::path& path, FileKind kind,
            std::unique_ptr<Output> output);
 
-  // Makes sure that all of them can begin, before one does. Throws Error (files).
+  // Makes sure that all of them can begin, before any does. Throws Error (files).
   void reserve();
 
   bool empty() const { return all_.empty(); }
   bool closed() const { return closed_; }
 
-  // Throws Error (refused) when `duration` s more, with at most so many looks of each, would take
-  // more than the limit.
+  // Throws Error (refused) if `duration` s more, with at most `max_looks` calls of each, would
+  // exceed the limit.
   void check_room(const Simulation& simulation, double duration, std::int64_t max_looks) const;
 
   std::vector<Observer*> observers() const;
 
-  // Completes all files. Throws Error with every problem there was.
+  // Completes all files. Throws Error with every problem.
   void close();
 
   // Adds the files and the wall time so far.

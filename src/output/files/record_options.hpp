@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user asks of a run file.
+// The user's options for a run file.
 #pragma once
 
 #include "output/files/movie_options.hpp"
@@ -7,7 +7,7 @@
 namespace hackle {
 
 struct RecordOptions {
-  double every = 0.0;  // simulated seconds from record to record, at least a step
+  double every = 0.0;  // simulated seconds between records, at least a step
 };
 
 template <>

@@ -44,7 +44,7 @@ void RecordOutput::reserve() {
 void RecordOutput::observe(const Simulation& simulation) {
   const Stopwatch watch(store_seconds_);
   schedule_.advance(simulation);
-  failed_ = true;  // unless the end of this function is reached
+  failed_ = true;  // unless this function completes
   reserve();
   if (!file_) file_ = std::make_unique<RunFile>(path_, simulation, origin_);
   file_->add(simulation);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run file, written between steps. It may be read meanwhile.
+// A run file, written between steps. It may be read while it is written.
 #pragma once
 
 #include <memory>

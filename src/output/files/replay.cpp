@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double max_frames = 1e5;
-constexpr double title_size = 0.03;  // of a run, in widths of its picture
+constexpr double title_size = 0.03;  // of a run's title, in widths of its picture
 constexpr double the_end = std::numeric_limits<double>::infinity();
 
 void show_at(Recording& recording, double time) {
@@ -36,7 +36,7 @@ bool is_titled(const Tiles& tiles) {
   return !std::ranges::all_of(tiles, &std::string::empty, &Tile::title);
 }
 
-// From record to record on average, of the run that has most; a step where there is one alone.
+// Returns the mean interval of the records of the run with the most; one step for a single record.
 double usual_every(const Tiles& tiles) {
   double every = 0.0;
   std::size_t most = 0;
@@ -66,7 +66,7 @@ void check_moments(const char* who, double from, double to, double every) {
                 "take a longer every");
 }
 
-// Says how far it is, and stops on Ctrl-C after the frame that is being made.
+// Shows the progress, and stops on Ctrl-C after the present frame.
 class Frames {
  public:
   Frames(Talk talk, std::size_t count) : progress_(talk), count_(count) {}
@@ -86,7 +86,7 @@ class Frames {
   std::size_t done_ = 0;
 };
 
-// Makes one frame for every time. What there is when it is interrupted is completed all the same.
+// Makes one frame per time. After an interrupt the frames made so far are still completed.
 template <class Make, class Finish>
 void make_all(const std::vector<double>& times, Talk talk, Make make, Finish finish) {
   Frames frames(talk, times.size());
@@ -102,7 +102,7 @@ void make_all(const std::vector<double>& times, Talk talk, Make make, Finish fin
   finish();
 }
 
-// A painter for each tile, and all pictures of a moment on one.
+// A painter per tile; combines all pictures of one time.
 class Composition {
  public:
   Composition(Tiles tiles, const MovieOptions& options, int columns)

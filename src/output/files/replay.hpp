@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Movies and sheets of recorded runs, without computing again.
+// Makes movies and sheets of recorded runs, without computing again.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace hackle {
 
-// A recorded run in company.
+// One of several recorded runs.
 struct Tile {
   std::shared_ptr<Recording> recording;
   std::string title;  // may be empty
@@ -27,30 +27,30 @@ using Tiles = std::vector<Tile>;
 // Brings the recording to it.
 void show_record(Recording& recording, const ShownRecord& record);
 
-// The times of all frames, s; at most 1e5. Throws Error (refused) where they make no sense; `who`
-// names the call.
+// Returns the times of all frames, s; at most 1e5. Throws Error (refused) for invalid times; `who`
+// names the calling function.
 std::vector<double> frame_times(const char* who, const Tiles& tiles, const Moments& moments);
 
-// The options with the range that holds for these runs at all these times, or in the end: the one
-// they give, that of their percentile over all that is seen, or the widest of those that suit the
-// field.
+// Returns the options with a common range for these runs at all these times, or at the end: the
+// given range, that of their percentile over all visible values, or the widest of the field's
+// defaults.
 PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
                                  const std::vector<double>& times);
 
-// A movie of one run; `options.every` does not count. Throws Error (refused) for impossible
-// options, Error (interrupted) on Ctrl-C, when the movie ends there, and what MovieOutput throws.
+// Makes a movie of one run; ignores `options.every`. Throws Error (refused) for impossible options,
+// Error (interrupted) on Ctrl-C, where the movie then ends, and what MovieOutput throws.
 void film(const std::shared_ptr<Recording>& recording, const std::filesystem::path& path,
           MovieOptions options, const Moments& moments, Talk talk,
           std::shared_ptr<const OutputNames> names);
 
-// A movie of several on a common clock and a common range, side by side in so many columns. The
-// width is that of each. Throws the same.
+// Makes a movie of several runs with a common clock and range, side by side in `columns` columns.
+// The width is that of each run. Throws the same.
 void film_side_by_side(const Tiles& tiles, const std::filesystem::path& path, MovieOptions options,
                        const Moments& moments, int columns, Talk talk, const OutputNames& names);
 
-// Each run at each of these times, with a common range: a row for each run, a column for each time;
-// one run alone, or without times all as they were in the end, in the columns of the layout. Throws
-// what check(), PlatePainter and contact_sheet() throw.
+// Paints each run at each time, with a common range: one row per run, one column per time; a single
+// run, or all runs at their end if no times are given, in the columns of the layout. Throws what
+// check(), PlatePainter and contact_sheet() throw.
 Image sheet_of(const Tiles& tiles, const std::vector<double>& times, PictureOptions options,
                SheetLayout layout);
 

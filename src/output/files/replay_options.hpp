@@ -12,12 +12,12 @@
 
 namespace hackle {
 
-// When frames are taken: at even simulated times, each of the record nearest to it. A run that is
-// over stays as it was in the end.
+// The times of frames: equally spaced, each showing the nearest record. A run that has ended stays
+// in its final state.
 struct Moments {
-  std::optional<double> from;   // s; the first record of all if not given
-  std::optional<double> to;     // s, above from; the last record of all
-  std::optional<double> every;  // s; as the records lie, of the run that has most
+  std::optional<double> from;   // s; default: the first record of all runs
+  std::optional<double> to;     // s, above from; default: the last record of all runs
+  std::optional<double> every;  // s; default: the spacing of records in the run with the most
 };
 
 template <>

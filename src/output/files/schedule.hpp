@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When an output wants to see the state.
+// The times at which an output sees the state.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,21 @@
 
 namespace hackle {
 
-// The moments start + k * every, k = 0, 1, ...; each is served by the step nearest to it, so that
-// times never drift whatever the step is.
+// The times start + k * every, k = 0, 1, ...; each is served by the nearest step, so that the times
+// never drift, whatever the step.
 class Schedule {
  public:
-  // Starts now. Throws Error (refused) when `every`, in s, is less than a step; `output` names who
-  // asks.
+  // Starts at the present time. Throws Error (refused) if `every`, in s, is less than a step;
+  // `output` names the caller.
   Schedule(const char* output, double every, const Simulation& simulation);
 
   bool reached(const Simulation& simulation) const;
   // A step before which it is not reached.
   std::int64_t next_due(const Simulation& simulation) const;
-  // How many moments there are from the start until `until`, s; those to come at most `max_more`.
+  // Returns how many times lie between the start and `until`, s; at most `max_more` of them to
+  // come.
   std::int64_t moments(double until, std::int64_t max_more) const;
-  // To the next moment that has not passed: slow loading may go by several at once.
+  // Advances to the next time that has not passed: quasi-static loading may pass several at once.
   void advance(const Simulation& simulation);
 
  private:

@@ -13,11 +13,11 @@
 namespace hackle {
 namespace {
 
-constexpr unsigned dropped_bits = 14;  // of 32: sign, exponent and nine bits of the mantissa stay
+constexpr unsigned dropped_bits = 14;  // of 32: sign, exponent and nine bits of the mantissa remain
 constexpr std::size_t bins = std::size_t{1} << (32U - dropped_bits);
 constexpr std::array<std::string_view, 2> diverging{"roma", "vik"};
 
-// Larger for larger values, whatever their sign.
+// Increases with the value, for both signs.
 std::uint32_t rank_of(float value) {
   constexpr std::uint32_t sign = 0x80000000U;
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -51,7 +51,7 @@ void AutomaticRange::add(const Simulation& simulation) {
   }
 }
 
-// Below it lies that share of the values.
+// Returns the value below which this share of the values lies.
 double AutomaticRange::value_at(double share) const {
   const double wanted = share * static_cast<double>(values_);
   std::int64_t below = 0;
@@ -64,7 +64,7 @@ double AutomaticRange::value_at(double share) const {
   return max_;
 }
 
-// The value in the middle of colours that diverge.
+// Returns the middle value of diverging colours.
 std::optional<double> AutomaticRange::middle() const {
   const Scalar& scalar = scalar_of(options_.field);
   if (!diverge(options_.colours.empty() ? scalar.colours : options_.colours)) return std::nullopt;

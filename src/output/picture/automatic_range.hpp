@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The range of a colour bar, from the values that are going to be seen.
+// Finds the range of a colour bar from the values that will be visible.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +12,20 @@
 
 namespace hackle {
 
-// Takes in the states of one picture, or of all pictures of a movie, in any number and order: it
-// keeps a count of values by size, not the values, so that ends are found to 1/500 of themselves.
+// Takes the states of one picture, or of all pictures of a movie, in any number and order. It
+// counts values by size instead of storing them, so that the ends are found to 1/500 of themselves.
 class AutomaticRange {
  public:
-  // `options.percentile` is the share of the values that the range spans, 50..100; the rest lies
-  // half below and half above. On a logarithmic scale values up to 0 do not count.
+  // `options.percentile` is the share of the values that the range spans, 50..100; half of the rest
+  // lies below and half above. On a logarithmic scale values up to 0 are ignored.
   explicit AutomaticRange(const PictureOptions& options);
 
   // Throws what field_values throws.
   void add(const Simulation& simulation);
 
-  // Colours that diverge get a range about the value in their middle: 0, or that of the field, 1
-  // for strength. Where all values are the same it is what suits the field. Needs one add().
+  // Returns the range. Diverging colours get a range about their middle value: 0, or that of the
+  // field, 1 for strength. If all values are equal, the range is the field's default. Requires one
+  // add().
   Ends ends() const;
 
  private:
@@ -38,7 +39,7 @@ class AutomaticRange {
   Ends usual_;
 };
 
-// The same of one state.
+// Returns the range for one state.
 Ends automatic_range(const PictureOptions& options, const Simulation& simulation);
 
 }  // namespace hackle

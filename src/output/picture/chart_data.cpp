@@ -13,8 +13,8 @@ namespace {
 
 struct LoadAmplitude {
   std::string kind;              // "traction"
-  std::string place;             // "top", to tell it from others of its kind; may be empty
-  std::optional<double> stress;  // Pa, when the factor is 1
+  std::string place;             // "top", to distinguish it from others of its kind; may be empty
+  std::optional<double> stress;  // Pa, at amplitude 1
   const Amplitude* amplitude = nullptr;
 };
 
@@ -30,7 +30,7 @@ std::vector<LoadAmplitude> amplitudes_of(const Loads& loads) {
   for (const BodyForce& one : loads.body_forces)
     all.push_back({"body force", "", {}, &one.amplitude});
   for (const Support& one : loads.supports) {
-    // What is held still acts with any factor alike.
+    // A clamp acts the same with any amplitude.
     if (!one.value.is_constant() || one.value.constant().norm() > 0.0)
       all.push_back({"support", "", {}, &one.amplitude});
   }
@@ -39,7 +39,7 @@ std::vector<LoadAmplitude> amplitudes_of(const Loads& loads) {
   return all;
 }
 
-// From t = 0 to `until`; the present value of a function.
+// Returns points from t = 0 to `until`; for a function its present value.
 std::vector<Vec2> points_of(const Amplitude& amplitude, double size, double now, double until) {
   if (amplitude.is_function()) return {{now, size * amplitude.at(now)}};
   std::vector<Vec2> points{{0.0, size * amplitude.at(0.0)}};
@@ -56,7 +56,7 @@ double last_moment(const std::vector<LoadAmplitude>& amplitudes) {
   return last;
 }
 
-// Tells loads apart that have the same kind and place.
+// Distinguishes loads of the same kind and place.
 void number_places(std::vector<LoadAmplitude>& loads) {
   for (std::size_t k = 0; k < loads.size(); ++k) {
     int number = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What charts show of a simulation at the present moment.
+// The data of charts for the present state of a simulation.
 #pragma once
 
 #include "output/picture/picture.hpp"
@@ -8,21 +8,21 @@
 
 namespace hackle {
 
-// Every amplitude of a load: whole where it is known, up to the end of the run; the present value
-// where it is a function of time. Of stresses when there are only such, each the same everywhere on
-// its edge or rim; else of the factors of all loads. The loads are those of now: a simulation does
-// not know which acted before. Throws what Amplitude::at throws.
+// Returns the amplitude of every load: the whole curve up to the end of the run if it is known, or
+// the present value of a function of time. If all loads are stresses, each uniform on its edge or
+// rim, the curves are stresses; otherwise they are the factors of all loads. Only present loads are
+// included: a simulation does not know earlier ones. Throws what Amplitude::at throws.
 Chart load_curve(const Simulation& simulation);
 
-// Kinetic, strain and broken energy now, and what was released where there was any. Visits every
-// bond.
+// Returns the present kinetic, strain and broken energy, and the released energy if there is any.
+// Visits every bond.
 Chart energy_chart(const Simulation& simulation);
 
-// Throws Error (refused) when the options ask for what a picture alone does not know: what was
-// before it.
+// Throws Error (refused) if the options request something that a single picture does not know: the
+// past.
 void check_alone(const char* output, const PictureOptions& options);
 
-// Throws Error (refused) when they ask for what a recording does not hold: the loads.
+// Throws Error (refused) if they request something that a recording does not contain: the loads.
 void check_recorded(const char* output, const PictureOptions& options);
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A field that a picture shows, and how it is to be painted.
+// The field of a picture, and how it is painted.
 #pragma once
 
 #include <optional>
@@ -22,21 +22,22 @@ struct FieldChoice {
   bool is_fringes() const { return scalar.name == fringes_name; }
 };
 
-// Of a picture; the second one only where the options have it.
+// Return the fields of a picture; the second only if the options have one.
 FieldChoice first_field(const PictureOptions& options);
 FieldChoice second_field(const PictureOptions& options);
 
-// What suits the field; a logarithmic scale of four decades where it has none of its own.
+// Returns the field's own range, or four decades for a logarithmic scale if it has none.
 Ends usual_ends(const FieldChoice& field, const Simulation& simulation);
-// By Grid::index; nan where there is no material: pictures show the background there.
+// Returns values by Grid::index; nan without material, where pictures show the background.
 std::vector<float> values_of(const FieldChoice& field, const Simulation& simulation);
 
-// Whether the colour bar is.
+// Returns whether the colour bar is logarithmic.
 bool is_logarithmic(const PictureOptions& options);
-// The range that suits the field, whatever is asked for: it depends on the plate alone.
+// Returns the default range of the field, whatever the options request: it depends only on the
+// plate.
 Ends usual_ends(const PictureOptions& options, const Simulation& simulation);
 
-// What is painted of the field, by Grid::index; nan where there is no material.
+// Returns the values to paint, by Grid::index; nan without material.
 std::vector<float> field_values(const PictureOptions& options, const Simulation& simulation);
 
 }  // namespace hackle

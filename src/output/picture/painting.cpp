@@ -42,7 +42,7 @@ void check_range(const char* output, const char* option, const FieldChoice& fiel
                              output, option, least));
 }
 
-// And of those beside it, whose bonds reach into it.
+// Includes bonds of outside nodes that reach into the window.
 std::vector<BondLine> bonds_in(const Window& window, const Simulation& simulation) {
   const int reach = simulation.lattice().family.reach();
   return bond_lines(simulation, {window.left - reach, window.left + window.nx - 1 + reach,
@@ -57,7 +57,7 @@ std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
   return bytes;
 }
 
-// Throws Error (refused) when the picture would be too large.
+// Throws Error (refused) if the picture would be too large.
 void set_size(PictureStyle& style, const PictureOptions& options) {
   style.width = options.width;
   if (!options.pixels_a_mm) return;

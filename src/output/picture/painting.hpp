@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What picture the options of a user ask for.
+// Makes the picture that the user's options describe.
 #pragma once
 
 #include <optional>
@@ -11,37 +11,37 @@
 
 namespace hackle {
 
-// Throws Error (refused) with every problem of the options on that lattice; `output` names who
-// asks.
+// Throws Error (refused) with every problem of the options on that lattice; `output` names the
+// caller.
 void check(const char* output, const PictureOptions& options, const Grid& grid);
 
-// Of a movie that is made while the plate is solved: its range must be known before. Throws Error
+// For a movie made while the plate is solved, whose range must be known beforehand. Throws Error
 // (refused) for a percentile.
 void refuse_percentile(const char* output, const PictureOptions& options);
 
-// Of pictures that go into movies and onto sheets. Throws Error (refused) for a transparent
-// background, which only a PNG by itself can have.
+// For pictures in movies and on sheets. Throws Error (refused) for a transparent background, which
+// only a single PNG can have.
 void check_opaque(const char* output, const PictureOptions& options);
 
-// Without a range in the options it is the one of the state as it is, or what suits the field.
-// Throws Error (refused) when the materials lack what the field needs.
+// Returns the style. Without a range in the options, it is that of the present state, or the
+// field's default. Throws Error (refused) if the materials lack a value that the field needs.
 PictureStyle style_of(const PictureOptions& options, const Simulation& simulation);
 
-// A picture without texts and bars, stretched to fill these px.
+// The size of a picture without texts and bars, stretched to fill these px.
 struct Extent {
   int width = 0, height = 0;
 };
 
-// A picture of the state as it is. The options have been checked; `bare` overrides their width.
-// Throws Error (run_failed) when the state is not finite, and what PlatePainter throws.
+// Paints the present state. The options must have been checked; `bare` overrides their width.
+// Throws Error (run_failed) if the state is not finite, and what PlatePainter throws.
 Image paint(const Simulation& simulation, const PictureOptions& options,
             const std::optional<Extent>& bare = {});
 
-// The width in px of the largest picture with texts that fits into these px, at most `most.width`;
-// 0 when the smallest does not.
+// Returns the width in px of the largest picture with texts that fits into these px, at most
+// `most.width`; 0 if the smallest does not fit.
 int widest_picture(const PictureOptions& options, const Simulation& simulation, const Extent& most);
 
-// What the picture shows of the state as it is; nan where there is no material.
+// Returns the content of a picture of the present state; nan without material.
 Shot shot_of(const PictureOptions& options, const Simulation& simulation);
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user may say of a picture.
+// The user's options for a picture.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@
 
 namespace hackle {
 
-// What a picture looks at: a window of the plate's shape, rounded to whole cells of the lattice.
+// The visible part of the plate: a window of the plate's shape, rounded to whole cells of the
+// lattice.
 struct Zoom {
   Vec2 centre{0, 0};        // m; the window must show some of the plate
   double half_width = 0.0;  // m, from one spacing to the plate's width
@@ -25,7 +26,7 @@ inline constexpr auto description_of<Zoom> =
     describe_noun("zoom", "zoom", member("centre", &Zoom::centre, {.unit = "m"}),
                   member("half_width", &Zoom::half_width, {.unit = "m", .range = above(0.0)}));
 
-// Where a crack runs that a picture follows.
+// The direction of a crack that a picture follows.
 enum class Toward { right, left, up, down };
 template <>
 inline constexpr auto enum_names<Toward> = std::to_array<std::string_view>({"right", "left", "up",
@@ -36,28 +37,28 @@ enum class Scale { linear, log };
 template <>
 inline constexpr auto enum_names<Scale> = std::to_array<std::string_view>({"linear", "log"});
 
-// How a picture is made.
+// The options of a picture.
 struct PictureOptions {
   std::string field = "damage";       // one of scalar_names
   int width = 1280;                   // px, even; the height follows from the plate
   std::optional<double> pixels_a_mm;  // instead of the width
-  std::optional<Ends> range;          // of the colour bar, SI; what suits the field if not given
+  std::optional<Ends> range;          // of the colour bar, SI; default: depends on the field
   std::optional<double> percentile;   // %, instead of a range: it spans this share of the values
-  std::optional<Scale> scale;         // as the field has it if not given
-  std::string colours;                // one of colour_map_names, or "" for what suits the field
+  std::optional<Scale> scale;         // default: depends on the field
+  std::string colours;                // one of colour_map_names, or "" for the field's own
   std::optional<std::string> second;  // another of scalar_names
   std::optional<Ends> second_range;   // as range
   Arrangement arrangement = Arrangement::below;  // of the second field
   bool cracks = true;                            // cracks are gaps, except in a picture of damage
   double thickness = 5e-3;                       // m, of the plate, for fringes
-  std::optional<Zoom> zoom;                      // the whole plate if not given
-  std::optional<Toward> follow;                  // the zoom goes where the foremost damage is
+  std::optional<Zoom> zoom;                      // default: the whole plate
+  std::optional<Toward> follow;                  // the zoom follows the foremost damage
   double rotation = 0.0;                         // rad, anticlockwise
   bool deformed = false;                         // displacements are shown,
-  std::optional<double> magnification;  // so many times as large; what suits the plate if not given
+  std::optional<double> magnification;  // factor on displacements; default: depends on the plate
   bool bonds = false;                   // drawn one by one
   Background background = Background::dark;
-  OverlayOptions overlay;  // what stands around the plate and on it
+  OverlayOptions overlay;  // texts and marks around the plate and on it
 };
 
 // px, of the width of a picture.

@@ -18,7 +18,7 @@ std::string place_text(const Vec2& place) {
   return fmt::format("{{{}, {}}}", quantity(place.x(), "m"), quantity(place.y(), "m"));
 }
 
-// Half the size of the lattice and of the window that Zoom describes, m.
+// Returns half the size of the lattice and of the window described by Zoom, m.
 Vec2 half_size(const Grid& grid) {
   return 0.5 * grid.dx * Vec2(grid.nx, grid.ny);
 }
@@ -36,7 +36,7 @@ void check(const char* output, const Zoom& zoom, const Grid& grid, Problems& pro
     return;
   }
   const Vec2 half = half_size(grid), reach = half + half_size(zoom, grid);
-  // Written so that nan is out of reach.
+  // Written so that nan counts as out of reach.
   if (((zoom.centre - grid.centre).array().abs() < reach.array()).all()) return;
   problems.add(fmt::format("{}: zoom shows nothing of the plate, its middle is {}", output,
                            place_text(zoom.centre)),
@@ -52,8 +52,8 @@ Window window_of(const Zoom& zoom, const Grid& grid) {
   return window;
 }
 
-// Its middle as near to the place, m, as whole cells allow, and not so far away that cells could
-// not be counted.
+// Moves the centre of the window as near to the point, m, as whole cells allow, but not so far that
+// cells could not be counted.
 Window moved(Window window, const Vec2& middle, const Grid& grid) {
   constexpr double farthest = 1e8;
   const Vec2 corner =
@@ -65,13 +65,13 @@ Window moved(Window window, const Vec2& middle, const Grid& grid) {
   return window;
 }
 
-// The largest displacement to be expected of a plate that breaks, m.
+// Returns the largest expected displacement of a breaking plate, m.
 double usual_displacement(const Simulation& simulation) {
   return scalar_of("displacement").ends(simulation).most;
 }
 
-// Cells that a displaced plate needs beside itself. What is broken goes on moving: the edges of the
-// paper's first plate have come 11.5 times as far as usual by 32 us.
+// Returns the margin in cells for a displaced plate. Fragments keep moving: by 32 us the edges of
+// the paper's first plate have moved 11.5 times as far as usual.
 int margin_of(const PictureOptions& options, const Simulation& simulation) {
   constexpr double flight = 12.0;
   const Grid& grid = simulation.lattice().grid;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene asks for beyond bonds and constant loads, and what it costs.
+// The features that a scene uses beyond bonds and constant loads, and their cost.
 #pragma once
 
 #include <string>
@@ -16,14 +16,14 @@ struct Stage {
   double share = 0.0;
 };
 
-// The kernel first, then what the scene has of damping, heat, varying loads, contact and impactors.
+// Returns the kernel, then the scene's damping, heat, varying loads, contact and impactors.
 std::vector<Stage> stages(const Simulation& simulation);
 
-// What is done inside the kernel, bond by bond: "no-fail zones", "2 materials", ... Its share of
-// the time cannot be told apart.
+// Returns the features inside the kernel, which work bond by bond: "no-fail zones", "2 materials",
+// ... Their shares of the time cannot be separated.
 std::vector<std::string> kernel_features(const Simulation& simulation);
 
-// "kernel 95.2 % (no-fail zones), contact 4.8 %"
+// Returns "kernel 95.2 % (no-fail zones), contact 4.8 %".
 std::string describe_features(const Simulation& simulation);
 
 }  // namespace hackle

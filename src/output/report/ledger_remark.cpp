@@ -11,7 +11,7 @@
 namespace hackle {
 namespace {
 
-// The largest that a node moves in a step, in spacings.
+// Returns the largest displacement of a node per step, in spacings.
 double pace(const State& state) {
   double most = 0.0;
   for (int j = 0; j < state.layout.ny; ++j)
@@ -19,7 +19,7 @@ double pace(const State& state) {
   return most;
 }
 
-// The shortest that a bond along a row or a column is, of what it was.
+// Returns the smallest length of a bond along a row or a column, relative to its initial length.
 double min_length(const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
   const State& state = simulation.state();
@@ -32,7 +32,7 @@ double min_length(const Simulation& simulation) {
   return least;
 }
 
-// Why a ledger may not close, and what tells.
+// A reason for a ledger that does not close, and its signs.
 struct Cause {
   std::string why;
   std::string remedy;
@@ -82,8 +82,8 @@ double largest_entry(const Energy& energy) {
   return most;
 }
 
-// A ledger of less than this holds nothing, J/m: of a plate that only moves, rounding; of one that
-// only warms, what the stretch of its bonds is beyond linear, which heat does work on and back.
+// Returns the energy, J/m, below which a ledger is empty: rounding, for a plate that only moves;
+// the nonlinear part of the stretch, on which heat does work, for a plate that is only heated.
 double nothing(const Simulation& simulation) {
   constexpr double rounding = 1e-9;
   const Lattice& lattice = simulation.lattice();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user should know of a ledger of energy that does not close.
+// The remark on an energy ledger that does not close.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace hackle {
 
-// A ledger whose residual is a larger share of its largest entry is remarked on.
+// A residual above this share of the largest entry is remarked on.
 inline constexpr double max_residual = 0.05;
 
-// The residual over the largest entry; 0 where all are 0.
+// Returns the residual over the largest entry; 0 if all entries are 0.
 double residual_share(const Energy& energy);
 
-// That too much is missing or too much there, why this may be, and what to do about it; nothing
-// where the ledger closes, or where all of it is less than what rounding and heat alone leave.
-// `at_once` says whether a load was remarked on that acts at once (shock_remarks).
+// Returns a remark that energy is missing or in excess, with possible causes and remedies; nothing
+// if the ledger closes, or if all energy is less than the effect of rounding and heat alone.
+// `at_once` tells whether a sudden load was remarked on (shock_remarks).
 std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy,
                                          bool at_once = false);
 

@@ -19,7 +19,7 @@ constexpr double min_share = 0.1;  // of the largest factor
 
 using Corners = std::vector<Vec2>;  // (t, factor), as in a Amplitude
 
-// Corners first <= k <= last, from one to the next of which the factor rises, or falls, or stays.
+// Corners first <= k <= last, along which the factor only rises, only falls, or stays.
 struct Stroke {
   std::size_t first, last;
   double height;  // signed
@@ -57,7 +57,7 @@ std::vector<Stroke> strokes_of(const Corners& corners) {
   return strokes;
 }
 
-// When the stroke passes this factor.
+// Returns when the stroke passes this factor.
 double passes(const Corners& corners, const Stroke& stroke, double factor) {
   for (std::size_t k = stroke.first; k < stroke.last; ++k) {
     const Vec2 &one = corners[k], &other = corners[k + 1];
@@ -67,7 +67,7 @@ double passes(const Corners& corners, const Stroke& stroke, double factor) {
   return corners[stroke.last].x();
 }
 
-// A swing that was found, and the middle of it.
+// A swing, and its middle.
 struct Swing {
   double length = forever;
   double when = 0.0;
@@ -89,12 +89,12 @@ Swing shortest_of(const Corners& corners) {
   return shortest;
 }
 
-// Looks closer and closer at the swing until it is made of many samples.
+// Refines the samples of the swing until it consists of many.
 double shortest_of_function(const Amplitude& amplitude, double begin, double end, double dt) {
   constexpr double max_samples = 16384.0, closest = 64.0, finest = 1e-6;
   const double steps = std::max(1.0, std::ceil((end - begin) / dt));
   double gap = dt / std::clamp(std::floor(max_samples / steps), 2.0, closest);
-  if (steps > max_samples) return forever;  // nobody waits for that
+  if (steps > max_samples) return forever;  // this would take too long
   Swing swing = shortest_of(
       samples_of(amplitude, begin, end, static_cast<std::int64_t>(std::ceil((end - begin) / gap))));
   while (swing.length < 8.0 * gap && swing.length < steps_a_swing * dt && gap > finest * dt) {
@@ -120,7 +120,8 @@ void add_swing(const std::string& who, const Amplitude& amplitude, double begin,
                   quantity(length / steps_a_swing, "s"), quantity(steps_a_swing * dt, "s")));
 }
 
-// The largest that it falls, and rises, within a step; the first to the value at the beginning.
+// The largest fall and the largest rise within a step; the first includes the value at the
+// beginning.
 struct Jumps {
   double down = 0.0;
   double up = 0.0;
@@ -143,7 +144,7 @@ Jumps jumps_of(const Amplitude& amplitude, double begin, double end, double dt) 
   return jumps;
 }
 
-// Of bonds at rest, whose ends shrink by `shrinkage`.
+// Describes bonds at rest whose ends shrink by `shrinkage`.
 std::string shock_text(double shrinkage, double s0) {
   return fmt::format(
       "temperature: it stretches bonds by {:.2g} at once, s0 is {:.2g}: they break in the step "
@@ -151,7 +152,7 @@ std::string shock_text(double shrinkage, double s0) {
       shrinkage, s0);
 }
 
-// Of the first node whose bonds such jumps of temperature break at once.
+// Describes the first node whose bonds break suddenly by such jumps of temperature.
 std::optional<std::string> shock_of(const SpreadHeat& heat, const Jumps& jumps,
                                     const Lattice& lattice) {
   const NodeRange& range = heat.range;
@@ -168,7 +169,7 @@ std::optional<std::string> shock_of(const SpreadHeat& heat, const Jumps& jumps,
 
 std::optional<std::string> first_shock(const Simulation& simulation, double end) {
   const std::vector<ThermalLoad>& thermal_loads = simulation.plate().loads.thermal_loads;
-  std::vector<SpreadHeat> spread;  // asks functions of place: only where there is need
+  std::vector<SpreadHeat> spread;  // evaluates functions of place: only where needed
   for (std::size_t k = 0; k < thermal_loads.size(); ++k) {
     const Jumps jumps =
         jumps_of(thermal_loads[k].amplitude, simulation.time(), end, simulation.dt());
@@ -179,8 +180,8 @@ std::optional<std::string> first_shock(const Simulation& simulation, double end)
   return std::nullopt;
 }
 
-// How far a prescribed node goes in a step beyond what it was going, in spacings: in the next one,
-// and at the jumps of the amplitude.
+// Returns how far a prescribed node moves in a step beyond its previous motion, in spacings: in the
+// next step, and at the jumps of the amplitude.
 double sudden_move(const HeldNode& node, const SpreadSupport& support, const Jumps& jumps,
                    const Simulation& simulation, bool fresh) {
   const bool led = support.kind == Support::Kind::velocity;
@@ -207,7 +208,7 @@ std::string blow_text(const Simulation& simulation, Support::Kind kind, double s
       stretch, s0, remedy);
 }
 
-// Of the first node that is moved so far in a step that bonds to nodes that are not break.
+// Describes the first node that moves so far in a step that its bonds to free nodes break.
 std::optional<std::string> first_blow(const Simulation& simulation, double end, bool fresh) {
   const std::vector<Support>& supports = simulation.plate().loads.supports;
   std::vector<SpreadSupport> spread;

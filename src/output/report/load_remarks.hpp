@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user should know of loads that a time step does not resolve.
+// Remarks on loads that a time step does not resolve.
 #pragma once
 
 #include <string>
@@ -9,27 +9,27 @@
 
 namespace hackle {
 
-// How many steps what comes and goes must last, from half its rise to half its fall, so that a run
-// sees what it is.
+// The number of steps that a pulse must last, from half its rise to half its fall, for a run to
+// resolve it.
 inline constexpr double steps_a_swing = 3.0;
 
-// The shortest time, s, for which an amplitude comes and goes, or goes and comes, by at least a
-// tenth of its largest factor between `begin` and `end`; infinite for one that is constant, rises
-// or falls for good, or jumps. Nothing acts before the time 0. Functions are asked between the
-// steps of `dt`, and closer where they swing: what lasts for less than a 64th of a step may be
-// missed. Throws what they throw.
+// Returns the shortest time, s, in which an amplitude rises and falls, or falls and rises, by at
+// least a tenth of its largest factor between `begin` and `end`; infinite if it is constant,
+// monotonic, or jumps. Nothing acts before time 0. Functions are sampled between the steps of `dt`,
+// and more densely where they oscillate: events shorter than a 64th of a step may be missed. Throws
+// what they throw.
 double shortest_swing(const Amplitude& amplitude, double begin, double end, double dt);
 
-// Loads that come and go between steps until the time `end`, s. One sentence each.
+// Returns a sentence for each load that comes and goes between steps until time `end`, s.
 std::vector<std::string> load_remarks(const Simulation& simulation, double end);
 
-// Temperatures and supports that break bonds at once until the time `end`, s: their work is not
-// known, as bonds break in the step that finds them. `fresh`: the loads have not acted yet, so they
-// may act at once from now on. One sentence each.
+// Returns a sentence for each temperature or support that suddenly breaks bonds until time `end`,
+// s: their work is not known, because bonds break in the step that finds them. `fresh`: the loads
+// have not acted yet, so they may act suddenly from now on.
 std::vector<std::string> at_once_remarks(const Simulation& simulation, double end, bool fresh);
 
-// The same for what the temperature has done at once: `before` is the thermal strain that was, by
-// Grid::index or empty. Nothing or one sentence.
+// Does the same for a sudden change of temperature: `before` is the previous thermal strain, by
+// Grid::index or empty. Returns at most one sentence.
 std::vector<std::string> shock_remarks(const Simulation& simulation,
                                        const std::vector<double>& before);
 

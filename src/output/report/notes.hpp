@@ -37,7 +37,7 @@ class Notes {
   Talk talk_;
   std::vector<std::string> all_;
   Situation judged_{0.0, 0.0, 0.0};
-  bool fresh_loads_ = true;  // they have not been looked at
+  bool fresh_loads_ = true;  // they have not been examined
   bool at_once_ = false;     // some load was remarked on for breaking bonds at once
 };
 

@@ -16,7 +16,7 @@
 namespace hackle {
 namespace {
 
-// " (15 200 of material)" when cut-outs removed some.
+// Returns " (15 200 of material)" if cut-outs removed some nodes.
 std::string material_text(const Lattice& lattice) {
   const auto removed = std::ranges::count(lattice.material, Lattice::void_node);
   if (removed == 0) return "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person wants to know about a simulation, in words.
+// The report on a simulation, in words.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace hackle {
 
-// Several lines, the last without an end of line.
+// Returns several lines, the last without a line end.
 std::string report(const Simulation& simulation, const Summary& summary);
 
-// What a user should know before the run: a plate that is not a whole number of cells, constants
-// that do not give the material's E or G0. One sentence each; mostly none.
+// Returns remarks before the run: on a plate that is not a whole number of cells, and on constants
+// that do not give the material's E or G0. One sentence each; usually none.
 std::vector<std::string> remarks(const Simulation& simulation);
 
 }  // namespace hackle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user should know of the shapes of a plate on a lattice.
+// Remarks on the shapes of a plate on a lattice.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace hackle {
 
-// Cut-outs that take nothing away or only cut bonds, inclusions that cover no node, nodes that
-// were left without a bond. One sentence each.
+// Returns a sentence for each cut-out that removes nothing or only cuts bonds, each inclusion that
+// covers no node, and nodes left without a bond.
 std::vector<std::string> shape_remarks(const Plate& plate, const Lattice& lattice);
 
 }  // namespace hackle

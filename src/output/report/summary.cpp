@@ -29,7 +29,7 @@ nlohmann::ordered_json to_json(const std::vector<Stage>& stages) {
   return json;
 }
 
-// Shares of all tile-steps.
+// Returns shares of all tile-steps.
 nlohmann::ordered_json to_json(const PathCounts& paths) {
   const auto all =
       static_cast<double>(std::accumulate(paths.begin(), paths.end(), std::int64_t{0}));

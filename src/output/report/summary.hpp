@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `hackle run --json` says of one simulation. The meaning of every key is fixed by `schema`.
+// The summary of one simulation for `hackle run --json`. The meaning of every key is fixed by
+// `schema`.
 #pragma once
 
 #include <cstdint>
@@ -15,39 +16,39 @@
 
 namespace hackle {
 
-// Wall time of each stage, seconds. Painting and encoding run beside the solver: the parts may add
-// up to more than the total.
+// Wall time of each stage, seconds. Painting and encoding run beside the solver, so the parts may
+// add up to more than the total.
 struct StageSeconds {
   double setup = 0.0;   // building the lattice and the kernel's tables
   double solve = 0.0;   // time steps
   double render = 0.0;  // painting pictures
   double encode = 0.0;  // encoding movies
   double store = 0.0;   // writing run files and PNGs
-  double total = 0.0;   // from the start of the setup to now
+  double total = 0.0;   // from the start of the setup until now
 };
 
 struct Summary {
   std::string script;
   std::int64_t nodes = 0;
-  std::int64_t bonds = 0;  // the plate was born with, each counted once
+  std::int64_t bonds = 0;  // initial bonds, each counted once
   std::int64_t steps = 0;
   double time = 0.0;      // simulated, s
   double dt = 0.0;        // s
   double dt_limit = 0.0;  // s, 2/omega_max
   std::string precision;  // "f64" or "f32"
   int threads = 0;
-  PathCounts paths{};                 // tile-steps by the path they took
-  std::vector<Stage> stages;          // of a step, and their share of the time of solving
+  PathCounts paths{};                 // tile-steps by path
+  std::vector<Stage> stages;          // of a step, with shares of the solving time
   std::vector<std::string> features;  // of the kernel
   StageSeconds wall;
   Energy energy;  // J/m
   DamageCount damage;
   std::uint64_t peak_rss = 0;                // bytes, of the process
   std::string hash;                          // of the state
-  std::vector<std::filesystem::path> files;  // written, complete
-  std::vector<std::string> notes;            // that were said, or would have been
+  std::vector<std::filesystem::path> files;  // complete files written
+  std::vector<std::string> notes;            // on the scene and the run, printed or suppressed
 
-  // Nodes times steps over the time of solving; 0 before the first step.
+  // Returns nodes times steps over the solving time; 0 before the first step.
   double node_steps_per_second() const {
     return wall.solve > 0.0 ? static_cast<double>(nodes * steps) / wall.solve : 0.0;
   }
@@ -56,7 +57,7 @@ struct Summary {
 // What the simulation itself tells; the rest is empty.
 Summary summary_of(const Simulation& simulation);
 
-// The object documented in README.md, "--json".
+// Returns the object documented in README.md, "--json".
 nlohmann::ordered_json to_json(const Summary& summary);
 
 }  // namespace hackle

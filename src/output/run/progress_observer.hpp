@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who looks on between the steps of a run, besides its outputs.
+// Observers of a run other than its outputs.
 #pragma once
 
 #include <chrono>
@@ -11,10 +11,10 @@
 
 namespace hackle {
 
-// Shows how far a run has come.
+// Shows the progress of a run.
 class ProgressObserver : public Observer {
  public:
-  // From `start` to `end`, s.
+  // Covers `start` to `end`, s.
   ProgressObserver(Talk talk, double start, double end)
       : progress_(talk), start_(start), end_(end) {}
 
@@ -28,10 +28,10 @@ class ProgressObserver : public Observer {
   double start_, end_;
 };
 
-// What a run is doing when a function of the script is called.
+// The activity of a run while a function of the script is called.
 enum class Activity { none, stepping, watched };
 
-// Holds as long as it lives.
+// Sets the activity while it lives.
 class Mark {
  public:
   Mark(Activity& activity, Activity now) : activity_(activity), before_(activity) {
@@ -46,7 +46,7 @@ class Mark {
   Activity before_;
 };
 
-// A watcher, who may do more than functions of time.
+// Calls a watcher, which may do more than a function of time.
 class Watched : public Observer {
  public:
   Watched(std::shared_ptr<Observer> watcher, Activity& activity)
@@ -66,7 +66,8 @@ class Watched : public Observer {
   Activity& activity_;
 };
 
-// Breaks off when the time is up, but not before the first step, or after so many steps.
+// Ends the run when the wall time is used up, but not before the first step, or after a number of
+// steps.
 class Break : public Observer {
  public:
   explicit Break(Simulation& simulation)
@@ -85,8 +86,7 @@ class Break : public Observer {
   std::int64_t last_ = std::numeric_limits<std::int64_t>::max();
 };
 
-// Ctrl-C once more, for a script that does what was done at the prompt: throws Error (interrupted)
-// after a step, once.
+// Repeats a Ctrl-C of the prompt in a script: throws Error (interrupted) once, after a given step.
 class Interrupt : public Observer {
  public:
   explicit Interrupt(std::int64_t step) : step_(step) {}

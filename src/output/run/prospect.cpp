@@ -13,7 +13,7 @@
 namespace hackle {
 namespace {
 
-// Of a script that is only checked; more would take weeks.
+// For a script that is only checked; more would take weeks.
 constexpr std::int64_t max_rehearsed = 1'000'000'000;
 
 Forecast forecast_of(const Simulation& simulation, const Episode& episode) {

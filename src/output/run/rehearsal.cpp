@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::int64_t max_nodes_tried = 4'000'000;
 constexpr double trial_seconds = 0.2;
-constexpr double drift = 1e-7;  // spacings a step
+constexpr double drift = 1e-7;  // spacings per step
 
-// Tiles that stand still cost nothing, and there are none such in a plate that breaks.
+// Sets every tile in motion: still tiles cost nothing, but a breaking plate has none.
 State in_motion(const Simulation& simulation) {
   State state = simulation.state();
   const Lattice& lattice = simulation.lattice();
@@ -50,7 +50,7 @@ std::string wall_time(const Rehearsal& rehearsal) {
               : "");
 }
 
-// A doubt leaves what breaks for certain as it is; else nothing is certain.
+// With a doubt, a certain break stays certain; nothing else is.
 std::string verdict(const Rehearsal& rehearsal) {
   std::string known = describe(rehearsal.forecast);
   if (rehearsal.doubts.empty() && rehearsal.looked &&

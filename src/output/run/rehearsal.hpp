@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run will take, before it is carried out.
+// The expected cost of a run, before it is carried out.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,19 @@ struct Rehearsal {
   double dt = 0.0;        // s
   double dt_limit = 0.0;  // s
   std::int64_t steps = 0;
-  double time = 0.0;          // to be simulated, s
-  double step_seconds = 0.0;  // wall time of a step as tried on a plate that moves and is whole; 0:
-                              // too large to be tried
-  int increments = 0;         // of slow loading, whose wall time is not known beforehand
-  Forecast forecast;          // of the moment at which most may break
-  std::vector<std::string> doubts;  // what cannot be judged without computing
-  bool looked = false;              // the script has looked at results
+  double time = 0.0;                // simulated time, s
+  double step_seconds = 0.0;        // wall time per step, measured on a moving, unbroken plate; 0:
+                                    // too large to be measured
+  int increments = 0;               // of quasi-static loading, whose wall time cannot be estimated
+  Forecast forecast;                // for the episode in which most may break
+  std::vector<std::string> doubts;  // facts that cannot be judged without computing
+  bool looked = false;              // the script has read results
 };
 
-// Of a simulation in which nothing has been computed.
+// Rehearses a simulation in which nothing has been computed.
 Rehearsal rehearse(const Simulation& simulation, const Prospect& prospect);
 
-// Several lines.
+// Returns several lines.
 std::string describe(const Rehearsal& rehearsal);
 
 }  // namespace hackle

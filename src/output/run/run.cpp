@@ -130,7 +130,7 @@ void Run::watch(std::shared_ptr<Observer> watcher) {
 
 void Run::stop() {
   if (under_way()) parts_->simulation.stop();
-  parts_->simulation.break_off();  // from slow loading
+  parts_->simulation.break_off();  // of quasi-static loading
 }
 
 Run::Run(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {
@@ -177,7 +177,7 @@ void Run::run(double duration) {
   try {
     wait();
   } catch (const Error&) {
-    parts_->simulation.stop();  // what was not reached is not owed
+    parts_->simulation.stop();  // time not reached is not made up for
     throw;
   }
 }

@@ -267,9 +267,9 @@ void Engine<Real>::step(const Lattice& lattice, State& state, double kick) {
   std::swap(range_, next_range_);
 }
 
-// A bond is kept in the row of its lower end, but tasks above read it too: bonds are broken when
-// all tasks are done. Two blocks of columns note a bond in the margin between them; it is lost
-// once.
+// A bond is kept in the row of its lower end, but tasks above also read it: bonds are broken after
+// all tasks have finished. Two blocks of columns record a bond in the margin between them; it is
+// removed once.
 template <class Real>
 void Engine<Real>::break_bonds(BondBits& bonds) {
   broken_bonds_.clear();

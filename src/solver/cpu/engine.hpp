@@ -60,8 +60,8 @@ class Engine final : public Stepper {
   int reach_;
   std::vector<BondClass<Real>> classes_;
   int first_on_row_ = 0;
-  std::vector<std::uint32_t> all_bonds_;  // words of a node that lacks none
-  double acceleration_unit_;              // a lattice unit over 1 m/s2: dt^2/dx
+  std::vector<std::uint32_t> all_bonds_;  // words of a node with all bonds
+  double acceleration_unit_;              // lattice unit over 1 m/s2: dt^2/dx
   std::vector<NodeLoad<Real>> loads_;
   std::vector<PrescribedMotion<Real>> prescribed_;
   std::vector<double> prescribed_inertia_;
@@ -85,7 +85,7 @@ class Engine final : public Stepper {
   Kernel<Real> kernel_;
   Threads threads_;
   std::vector<Rows> tasks_;
-  std::vector<Scratch<Real>> scratch_;  // one a thread
+  std::vector<Scratch<Real>> scratch_;  // one per thread
   std::vector<BrokenBond> broken_bonds_;
   PathCounts path_counts_{};
 };

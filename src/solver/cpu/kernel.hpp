@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The inner loop's interface: a kernel takes some rows of the plate through one time step.
-// Everything it needs is prepared in tables; which kernel runs is chosen once, by precision,
-// options of the scene and instruction set. All kernels of one precision give the same bits.
+// The inner loop's interface: a kernel advances some rows of the plate by one time step. Everything
+// it needs is prepared in tables; the kernel is chosen once, by precision, options of the scene and
+// instruction set. All kernels of one precision give the same bits.
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ struct BondClass {
   Real b{};
   std::array<Real, series_terms<Real>> series{};  // K g(e) = E (series[0] + E (series[1] + ...))
   Real range{};                                   // |E| up to which the series is exact
-  Real most{};  // the bond breaks when E is above: L^2 ((1 + s0)^2 - 1)
-  Real sure{};  // |E| up to which the bond holds and the series is exact
+  Real most{};  // the bond breaks if E exceeds it: L^2 ((1 + s0)^2 - 1)
+  Real sure{};  // |E| up to which the bond is intact and the series is exact
   Real L2{};
   Real inverse_L2{};  // 1/L^2
   Real pull{};        // K
@@ -57,10 +57,10 @@ struct LinearWeight {
 template <class Real>
 struct LinearStencil {
   int reach = 0;
-  bool round = false;  // the family is that of a whole m: every offset with a^2 + b^2 <= reach^2
+  bool round = false;  // the family of an integer m: every offset with a^2 + b^2 <= reach^2
   Real own_x{};        // sum of xx over all bonds of a node, and of yy
   Real own_y{};
-  int max_rows[NodeLayout::group + 1] = {};  // the largest b of every a
+  int max_rows[NodeLayout::group + 1] = {};  // the largest b for every a
   LinearWeight<Real> weights[NodeLayout::group + 1][NodeLayout::group + 1] = {};
 };
 
@@ -83,7 +83,7 @@ struct NodeLoad {
   Real y{};
 };
 
-// A prescribed node: it moves by x, y in this step whatever forces act, along one axis or both.
+// A prescribed node: it moves by x, y in this step for any forces, along one axis or both.
 template <class Real>
 struct PrescribedMotion {
   int i = 0;
@@ -92,17 +92,17 @@ struct PrescribedMotion {
   Real x{};
   Real y{};
   // Written by the kernel: the work of the support up to the beginning of the step, for a node of
-  // mass 1. It is the change of momentum that bonds and loads do not make, times the mean of the
-  // velocities before and after; at the start, where there is no step before, half of that.
+  // mass 1. It is the change of momentum not caused by bonds and loads, times the mean of the
+  // velocities before and after; at the start, without a previous step, half of that.
   Real work{};
 };
 
-// What a kernel reads and writes. Arrays begin at place 0 of the layout.
+// The input and output of a kernel. Arrays begin at place 0 of the layout.
 template <class Real>
 struct KernelData {
   NodeLayout layout;
   int reach = 0;
-  const BondClass<Real>* classes = nullptr;  // rows from far to near: those on the row itself last
+  const BondClass<Real>* classes = nullptr;  // rows from far to near, those on the row itself last
   int class_count = 0;
   int first_on_row = 0;  // class
 
@@ -113,13 +113,13 @@ struct KernelData {
   Real* vx = nullptr;
   Real* vy = nullptr;
   Real kick =
-      1;  // what an acceleration does to v, in steps: 1, or 1/2 at the start; less with damping
+      1;  // factor of an acceleration in v, in steps: 1, or 1/2 at the start; less with damping
   bool starts = false;  // u and v belong to the same time
 
   const std::uint32_t* bonds = nullptr;
-  // Read by guarded kernels only; mixed and heated ones accept nullptr where there are no zones.
+  // Read by guarded kernels only; mixed and heated ones accept nullptr without zones.
   const std::uint32_t* unbreakable = nullptr;
-  std::size_t plane = 0;  // words between two planes of bits
+  std::size_t plane = 0;  // words from one plane of bits to the next
   bool late = false;      // see Breaking
 
   // Read by varied kernels: e above which the bonds of a node break. A history moves it.
@@ -143,20 +143,20 @@ struct KernelData {
   const NodeLoad<Real>* loads = nullptr;
   const std::size_t* loads_of_row = nullptr;  // row j has loads[loads_of_row[j]] and following
   PrescribedMotion<Real>* prescribed = nullptr;
-  const std::size_t* prescribed_of_row = nullptr;  // none when there are no leads
+  const std::size_t* prescribed_of_row = nullptr;  // null without prescribed nodes
 
   TileGrid tiles;
   const TileRange<Real>* range = nullptr;  // of u
   TileRange<Real>* next_range = nullptr;   // of next_u
-  const std::uint8_t* intact = nullptr;    // per tile: every bond kept in it holds
+  const std::uint8_t* intact = nullptr;    // per tile: every bond kept in it is intact
   const std::uint8_t* loaded = nullptr;    // per tile: a load acts in it
   BoundFactors<Real> bound;
-  Real min_threshold{};                    // where thresholds do not vary
-  const std::uint8_t* complete = nullptr;  // per tile: every bond of its nodes holds
+  Real min_threshold{};                    // if thresholds do not vary
+  const std::uint8_t* complete = nullptr;  // per tile: every bond of its nodes is intact
   Real linear_range{};                     // e below which forces may be linearised; 0: never
   const LinearStencil<Real>* stencil = nullptr;
 
-  // When set, the acceleration is written here and nothing else changes.
+  // If set, the acceleration is written here and nothing else changes.
   Real* ax = nullptr;
   Real* ay = nullptr;
 };
@@ -169,12 +169,11 @@ struct Rows {
 
 template <class Real>
 struct Kernel {
-  // One step of the rows: reads u of nodes up to `reach` rows away, writes only what belongs to its
-  // rows. Bonds that are found stretched too far are appended to the scratch's losses, and the
-  // caller breaks them when all rows are done.
+  // Advances the rows by one step: reads u of nodes up to `reach` rows away, writes only data of
+  // its rows. Overstretched bonds are appended to the scratch's list, and the caller breaks them
+  // when all rows are done.
   void (*advance)(const KernelData<Real>& data, Scratch<Real>& scratch, Rows rows) = nullptr;
-  // Fills next_range of the rows from next_u; differences across the border of the rows are left
-  // out.
+  // Fills next_range of the rows from next_u, without differences across the border of the rows.
   void (*survey)(const KernelData<Real>& data, Rows rows) = nullptr;
   // Adds the differences between the rows j - 1 and j, which belong to two tiles.
   void (*join)(const KernelData<Real>& data, int j) = nullptr;
@@ -186,9 +185,9 @@ struct Kernel {
 // are not heated. The implication makes six more kernels instead of eighteen.
 struct KernelFeatures {
   bool guarded = false;  // no-fail zones
-  bool varied = false;   // the critical stretch differs from node to node
-  bool history = false;  // and follows the least stretch; implies varied
-  bool mixed = false;    // stiffness or density differ from node to node; implies the first two
+  bool varied = false;   // the critical stretch varies from node to node
+  bool history = false;  // and follows the smallest stretch; implies varied
+  bool mixed = false;    // stiffness or density vary from node to node; implies the first two
   bool heated = false;   // thermal strain; implies the first two
 
   friend bool operator==(const KernelFeatures&, const KernelFeatures&) = default;

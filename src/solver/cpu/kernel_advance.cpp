@@ -24,8 +24,7 @@ void note_broken_bonds(void* broken_bonds, std::ptrdiff_t at, int word, std::uin
   note_broken_bond(*static_cast<std::vector<BrokenBond>*>(broken_bonds), {at, word, bit});
 }
 
-// Takes the rows of a block of columns through a step, from bottom to top
-// (src/solver/README.md 4.1).
+// Advances the rows of a block of columns by a step, from bottom to top (src/solver/README.md 4.1).
 template <KernelFeatures features>
 class Sweep {
  public:
@@ -75,7 +74,7 @@ class Sweep {
   }
 
  private:
-  // The place of column 0 of the block in row j.
+  // Returns the place of column 0 of the block in row j.
   std::ptrdiff_t place(int j) const {
     return data_.layout.at(data_.layout.first_column(), j) + first_;
   }
@@ -103,7 +102,7 @@ class Sweep {
   void point_to_bits(const BondClass<Real>& k);
   void add_bonds_above(int j);
   void add_bonds_on_row(int j);
-  // A tile that has moved once counts as moving for good.
+  // A tile that has ever moved counts as moving.
   bool was_moving(int tile_row, std::ptrdiff_t q) const {
     return data_.range[data_.tiles.index(tile_row, static_cast<int>((first_ + q) >> 4))].moving !=
            0;
@@ -122,7 +121,7 @@ class Sweep {
   Rows rows_;
   int first_;      // column of the layout at which the block begins
   int columns_;    // of the block
-  int begin_ = 0;  // of the block and what reaches into it, counted from its first column
+  int begin_ = 0;  // of the block and the columns that reach into it, from its first column
   int end_ = 0;
   PathChooser<Real, features> paths_;
   RowWork<Real> work_{};
@@ -137,7 +136,7 @@ void Sweep<features>::choose_paths(int tile_row) {
   if constexpr (features.history) fill(scratch_.seen.row(1), columns_);
 }
 
-// What all rows of the block have in common.
+// Prepares the values shared by all rows of the block.
 template <KernelFeatures features>
 RowWork<Real> Sweep<features>::row_work() {
   RowWork<Real> work{};
@@ -165,7 +164,7 @@ void Sweep<features>::begin_row(int j) {
       j >= rows_.begin && data_.ax == nullptr ? &scratch_.broken_bonds : nullptr;
   work_.row.late = data_.late;
   work_.run_count = scratch_.run_count;
-  // For later rows advance() has emptied the sum.
+  // For later rows advance() has cleared the sum.
   if (j <= rows_.begin) reset(work_.up);
 }
 
@@ -229,7 +228,7 @@ void Sweep<features>::linearise() {
   }
 }
 
-// Comes before loads, which are accelerations already.
+// Called before loads are added, which already are accelerations.
 template <KernelFeatures features>
 void Sweep<features>::divide_by_inertia(int j) {
   const Real* inverse = data_.inverse_inertia + place(j);
@@ -308,7 +307,7 @@ void Sweep<features>::advance(int j, int tile_row) {
   }
 }
 
-// s0 = s00 - alpha s_min (paper Eq. 11) for the next step, as e.
+// Computes s0 = s00 - alpha s_min (paper Eq. 11) for the next step, as e.
 template <KernelFeatures features>
 void Sweep<features>::move_threshold(std::ptrdiff_t place, std::ptrdiff_t q, Vector<Real> e) {
   const Vector<Real> squared = most<Real>(Real{1} + e, every(no_length<Real>));
@@ -323,7 +322,7 @@ void Sweep<features>::move_threshold(std::ptrdiff_t place, std::ptrdiff_t q, Vec
   lower(scratch_.seen.row(1), q, threshold);
 }
 
-// Stores what a finished row of tiles tells the next step, except for differences.
+// Stores the data of a finished row of tiles for the next step, except differences.
 template <KernelFeatures features>
 void Sweep<features>::summarise(int tile_row) {
   for (int q = 0; q < columns_; q += NodeLayout::group) {

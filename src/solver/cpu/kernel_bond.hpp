@@ -8,7 +8,7 @@
 namespace hackle::HACKLE_INSTRUCTION_SET {
 namespace {
 
-// A row of nodes that keep bonds; pointers to column 0 of the block.
+// A row of nodes with kept bonds; pointers to column 0 of the block.
 template <class Real>
 struct KeptRow {
   const Real* ux;
@@ -19,8 +19,8 @@ struct KeptRow {
   const Real* half_stiffness;
   const Real* heat;
   std::ptrdiff_t place;  // of column 0 of the block
-  void* broken_bonds;    // nothing: breaking is not noted
-  bool late;             // bonds that are found stretched too far still exert their force
+  void* broken_bonds;    // null: breaking is not recorded
+  bool late;             // overstretched bonds still exert their force
 };
 
 void note_broken_bonds(void* broken_bonds, std::ptrdiff_t at, int word, std::uint32_t bit);
@@ -28,18 +28,18 @@ void note_broken_bonds(void* broken_bonds, std::ptrdiff_t at, int word, std::uin
 template <class Real>
 struct BondForce {
   Vector<Real> x, y;
-  Vector<Real> e;  // where it is asked for; `unstretched` when broken
+  Vector<Real> e;  // if requested; `unstretched` for a broken bond
 };
 
-// Larger than every stretch: the e of a broken bond, so that it is never the least of a node.
+// Larger than every stretch: the e of a broken bond, so that it is never the smallest of a node.
 template <class Real>
 inline constexpr Real unstretched = static_cast<Real>(1e30);
 
-// The least squared length ratio: two nodes that meet must not divide by zero.
+// The smallest squared length ratio: coinciding nodes must not divide by zero.
 template <class Real>
 inline constexpr Real no_length = static_cast<Real>(1e-12);
 
-// K g(e) from E by the series.
+// Computes K g(e) from E by the series.
 template <class Real>
 HACKLE_INLINE Vector<Real> series(const BondClass<Real>& k, Vector<Real> E) {
   Vector<Real> sum = every(k.series[series_terms<Real> - 1]);
@@ -48,7 +48,7 @@ HACKLE_INLINE Vector<Real> series(const BondClass<Real>& k, Vector<Real> E) {
   return sum * E;
 }
 
-// K g(e) for every E: g(e) = e/((1+e) + sqrt(1+e)), free of cancellation.
+// Computes K g(e) for every E: g(e) = e/((1+e) + sqrt(1+e)), free of cancellation.
 template <class Real>
 HACKLE_INLINE Vector<Real> exact(const BondClass<Real>& k, Vector<Real> E) {
   const Vector<Real> e = E * k.inverse_L2;
@@ -56,7 +56,7 @@ HACKLE_INLINE Vector<Real> exact(const BondClass<Real>& k, Vector<Real> E) {
   return k.pull * (e / (squared + square_root<Real>(squared)));
 }
 
-// Lanes whose bond is stretched too far, or beyond the range of the series.
+// Returns the lanes whose bond is overstretched, or beyond the range of the series.
 template <class Real, KernelFeatures features>
 HACKLE_INLINE Mask<Real> suspicious(const BondClass<Real>& k, const KeptRow<Real>& row,
                                     Vector<Real> E, std::ptrdiff_t q, std::ptrdiff_t to) {
@@ -88,12 +88,12 @@ __attribute__((noinline)) void settle(const BondClass<Real>& k, const KeptRow<Re
     if (over[lane]) note_broken_bonds(row.broken_bonds, row.place + q + lane, k.word, bit);
 }
 
-// Where the two ends of a bond lie.
+// The relative position of the two ends of a bond.
 enum class Span { quad, column, row };
 
-// The force of the bonds that the nodes from column q keep to the nodes `to` places away. `a`
-// carries the sign of the image. Both ends of a bond see this one result, so they agree to the last
-// bit; it is exactly the mirror image of the result of the mirrored bond
+// Computes the force of the bonds that the nodes from column q keep to the nodes `to` places away.
+// `a` carries the sign of the image. Both ends of a bond use this one result, so they agree to the
+// last bit; it is exactly the mirror image of the result of the mirrored bond
 // (src/solver/README.md 4.2).
 template <class Real, KernelFeatures features, Path path, Span span>
 HACKLE_INLINE BondForce<Real> bond_force(const BondClass<Real>& k, const KeptRow<Real>& row, Real a,

@@ -24,9 +24,9 @@ struct ColumnSums {
   Real* qy(int a) const { return rows.row(4 * a + 3); }
 };
 
-// One vector of columns: the sums of the column offset a. `reach` is that of the family when it is
-// known to the compiler, which then keeps everything in registers and leaves out what vanishes; 0
-// otherwise.
+// Computes the sums of the column offset a for one vector of columns. `reach` is that of the family
+// if it is known at compile time: the compiler then keeps everything in registers and omits
+// vanishing terms; otherwise 0.
 template <class Real, int reach>
 __attribute__((noinline)) void fold_rows(const LinearStencil<Real>& stencil, const RowWork<Real>& w,
                                          const ColumnSums<Real>& sums, Columns columns) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which path the tiles of a row take. Part of a kernel, see kernel_advance.cpp.
+// Chooses the path of the tiles of a row. Part of a kernel, see kernel_advance.cpp.
 #pragma once
 
 #include "solver/cpu/kernel_bond.hpp"
@@ -49,7 +49,7 @@ class PathChooser {
     return scratch_.outlooks[static_cast<unsigned>(tile_row + 3) % 3][group + 2];
   }
 
-  // Finds the outlooks that this row of tiles needs and the row before did not.
+  // Finds the outlooks that this row of tiles needs and the previous row did not.
   void look_ahead(int tile_row, int begin, int end) {
     const bool linear = data_.linear_range > 0;
     const int first = !linear ? tile_row : fresh_ ? tile_row - 1 : tile_row + 1;
@@ -101,7 +101,7 @@ Outlook<Real> PathChooser<Real, features>::look(int tile_row, int column) const 
   return {bound, threshold, moving == 0, complete && moving != 0 && bound < data_.linear_range};
 }
 
-// The cheapest path that gives the same bits as the careful one. Bonds are not computed where all
+// Chooses the cheapest path with the same bits as the careful one. Bonds are not computed if all
 // forces in and around the tile are linearised: nothing else reads their sums
 // (src/solver/README.md 4.4).
 template <class Real, KernelFeatures features>

@@ -39,16 +39,17 @@ HACKLE_INLINE void keep(const Sums<Real>& to, std::ptrdiff_t q, const BondForce<
   if (history) store(to.least + q, force.e);
 }
 
-// What is needed for one row of the block.
+// The data for one row of the block.
 template <class Real>
 struct RowWork {
   KeptRow<Real> row;
-  const TileRun* runs;  // of columns whose bonds are computed: the block, and what reaches into it
+  // of columns whose bonds are computed: the block, and those that reach into it
+  const TileRun* runs;
   int run_count;
   int columns;  // of the block
   std::ptrdiff_t stride;
   Sums<Real> up;     // of the row itself
-  Sums<Real> down;   // of the row that the class reaches to
+  Sums<Real> down;   // of the row that the class reaches
   Sums<Real> first;  // forces of the first image
   Sums<Real> second;
 };
@@ -59,7 +60,7 @@ struct Columns {
   std::ptrdiff_t end;
 };
 
-// Calls work<path>(columns) for every run that computes bonds, and rest(columns) for those at rest.
+// Calls work<path>(columns) for every run that computes bonds, and rest(columns) for the others.
 template <class Work, class Rest>
 HACKLE_INLINE void for_runs(const TileRun* runs, int count, const Work& work, const Rest& rest) {
   for (int n = 0; n < count; ++n) {
@@ -138,7 +139,7 @@ HACKLE_INLINE void add_quads(const BondClass<Real>& k, const RowWork<Real>& w) {
   });
 }
 
-// Classes (0, +b): both ends are in one column.
+// Classes (0, +b), whose ends are in one column.
 template <class Real, KernelFeatures features, Path path>
 __attribute__((noinline)) void keep_column(const BondClass<Real>& class_, const RowWork<Real>& work,
                                            Columns columns) {

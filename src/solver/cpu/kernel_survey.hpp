@@ -13,8 +13,8 @@ template <class Real>
 struct Differences {
   Vector<Real> direct{}, xy{}, yx{};
 
-  // Differences between the places n and both their neighbours in the row: both, so that the mirror
-  // image of a tile sees the mirror images of its differences.
+  // Adds differences between the places n and both their neighbours in the row: both, so that the
+  // mirror image of a tile has the mirror images of its differences.
   HACKLE_INLINE void add_along_row(const Real* ux, const Real* uy) {
     const Vector<Real> x = load(ux), y = load(uy);
     direct = most<Real>(
@@ -23,7 +23,7 @@ struct Differences {
         yx, most<Real>(magnitude<Real>(load(uy + 1) - y), magnitude<Real>(y - load(uy - 1))));
   }
 
-  // Differences between the places n and those in the row above.
+  // Adds differences between the places n and those in the row above.
   HACKLE_INLINE void add_across_rows(const Real* ux, const Real* uy, std::ptrdiff_t stride) {
     direct = most<Real>(direct, magnitude<Real>(load(uy + stride) - load(uy)));
     xy = most<Real>(xy, magnitude<Real>(load(ux + stride) - load(ux)));
@@ -40,7 +40,7 @@ struct Differences {
   }
 };
 
-// Columns beside the plate follow its edge: no difference there.
+// Columns beside the plate copy its edge, so there is no difference.
 template <class Real>
 HACKLE_INLINE void extend_edges(Real* u, const NodeLayout& layout, int j) {
   u[layout.at(-1, j)] = u[layout.at(0, j)];

@@ -10,22 +10,22 @@
 
 namespace hackle {
 
-// (1 + s)^2 - 1: the e at a stretch.
+// Returns (1 + s)^2 - 1, the e at a stretch.
 double threshold_of(double stretch);
 
-// One entry for each offset of the family, in its order, for time steps of dt seconds. `varied`:
-// the critical stretch is not the same everywhere.
+// Makes one entry per offset of the family, in its order, for time steps of dt seconds. `varied`:
+// the critical stretch is not uniform.
 template <class Real>
 std::vector<BondClass<Real>> bond_classes(const Lattice& lattice, double dt, bool varied);
 
-// In the order given. `unit` converts from m/s2 to lattice units of acceleration: dt^2/dx.
+// Keeps the given order. `unit` converts from m/s2 to lattice units of acceleration: dt^2/dx.
 template <class Real>
 std::vector<NodeLoad<Real>> node_loads(const std::vector<LoadedNode>& forces, double unit);
 template <class Real>
 std::vector<PrescribedMotion<Real>> prescribed_motions(
     const std::vector<PrescribedNode>& prescribed);
 
-// For every row the index of its first node in the list; at the end the number of nodes.
+// Returns, for every row, the index of its first node in the list, then the number of nodes.
 template <class Node>
 std::vector<std::size_t> first_of_rows(const std::vector<Node>& nodes, int rows) {
   std::vector<std::size_t> first;

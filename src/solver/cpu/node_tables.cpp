@@ -28,7 +28,7 @@ void NodeTables<Real>::set_thresholds(const Lattice& lattice, bool mixed) {
   });
 }
 
-// Places without a node have no bonds: any number will do.
+// Places without a node have no bonds, so any number will do.
 template <class Real>
 void NodeTables<Real>::set_materials(const Lattice& lattice, bool history) {
   const NodeLayout layout = lattice.grid.layout();

@@ -17,7 +17,7 @@ struct NodeTables {
   Real alpha{};                                  // of the plate's own material
   Real min_threshold{};                          // at its critical stretch
   Values<Real> s00;                              // empty unless varied
-  Values<Real> threshold;                        // of an untouched plate; empty unless varied
+  Values<Real> threshold;                        // of an undeformed plate; empty unless varied
   Values<Real> half_stiffness, inverse_inertia;  // empty unless mixed
   Values<Real> alphas;                           // empty unless mixed with a history
 

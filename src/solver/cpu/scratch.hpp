@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scratch memory of one thread for a sweep. The plate is swept in blocks of columns so narrow that
-// all of this stays in the fastest cache.
+// Scratch memory of one thread for a sweep. The plate is swept in blocks of columns narrow enough
+// to keep all of it in the fastest cache.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class ScratchRows {
   Values<Real> values_;
 };
 
-// Neighbouring columns of a row that take one path.
+// Neighbouring columns of a row with the same path.
 struct TileRun {
   Path path = Path::still;  // of the bonds they keep
   bool linear = false;      // their own force is linearised
@@ -38,19 +38,19 @@ struct TileRun {
   int end = 0;
 };
 
-// What is known of the bonds that begin or end in a tile.
+// The bounds for bonds that begin or end in a tile.
 template <class Real>
 struct Outlook {
   Real bound{};      // of |e|
-  Real threshold{};  // least e at which one may break
+  Real threshold{};  // smallest e at which one may break
   bool still = true;
-  bool linear = false;  // the forces of its nodes may be linearised
+  bool linear = false;  // the forces on its nodes may be linearised
 };
 
 template <class Real>
 struct Scratch {
-  // The most columns of a block, a multiple of a group: rows of 4 kB, so that the dozen rows in use
-  // at a time stay near the fastest cache, and few groups are summed twice.
+  // The largest number of columns per block, a multiple of a group: rows of 4 kB, so that the dozen
+  // rows in use at a time stay near the fastest cache, and few groups are summed twice.
   static constexpr int block = 4096 / sizeof(Real);
 
   Scratch(int widest, int reach, bool linear)
@@ -66,15 +66,16 @@ struct Scratch {
   }
 
   int columns;
-  ScratchRows<Real> up;  // force x, y of the bonds that a row keeps, then of all; least e
+  ScratchRows<Real> up;  // force x, y of the bonds that a row keeps, then of all; smallest e
   ScratchRows<Real>
       down;  // the same for bonds that lower rows keep: 3 (row mod (reach + 1)) + 0..2
   ScratchRows<Real> bond;    // force x, y and e of the images of one class: 3 image + 0..2
-  ScratchRows<Real> seen;    // of a row of tiles: bits of u and v, least threshold
+  ScratchRows<Real> seen;    // of a row of tiles: bits of u and v, smallest threshold
   ScratchRows<Real> folded;  // see kernel_linear.hpp
-  // Of three rows of tiles, row t in t mod 3, over the block and two tiles on either side.
+  // For three rows of tiles, row t in t mod 3, over the block and two tiles on either side.
   std::array<std::vector<Outlook<Real>>, 3> outlooks;
-  std::vector<TileRun> runs;  // of a row of tiles, over the block and what reaches into it
+  std::vector<TileRun>
+      runs;  // of a row of tiles, over the block and the columns that reach into it
   int run_count = 0;
   bool computes = false;  // some run computes bonds
   std::vector<BrokenBond> broken_bonds;

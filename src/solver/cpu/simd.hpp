@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Vectors of HACKLE_VECTOR_BYTES bytes, in the namespace of the instruction set that a kernel is
-// compiled for. Made of the compiler's vector types, so one source serves every machine; the few
-// operations that these lack are intrinsics where there are any, loops elsewhere. Everything is
-// always inlined: a function compiled here for a wide machine must not become the copy that the
-// linker keeps for everybody.
+// Vectors of HACKLE_VECTOR_BYTES bytes, in the namespace of the instruction set of a kernel. They
+// use the compiler's vector types, so one source serves every machine; the few operations that
+// these lack are intrinsics if available, loops otherwise. Everything is always inlined: a function
+// compiled here for a wide machine must not become the copy that the linker keeps for everybody.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +57,7 @@ HACKLE_INLINE Vector<Real> every(Real value) {
   return value - Vector<Real>{};
 }
 
-// A flag for every lane: a bit where the machine has masks, else all ones or all zeros.
+// A flag per lane: a bit if the machine has masks, otherwise all ones or all zeros.
 template <class Real>
 struct Mask {
 #if defined(__AVX512F__)
@@ -130,7 +129,7 @@ HACKLE_INLINE Vector<double> select(Mask<double> mask, Vector<double> yes, Vecto
 }
 #endif
 
-// Where `bit` is set in consecutive words.
+// Sets lanes where `bit` is set in consecutive words.
 template <class Real>
 HACKLE_INLINE Mask<Real> load_bit(const std::uint32_t* words, std::uint32_t bit) {
   typename VectorOf<Real>::Words word;
@@ -153,7 +152,7 @@ HACKLE_INLINE Vector<Real> magnitude(Vector<Real> v) {
   return (Vector<Real>)((Bits<Real>)v & ~sign);
 }
 
-// The larger, the smaller; b when either is no number.
+// Return the larger, the smaller; b if either is nan.
 template <class Real>
 HACKLE_INLINE Vector<Real> most(Vector<Real> a, Vector<Real> b) {
 #if defined(__AVX512F__)
@@ -222,7 +221,7 @@ HACKLE_INLINE Vector<Real> square_root(Vector<Real> v) {
 #endif
 }
 
-// a b + c: in two roundings, or in one where the kernel is compiled for fused arithmetic.
+// Returns a b + c: with two roundings, or with one if the kernel is compiled for fused arithmetic.
 template <class Real>
 HACKLE_INLINE Vector<Real> multiply_add(Vector<Real> a, Vector<Real> b, Vector<Real> c) {
 #if !HACKLE_FUSED

@@ -11,14 +11,14 @@ namespace hackle {
 enum class Path : std::uint8_t {
   still,    // u and v are 0 in the tile and around it: nothing to do
   linear,   // every force in the tile and around it is linearised
-  intact,   // all bonds hold and none can break
+  intact,   // all bonds are intact and none can break
   damaged,  // some are broken, no other can break
   careful,  // one may break, or is strained beyond the range of the series
 };
 inline constexpr std::array<std::string_view, 5> path_names{"still", "linear", "intact", "damaged",
                                                             "careful"};
 
-// Tile-steps by the path they took.
+// Tile-steps by path.
 using PathCounts = std::array<std::int64_t, 5>;
 
 }  // namespace hackle

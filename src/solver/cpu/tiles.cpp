@@ -7,8 +7,8 @@ namespace hackle {
 
 std::vector<int> tile_rows(int ny, int reach) {
   const int height = reach <= 8 ? 8 : 16;
-  // Rows of tiles of full height from both ends; the middle takes what is left, in one row of tiles
-  // or two.
+  // Rows of tiles have full height from both ends; the rest in the middle becomes one or two rows
+  // of tiles.
   const int each_side = std::max(0, (ny / height - 1) / 2);
   std::vector<int> first;
   first.reserve(2 * static_cast<std::size_t>(each_side) + 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plate in tiles: every step chooses the cheapest path for each that its state allows
+// The plate in tiles: every step chooses for each the cheapest path that its state allows
 // (src/solver/README.md 4.4).
 #pragma once
 
@@ -14,7 +14,7 @@ namespace hackle {
 // A tile is one group of columns of the layout by at least `reach` rows. Rows of tiles are mirror
 // images of each other about the midline.
 struct TileGrid {
-  const int* first_row = nullptr;  // of every row of tiles, and the end of the last
+  const int* first_row = nullptr;  // of every row of tiles, then the end of the last
   int rows = 0;
   int columns = 0;
 
@@ -22,11 +22,11 @@ struct TileGrid {
   int count() const { return rows * columns; }
 };
 
-// First rows of the rows of tiles of a lattice of ny rows, and ny.
+// Returns the first rows of the rows of tiles of a lattice with ny rows, and ny.
 std::vector<int> tile_rows(int ny, int reach);
 
-// What bounds the stretch of bonds in a tile (src/solver/README.md 4.5): the largest differences of
-// displacements between neighbouring nodes, those across its border included.
+// Bounds on the stretch of bonds in a tile (src/solver/README.md 4.5): the largest differences of
+// displacements between neighbouring nodes, including those across its border.
 template <class Real>
 struct TileRange {
   Real direct{};  // |d_x u_x|, |d_y u_y|

@@ -8,7 +8,7 @@
 
 namespace hackle {
 
-// The rule of the kernels for the next step. A node without bonds has no history.
+// Follows the rule of the kernels for the next step. A node without bonds has no history.
 double LinearisedBonds::critical_stretch(const NodeVectors& u, int i, int j) const {
   const double own = lattice_->critical_stretch_at(i, j);
   if (lattice_->is_void(i, j)) return own;
@@ -33,7 +33,7 @@ std::vector<double> LinearisedBonds::critical_stretches(const NodeVectors& u) co
   return critical;
 }
 
-// A history may lower the critical stretch to 0 and below: the ratio must stay a number.
+// A history may lower the critical stretch to 0 and below: the ratio must stay finite.
 void LinearisedBonds::add_stretches_of_row(const NodeVectors& u,
                                            const std::vector<double>& critical, int j,
                                            Stretches& sum) const {

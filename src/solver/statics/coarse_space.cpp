@@ -10,14 +10,14 @@
 namespace hackle {
 namespace {
 
-// Cholesky's work grows with the square of the number of parts.
+// The cost of Cholesky's factorisation grows with the square of the number of parts.
 constexpr double max_blocks = 2048.0;
 constexpr int min_width = 3;
-// Added to the diagonal, as a share: parts of one node turn as they shift, fragments that nothing
-// holds move as they please, and forces that do so have been taken out.
+// Added to the diagonal, as a share: single-node parts rotate as they shift, free fragments move
+// without resistance, and forces along such motions have been removed.
 constexpr double softness = 1e-9;
 
-// Borders of parts about `width` wide that n nodes are cut into, mirror-symmetric.
+// Returns the borders of mirror-symmetric parts, about `width` wide, of n nodes.
 std::vector<int> cuts(int n, int width) {
   int parts = std::max(1, (n + width / 2) / width);
   if (n % 2 == 1 && parts % 2 == 0) --parts;  // the middle node belongs to the middle part
@@ -30,7 +30,7 @@ std::vector<int> cuts(int n, int width) {
 using Row = Eigen::Matrix<double, 2, 3>;
 using Coupling = Eigen::Matrix3d;
 
-// How a node moves with its part: shifts, and a turn about the centre of the block.
+// Returns how a node moves with its part: shifts, and a rotation about the centre of the block.
 Row motion_of(const Vec2& arm, double mobile_x, double mobile_y) {
   Row row;
   row << mobile_x, 0.0, -mobile_x * arm.y(), 0.0, mobile_y, mobile_y * arm.x();
@@ -70,7 +70,8 @@ void CoarseSpace::cut_into_blocks() {
     }
 }
 
-// Nodes of a block that hang together by bonds within it; a node without bonds belongs to none.
+// Finds the parts of a block: nodes joined by bonds within it; a node without bonds belongs to
+// none.
 void CoarseSpace::find_parts(Block& block, std::vector<int>& next) {
   const Grid& grid = net_->lattice().grid;
   const auto inside = [&](int i, int j) {
@@ -125,7 +126,7 @@ Vec2 CoarseSpace::arm(const Block& block, int i, int j) const {
 void CoarseSpace::factorise(const NodeVectors& mobile) {
   const Grid& grid = net_->lattice().grid;
   const std::size_t parts = block_of_part_.size();
-  if (parts == 0) return;  // no bond holds
+  if (parts == 0) return;  // without intact bonds
   std::vector<std::vector<std::pair<int, Coupling>>> rows(parts);
   const auto coupling = [&](int a, int b) -> Coupling& {
     auto& row = rows[static_cast<std::size_t>(a)];
@@ -198,7 +199,7 @@ CoarseSpace::Body CoarseSpace::sum_of(const Block& block, int part, const NodeVe
 
 namespace {
 
-// Of a force or motion: its mirror image.
+// Returns the mirror image of a force or motion.
 std::array<double, 3> mirror_image(const std::array<double, 3>& body, bool left_right) {
   return {left_right ? -body[0] : body[0], left_right ? body[1] : -body[1], -body[2]};
 }

@@ -18,20 +18,20 @@ class ConjugateGradient {
     bool is_positive = true;
   };
 
-  // `mobile` is 1 for components that are sought and 0 for given ones. `coarse` is a coarse space
-  // or nullptr. All must outlive it.
+  // `mobile` is 1 for unknown components and 0 for given ones. `coarse` is a coarse space or
+  // nullptr. All arguments must outlive the object.
   ConjugateGradient(const LinearisedBonds& net, const Fragments& fragments,
                     const NodeVectors& mobile, CoarseSpace* coarse = nullptr);
 
-  // Changes the mobile components of d until the tangent of the net, applied to all of d, balances
-  // `force` at every node: to within `share` of the initial residual, or `goal` in the units of the
-  // net; stops after `most` iterations. Fragments that nothing holds neither move nor turn as a
-  // whole. `look` is called after every iteration with what is left. Returns the number of
-  // iterations. Throws what `look` throws.
+  // Changes the mobile components of d until the tangent of the net, applied to the whole d,
+  // balances `force` at every node: to `share` of the initial residual, or to `goal` in the units
+  // of the net; stops after `most` iterations. Free fragments neither move nor rotate as a whole.
+  // `look` is called after every iteration with the residual. Returns the number of iterations.
+  // Throws what `look` throws.
   //
   // Preconditioned by the 2 x 2 stiffness of each node against its neighbours, and by the coarse
-  // space. The bits are the same for any number of threads; forces that are their own mirror image
-  // on a net that is give a d that is, to the last bit.
+  // space. The bits are the same for any number of threads; mirror-symmetric forces on a
+  // mirror-symmetric net give a mirror-symmetric d, to the last bit.
   Outcome solve(const NodeVectors& force, NodeVectors& d, double share, double goal, int most,
                 const std::function<void(double left)>& look);
 
@@ -44,7 +44,7 @@ class ConjugateGradient {
   void start(const NodeVectors& force, const NodeVectors& d);
   double curvature();                        // p . K p, and q = -K p
   void go(double distance, NodeVectors& d);  // along p
-  Sums precondition();                       // z from r; r . z and the largest of r
+  Sums precondition();                       // z from r; returns r . z and the largest of r
   double dot(const NodeVectors& a, const NodeVectors& b);
   void turn_to(double share);  // p = z + share p
 

@@ -34,7 +34,7 @@ Fragments::Fragments(const Lattice& lattice, const State& state, const NodeVecto
   }
 }
 
-// The least node of the fragment that a node belongs to; itself when it has no bonds.
+// Returns the smallest node of the fragment of each node; the node itself if it has no bonds.
 std::vector<std::size_t> Fragments::roots(const Lattice& lattice, const State& state) const {
   UnionFind fragments(grid_.nodes());
   for (int j = 0; j < grid_.ny; ++j)
@@ -100,8 +100,8 @@ void Fragments::measure(std::size_t fragment) {
   box.inertia = sum(fragment, [](const Vec2& p, std::size_t) { return p.squaredNorm(); });
 }
 
-// The motions that leave every held component of every node at rest: the null space of the sum of
-// their squares. Turning is measured at the radius of gyration, so that all three weigh alike.
+// Finds the motions that leave every held component at rest: the null space of the sum of their
+// squares. Rotation is measured at the radius of gyration, so that all three have equal weight.
 void Fragments::find_motions(std::size_t fragment, const NodeVectors& mobile) {
   Fragment& box = list_[fragment];
   const double radius = std::sqrt(box.inertia / box.nodes);

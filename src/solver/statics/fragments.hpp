@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fragments of a plate that bonds hold together, and how they can move without stretching a
+// The fragments of a plate, whose nodes are joined by bonds, and their motions without stretch of a
 // bond.
 #pragma once
 
@@ -11,44 +11,44 @@
 
 namespace hackle {
 
-// A motion without strain: a translation, and a turn about the centre of the fragment. For small
-// angles.
+// A motion without strain: a translation, and a rotation about the centre of the fragment. For
+// small angles.
 struct RigidMotion {
   Vec2 shift{0, 0};
   double turn = 0.0;
 };
 
-// Nodes that are joined by bonds which hold, in the box of columns first_i..last_i and rows
-// first_j..last_j. Lengths in dx.
+// Nodes joined by intact bonds, in the box of columns first_i..last_i and rows first_j..last_j.
+// Lengths in dx.
 struct Fragment {
   int first_i = 0, last_i = 0, first_j = 0, last_j = 0;
   int nodes = 0;
-  Vec2 centre{0, 0};                 // of its nodes, from the centre of the lattice
-  double inertia = 0.0;              // sum of the squared distances from there
-  bool is_held = false;              // a support holds some of its nodes, along one axis at least
-  std::vector<RigidMotion> motions;  // which no support hinders; three when it is not held
+  Vec2 centre{0, 0};                 // mean of its nodes, from the centre of the lattice
+  double inertia = 0.0;              // sum of the squared distances from `centre`
+  bool is_held = false;              // a support holds some of its nodes, along at least one axis
+  std::vector<RigidMotion> motions;  // that no support prevents; three if it is not held
 };
 
-// Of forces on the nodes of a fragment.
+// The resultant of forces on the nodes of a fragment.
 struct Resultant {
   Vec2 force{0, 0};
   double moment = 0.0;  // about the centre of the fragment
-  double virial = 0.0;  // sum of x . force, x from there
+  double virial = 0.0;  // sum of x . force, x from `centre`
 };
 
 class Fragments {
  public:
-  // `mobile` is 1 where a support lets a node move along x (y), 0 where not.
+  // `mobile` is 1 where a node is free along x (y), 0 where it is prescribed.
   Fragments(const Lattice& lattice, const State& state, const NodeVectors& mobile, Threads threads);
 
-  // A node without bonds belongs to none.
+  // A node without bonds belongs to no fragment.
   const std::vector<Fragment>& list() const { return list_; }
 
-  // The resultant of `force` on the nodes displaced by u.
+  // Returns the resultant of `force` on the nodes displaced by u.
   Resultant resultant(std::size_t fragment, const NodeVectors& force, const NodeVectors& u) const;
-  // Takes the rigid motions of fragments that no support holds out of a vector.
+  // Removes the rigid motions of free fragments from a vector.
   void take_out_rigid(NodeVectors& vector) const;
-  // Turns a fragment about the centre of its nodes by any angle (rad); bonds do not notice.
+  // Rotates a fragment about the centre of its nodes by any angle (rad), which stretches no bond.
   void turn(std::size_t fragment, double angle, NodeVectors& u) const;
 
  private:
@@ -59,7 +59,8 @@ class Fragments {
   // Calls work(x, place) for the nodes of row j, x from the centre of the fragment.
   template <class Work>
   void for_row(std::size_t fragment, int j, const Work& work) const;
-  // Sum of term(x, place) over the nodes of a fragment; opposite or the same for its mirror image.
+  // Computes the sum of term(x, place) over the nodes of a fragment; it is opposite or equal for
+  // the mirror image.
   template <class Term>
   double sum(std::size_t fragment, const Term& term) const;
   void measure(std::size_t fragment);
@@ -68,7 +69,7 @@ class Fragments {
   Grid grid_;
   NodeLayout layout_;
   Threads threads_;
-  std::vector<int> of_node_;  // place in list_, or none
+  std::vector<int> of_node_;  // index in list_, or none
   std::vector<Fragment> list_;
 };
 

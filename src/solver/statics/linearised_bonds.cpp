@@ -10,10 +10,10 @@
 namespace hackle {
 namespace {
 
-// Two nodes that meet must not divide by zero; as in the kernels.
+// Coinciding nodes must not divide by zero; as in the kernels.
 constexpr double no_length = 1e-12;
 
-// Quantities of a deformed bond: y = xi + h, e = (|y|/L)^2 - 1 without cancellation, less the
+// Quantities of a deformed bond: y = xi + h, e = (|y|/L)^2 - 1 without cancellation, minus the
 // thermal part.
 struct Deformed {
   Deformed(const Vec2& xi, double inverse_length, const Vec2& h, double heat)
@@ -105,8 +105,8 @@ Stiffness LinearisedBonds::stiffness_of(const NodeVectors& u, int i, int j, cons
           across + along * (y.y() * y.y())};
 }
 
-// The force on each node of row j by the bonds of one image: those that the row keeps, or those
-// that other rows keep to it.
+// Computes the force on each node of row j by the bonds of one image: those that the row keeps, or
+// those that other rows keep to it.
 void LinearisedBonds::pull_row(const NodeVectors& u, int j, const Kept& bond, bool keeps, double* x,
                                double* y) const {
   const Grid& grid = lattice_->grid;
@@ -133,8 +133,8 @@ void LinearisedBonds::pull_row(const NodeVectors& u, int j, const Kept& bond, bo
   }
 }
 
-// Images of an offset are summed in the order of the engine: the forces of a scene that is its own
-// mirror image are so, too, to the last bit.
+// Images of an offset are summed in the order of the engine: the forces of a mirror-symmetric scene
+// are symmetric to the last bit.
 void LinearisedBonds::forces(const NodeVectors& u, NodeVectors& force) const {
   const auto nx = static_cast<std::size_t>(lattice_->grid.nx);
   for_rows(threads_, lattice_->grid.ny, [&](int j) {
@@ -250,7 +250,7 @@ Stiffness LinearisedBonds::own_stiffness(int i, int j) const {
 
 namespace {
 
-// One image of an offset as the nodes of a row see it: stiffness and the vectors at the far ends.
+// One image of an offset for the nodes of a row: stiffness, and the vectors at the far ends.
 struct Arm {
   const float *xx, *xy, *yy;
   const double *x, *y;

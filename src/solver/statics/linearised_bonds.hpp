@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The bonds of a plate as springs at rest: exact forces, stretches, and the tangent, in double
-// precision and without breaking anything. In lattice units: lengths in dx, force densities in
-// c dx^2 with the micromodulus c of the plate's own material.
+// The bonds of a plate as springs in equilibrium: exact forces, stretches and tangent, in double
+// precision, without breaking. In lattice units: lengths in dx, force densities in c dx^2 with the
+// micromodulus c of the plate's own material.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,27 @@
 
 namespace hackle {
 
-// The derivative of the force of a bond by the relative displacement of its ends.
+// The derivative of the force of a bond with respect to the relative displacement of its ends.
 struct Stiffness {
   double xx = 0.0;
   double xy = 0.0;
   double yy = 0.0;
 };
 
-// A bond that is stretched beyond its critical stretch.
+// A bond above its critical stretch.
 struct Overstretched {
   std::ptrdiff_t at = 0;  // place of the node that keeps it
   int bit = 0;
-  double ratio = 0.0;   // of its stretch to the critical one, above 1
-  double excess = 0.0;  // of its energy over that at the critical stretch of the scene, c dx5
+  double ratio = 0.0;   // of its stretch to the critical stretch, above 1
+  double excess = 0.0;  // its energy minus that at the scene's critical stretch, c dx5
 };
 
 // In dx, without the state's origin.
 NodeVectors displacements_of(const State& state);
 
 // Compression (g < 0) reduces the stiffness across a bond, so the exact tangent may have motions of
-// negative stiffness. The positive one leaves that out and is wrong by no more than the stretch
-// (src/solver/README.md 8.1).
+// negative stiffness. The positive tangent omits that term; its error is at most of the order of
+// the stretch (src/solver/README.md 8.1).
 enum class Tangent { exact, positive };
 
 struct Stretches {
@@ -45,8 +45,8 @@ struct Stretches {
 
 class LinearisedBonds {
  public:
-  // The bonds that hold in `state`, with the thermal strain `heat` (by Grid::index; empty means 0).
-  // All must outlive it.
+  // Takes the intact bonds of `state`, with the thermal strain `heat` (by Grid::index; empty means
+  // 0). All arguments must outlive the object.
   LinearisedBonds(const Lattice& lattice, const State& state, Threads threads,
                   std::span<const double> heat = {});
 
@@ -55,7 +55,7 @@ class LinearisedBonds {
   const Threads& threads() const { return threads_; }
 
   bool has_bonds(int i, int j) const;
-  // Calls work(k, l) for every node (k, l) to which a bond of node (i, j) holds.
+  // Calls work(k, l) for every node (k, l) joined to node (i, j) by an intact bond.
   template <class Work>
   void for_each_neighbour(int i, int j, const Work& work) const {
     for (const Kept& bond : kept_) {
@@ -65,17 +65,17 @@ class LinearisedBonds {
     }
   }
 
-  // The force of all bonds on every node.
+  // Computes the force of all bonds on every node.
   void forces(const NodeVectors& u, NodeVectors& force) const;
 
-  // Takes the tangent at u: c w/L (g 1 + (1+e)^(-3/2) y y^T/L^2) of each bond, with y = xi + h.
-  // Held in single precision.
+  // Computes the tangent at u: c w/L (g 1 + (1+e)^(-3/2) y y^T/L^2) of each bond, with y = xi + h.
+  // Stored in single precision.
   void linearise(const NodeVectors& u, Tangent tangent);
-  // Takes bonds that have broken since then out of the tangent.
+  // Removes bonds that have broken since then from the tangent.
   void forget(const std::vector<BrokenBond>& broken_bonds);
-  // The change of the forces when u changes by p, to first order. linearise() was called.
+  // Computes the first-order change of the forces when u changes by p. Requires linearise().
   void apply_row(const NodeVectors& p, NodeVectors& result, int j) const;
-  // Calls work(one, other, stiffness) for every bond that holds; ends by Grid::index.
+  // Calls work(one, other, stiffness) for every intact bond; ends by Grid::index.
   template <class Work>
   void for_each_stiffness(const Work& work) const {
     const Grid& grid = lattice_->grid;
@@ -90,16 +90,17 @@ class LinearisedBonds {
         }
       }
   }
-  // Sum of the stiffnesses of a node's bonds.
+  // Returns the sum of the stiffnesses of a node's bonds.
   Stiffness own_stiffness(int i, int j) const;
 
-  // The critical stretch of every node, by Grid::index: where its material has a history, moved by
-  // the least stretch of its bonds at u (paper Eq. 11). A bond breaks by the lesser of its ends.
+  // Returns the critical stretch of every node, by Grid::index: if its material has a history,
+  // moved by the smallest stretch of its bonds at u (paper Eq. 11). A bond breaks at the smaller
+  // value of its ends.
   std::vector<double> critical_stretches(const NodeVectors& u) const;
-  // The bonds stretched beyond that, without those of no-fail zones.
+  // Returns the bonds above that stretch, without those of no-fail zones.
   Stretches stretches(const NodeVectors& u) const;
 
-  // The unit of force density, c dx^2, in N/m3.
+  // Returns the unit of force density, c dx^2, in N/m3.
   double unit_of_force() const { return unit_; }
 
  private:
@@ -112,7 +113,8 @@ class LinearisedBonds {
   };
 
   bool holds(int i, int j, const Kept& bond) const;
-  // Weight times the mean of the micromoduli of both ends, over that of the plate's own material.
+  // Returns the weight times the mean micromodulus of both ends, over that of the plate's own
+  // material.
   double strength_of(int i, int j, const Kept& bond) const;
   double heat_of(int i, int j, const Kept& bond) const;
   double critical_stretch(const NodeVectors& u, int i, int j) const;

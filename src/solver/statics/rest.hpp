@@ -11,12 +11,12 @@
 namespace hackle {
 
 struct RelaxOptions {
-  // The largest force left on a node over the largest load or reaction on a node, in (0, 1). Where
-  // there is neither: over the largest force at the beginning.
+  // The largest residual force on a node over the largest load or reaction on a node, in (0, 1).
+  // Without either: over the largest force at the beginning.
   double tolerance = 1e-8;
-  // Called from time to time with the progress, 0..1; may throw, which leaves all as it was.
+  // Called now and then with the progress, 0..1; may throw, which leaves everything unchanged.
   std::function<void(double fraction, int iterations)> progress;
-  // For messages: the user's call, and how an interrupt leaves the plate.
+  // For messages: the user's call, and the state of the plate after an interrupt.
   std::string who = "relax";
   std::string left = "as it was";
 };
@@ -24,26 +24,26 @@ struct RelaxOptions {
 struct RelaxResult {
   int iterations = 0;  // of conjugate gradients, in all Newton steps
   int newton_steps = 0;
-  double residual = 0.0;    // what is left, in the units of the tolerance
+  double residual = 0.0;    // residual, in the units of the tolerance
   double most = 0.0;        // the largest stretch of a bond over its critical stretch
   std::int64_t beyond = 0;  // bonds above 1, which the next step will break
 };
 
 struct QuasistaticOptions {
   double duration = 0.0;    // s, of the amplitudes of the loads; above 0
-  int increments = 10;      // equal parts of the duration, >= 1
+  int increments = 10;      // number of equal parts of the duration, >= 1
   double tolerance = 1e-6;  // of RelaxOptions
-  // Called from time to time with the progress, 0..1, and where it stands; may throw.
+  // Called now and then with the progress, 0..1, and the present position; may throw.
   std::function<void(double fraction, int increment, int pass, std::int64_t broken)> progress;
 };
 
 struct QuasistaticResult {
-  // How often the plate was brought to rest in each increment: 1 where nothing broke.
+  // The number of equilibria in each increment: 1 if nothing broke.
   std::vector<int> passes;
   std::int64_t iterations = 0;  // of conjugate gradients
   std::int64_t broken = 0;      // bonds
   // Whether the plate bears the loads to the end. If not, it came apart in the last increment of
-  // `passes`: bonds are broken as far as equilibria were found, and a run goes on from there.
+  // `passes`: bonds are broken as far as equilibria were found, and a run continues from there.
   bool bears = true;
   std::string why;  // what was then found
 };

@@ -20,9 +20,9 @@ constexpr int max_newton_steps = 40;
 constexpr int max_halvings = 10;
 constexpr double max_for_old_tangent = 0.1;
 constexpr int few_iterations = 10;
-constexpr double share_of_step = 1e-4;  // of the force that a step may leave for the next
+constexpr double share_of_step = 1e-4;  // share of the force that a step may leave for the next
 
-// 0 where a node is prescribed.
+// Returns 0 where a node is prescribed.
 NodeVectors mobile_of(const NodeLayout& layout, const std::vector<PrescribedNode>& prescribed) {
   NodeVectors mobile(layout);
   for (int j = 0; j < layout.ny; ++j)
@@ -71,7 +71,7 @@ StaticEquilibrium::StaticEquilibrium(const Lattice& lattice, const State& state,
 
 StaticEquilibrium::~StaticEquilibrium() = default;
 
-// Nodes without bonds.
+// Holds nodes without bonds in place.
 void StaticEquilibrium::hold_lonely_nodes() {
   const auto degree = degrees(lattice_->grid, lattice_->family, state_->bonds);
   for (int j = 0; j < lattice_->grid.ny; ++j)
@@ -138,7 +138,7 @@ void StaticEquilibrium::refuse(const Fragment& fragment, const Resultant& result
       "balance the loads, or hold it by a support");
 }
 
-// A force that all nodes share may be within the tolerance of each: its resultant is checked.
+// A force shared by all nodes may be within the tolerance of each, so its resultant is checked.
 void StaticEquilibrium::check_held(const RelaxOptions& options) const {
   for (std::size_t k = 0; k < fragments_.list().size(); ++k) {
     const Fragment& fragment = fragments_.list()[k];
@@ -146,7 +146,7 @@ void StaticEquilibrium::check_held(const RelaxOptions& options) const {
     const Resultant resultant = fragments_.resultant(k, load_, u_);
     const double most = options.tolerance * largest_load_ * fragment.nodes;
     for (const RigidMotion& motion : fragment.motions) {
-      // Moments on a free fragment are balanced by turning it, where that is possible.
+      // Moments on a free fragment are balanced by rotating it, if possible.
       const double moment = fragment.is_held ? resultant.moment : 0.0;
       if (std::abs(motion.shift.dot(resultant.force) + motion.turn * moment) > most)
         refuse(fragment, resultant, options.who);
@@ -154,7 +154,7 @@ void StaticEquilibrium::check_held(const RelaxOptions& options) const {
   }
 }
 
-// Loads keep their direction: on a deformed fragment they have a moment, to which it gives way
+// Loads keep their direction: on a deformed fragment they have a moment, under which it rotates
 // until there is none, tan(angle) = moment/virial.
 bool StaticEquilibrium::turn_free_fragments(const RelaxOptions& options) {
   constexpr double steepest = 0.2;
@@ -215,7 +215,7 @@ StaticEquilibrium::Balance StaticEquilibrium::find_left() {
   return balance;
 }
 
-// Takes a Newton step, halved while it leaves more force than there was. False when no part of it
+// Takes a Newton step, halved while it increases the residual. Returns false if no part of it
 // helps.
 bool StaticEquilibrium::improve(const NodeVectors& step, Balance& balance) {
   const NodeVectors from = u_;
@@ -227,7 +227,7 @@ bool StaticEquilibrium::improve(const NodeVectors& step, Balance& balance) {
       u_.y[at] = from.y[at] + share * step.y[at];
     }
     balance = find_left();
-    // Prescribed displacements must be reached in this step; later steps repair what it leaves.
+    // Prescribed displacements must be reached in this step; later steps reduce the residual.
     if (balance.total < before || (is_prescribed_ && std::isfinite(balance.total))) return true;
     if (is_prescribed_) return false;
   }

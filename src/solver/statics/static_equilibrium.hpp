@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Static equilibrium: where a plate comes to rest under what acts on it, without breaking.
+// The static equilibrium of a plate under its loads, without breaking.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ struct Equilibrium {
   RelaxResult result;
 };
 
-// Newton's method on the exact forces of the bonds (LinearisedBonds), which pull however far they
-// are stretched; each step solved by conjugate gradients (ConjugateGradient), and halved while it
-// would leave more force than there was. The tangent is taken anew when a step has left more than a
-// tenth of the force, the coarse space when the iterations have doubled. Prescribed displacements
-// enter with the first step. Nodes without bonds stay. Fragments that nothing holds keep their
-// place, and turn only as far as the loads on the deformed fragment demand. Neither damping nor
-// contact nor impactors take part.
+// Solves by Newton's method on the exact forces of the bonds (LinearisedBonds), which pull however
+// far they are stretched; each step uses conjugate gradients (ConjugateGradient), and is halved
+// while it would increase the residual. The tangent is renewed if a step has left more than a tenth
+// of the force, the coarse space if the iterations have doubled. Prescribed displacements are
+// applied in the first step. Nodes without bonds stay. Free fragments keep their place, and rotate
+// only as far as the loads on the deformed fragment demand. Damping, contact and impactors are
+// ignored.
 class StaticEquilibrium {
  public:
   // `actions` is what acts at rest (Terms::halt), `heat` how nodes are strained
@@ -42,20 +42,21 @@ class StaticEquilibrium {
 
   ~StaticEquilibrium();
 
-  // Says under which loads and heat the plate stood before, if others than act now.
+  // Sets the loads and heat under which the plate stood before, if they differ from the present
+  // ones.
   void comes_from(const std::vector<LoadedNode>& loads, std::span<const double> heat);
 
-  // Throws Error (refused) when loads push or turn a fragment that nothing holds, Error
-  // (run_failed) when there is no equilibrium to be found, and Error (interrupted).
+  // Throws Error (refused) if loads push or rotate a free fragment, Error (run_failed) if no
+  // equilibrium is found, and Error (interrupted).
   Equilibrium solve(const RelaxOptions& options);
 
-  // Takes note that these bonds of the state have broken since solve(), which must then be called
-  // again: it goes on from where the plate came to rest, under the same loads, with nothing
-  // prescribed. What is known of the tangent is kept.
+  // Removes these bonds, which have broken since solve(). solve() must then be called again: it
+  // continues from the last equilibrium, under the same loads, without prescribed motion, and keeps
+  // the tangent.
   void lose(const std::vector<BrokenBond>& broken_bonds);
 
  private:
-  // What is left of the forces on mobile nodes, and what to compare it with.
+  // The residual forces on mobile nodes, and their reference.
   struct Balance {
     double largest = 0.0;    // at a node
     double total = 0.0;      // root of the sum of squares
@@ -67,14 +68,14 @@ class StaticEquilibrium {
   void take_prescribed(const std::vector<PrescribedNode>& prescribed);
   void check_held(const RelaxOptions& options) const;
   void refuse(const Fragment& fragment, const Resultant& resultant, const std::string& who) const;
-  bool turn_free_fragments(const RelaxOptions& options);  // true when one has turned
+  bool turn_free_fragments(const RelaxOptions& options);  // returns whether one has rotated
   void hold_lonely_nodes();
   void set_out();
   Balance find_left();  // residual_
   double stiffest() const;
   NodeVectors newton_step(double goal, const RelaxOptions& options, RelaxResult& result);
   bool improve(const NodeVectors& step, Balance& balance);
-  bool take_tangent();  // false when the tangent has to be the positive one
+  bool take_tangent();  // returns false if the tangent must be the positive one
   StaticWork work_done() const;
 
   const Lattice* lattice_;
@@ -86,10 +87,10 @@ class StaticEquilibrium {
   Tangent tangent_ = Tangent::exact;
   bool is_prescribed_ = false;  // move_ is not 0
   double largest_load_ = 0.0;
-  double max_left_ = 0.0;  // that conjugate gradients have seen
-  bool stale_ = true;      // the tangent is to be taken anew
+  double max_left_ = 0.0;  // largest residual seen by conjugate gradients
+  bool stale_ = true;      // the tangent must be renewed
   std::unique_ptr<CoarseSpace> coarse_;
-  int iterations_then_ = 0;  // of the first step with this coarse space; 0 before it
+  int iterations_then_ = 0;  // in the first step with this coarse space; 0 before it
 };
 
 }  // namespace hackle

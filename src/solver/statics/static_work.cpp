@@ -4,7 +4,7 @@
 namespace hackle {
 namespace {
 
-// Of one component of a posture.
+// One component of a configuration.
 struct Along {
   const Values<double>&u, &pull, &load;
 };
@@ -13,7 +13,7 @@ void add(const Along& before, const Along& after, const Values<double>& mobile, 
          StaticWork& sum) {
   const double half_way = 0.5 * (after.u[at] - before.u[at]);
   if (mobile[at] == 0.0) {
-    // The load does its work, and the reaction -(pull + load) takes it back.
+    // The load does its work, and the reaction -(pull + load) takes it away again.
     sum.external -= (before.pull[at] + after.pull[at]) * half_way;
     return;
   }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The work of loads and supports while a plate goes from one equilibrium to another, and the energy
-// it releases on the way (src/solver/README.md 8.5).
+// The work of loads and supports between two equilibria of a plate, and the energy released on the
+// way (src/solver/README.md 8.5).
 #pragma once
 
 #include "solver/node_vectors.hpp"
 
 namespace hackle {
 
-// A plate at a moment: displacements in dx; force densities of its bonds and loads on every node,
-// in c dx2 with the micromodulus c of its own material.
+// A configuration of the plate: displacements in dx; force densities of its bonds and loads on
+// every node, in c dx2 with the micromodulus c of its own material.
 struct Posture {
   NodeVectors u, pull, load;
 };
@@ -18,8 +18,8 @@ struct StaticWork {
   // Work of loads and of the reactions of supports, which balance bonds and loads on prescribed
   // nodes: force times displacement by the trapezoidal rule. Exact while forces are linear in u.
   double external = 0.0;
-  // Work of the forces out of balance on mobile nodes at the beginning: it would have become
-  // motion. 0 where the plate sets out from rest and all bonds hold.
+  // Work of the initial residual forces on mobile nodes: it would have become motion. 0 if the
+  // plate starts from equilibrium and all bonds hold.
   double released = 0.0;
 };
 

@@ -42,8 +42,8 @@ void Statics::check(const RelaxOptions& options) const {
   plate_.terms().check_rest(options.who);
 }
 
-// Loads that were added to a plate at rest grow from nothing; loads that have acted in steps have
-// done their work and stay what they are.
+// Loads that were added to a plate at rest grow from zero; loads that have acted in steps have done
+// their work and stay unchanged.
 Statics::Departure Statics::depart() {
   Departure from{plate_.borne(), plate_.thermal_strain()};
   if (!plate_.state().is_start()) {
@@ -56,7 +56,7 @@ Statics::Departure Statics::depart() {
   return from;
 }
 
-// Half of the change of temperature acts where the plate was, half where it comes to rest: exact
+// Half of the change of temperature acts in the old configuration, half in the equilibrium: exact
 // while forces are linear in both.
 Equilibrium Statics::go_to_rest(const Departure& from, StaticEquilibrium& equilibrium,
                                 const RelaxOptions& options) {
@@ -74,7 +74,7 @@ Equilibrium Statics::go_to_rest(const Departure& from, StaticEquilibrium& equili
   return rest;
 }
 
-// Moves the plate to where it comes to rest and books the work.
+// Moves the plate to its equilibrium and books the work.
 Equilibrium Statics::settle(StaticEquilibrium& equilibrium, const RelaxOptions& options) {
   Equilibrium rest = equilibrium.solve(options);
   State& state = plate_.state();
@@ -141,8 +141,8 @@ RelaxOptions Statics::options_of_increment(const QuasistaticOptions& options,
   return {options.tolerance, progress, "quasistatic", "as it was before this increment"};
 }
 
-// The first pass loads without breaking. All later ones are jumps: nothing is prescribed to move,
-// and loads stay what they are.
+// The first pass loads without breaking. All later ones are jumps: prescribed motion and loads stay
+// constant.
 void Statics::break_and_settle(double end, const QuasistaticOptions& options,
                                QuasistaticResult& result, std::vector<BrokenBond>& broken_bonds) {
   const RelaxOptions each = options_of_increment(options, result);

@@ -24,9 +24,9 @@ class Statics {
   void load_to(double end, const QuasistaticOptions& options, QuasistaticResult& result);
 
  private:
-  // What acts on the plate before it is brought to rest.
+  // The loads on the plate before the static equilibrium.
   struct Departure {
-    std::vector<LoadedNode> loads;  // which did their work up to here
+    std::vector<LoadedNode> loads;  // whose work is counted up to here
     std::vector<double> heat;       // thermal strain
   };
 

@@ -11,11 +11,11 @@
 namespace hackle {
 namespace {
 
-constexpr double farthest = 1.5;  // spacings: pairs that are farther apart at rest count as so far
-constexpr double slack = 0.35;    // how far nodes may wander before pairs are sought anew
+constexpr double farthest = 1.5;  // spacings: the initial distance of pairs counts as at most this
+constexpr double slack = 0.35;    // how far nodes may move before pairs are found again
 constexpr double cell = farthest + 2.0 * slack;
 
-// Far beyond any plate, nodes of a diverged solution share their cells.
+// Nodes of a diverged solution, far beyond any plate, share their cells.
 std::int64_t column_of(double place) {
   constexpr double most = 1e9;
   return static_cast<std::int64_t>(std::abs(place) < most ? std::floor(place / cell) : most);
@@ -59,8 +59,8 @@ void ContactForces::begin(const Surroundings& around, State& state) {
   faces_.find_near(open_, slack);
 }
 
-// Nodes that are new among the open ones are paired with all others; those that were open before
-// are a pair from now on.
+// Pairs nodes that are new among the open ones with all others, and the open ends of the new lost
+// bonds with each other.
 void ContactForces::follow(const Surroundings& around, State& state) {
   const Lattice& lattice = around.lattice;
   const std::vector<BrokenBond>& broken_bonds = around.stepper.broken_bonds();
@@ -86,7 +86,7 @@ ContactForces::Pair ContactForces::lose(const Lattice& lattice, const State& sta
   return {one, other};
 }
 
-// Where in open_ the node is.
+// Returns the index of the node in open_.
 int ContactForces::open(const Lattice& lattice, const State& state, int i, int j) {
   const Grid& grid = lattice.grid;
   int& place = place_[grid.index(i, j)];
@@ -98,7 +98,7 @@ int ContactForces::open(const Lattice& lattice, const State& state, int i, int j
   return place;
 }
 
-// With all nodes in the cells around it, and into its own.
+// Pairs a node with all nodes in the neighbouring cells, and adds it to its own cell.
 void ContactForces::find_pairs(int node, const Lattice& lattice, const BondBits& bonds) {
   const OpenNode& own = open_[static_cast<std::size_t>(node)];
   for (int up = -1; up <= 1; ++up)
@@ -146,7 +146,7 @@ void ContactForces::renew(const Lattice& lattice, const State& state) {
   faces_.find_near(open_, slack);
 }
 
-// True when something touches, or did in the last step.
+// Returns whether something touches, or did in the last step.
 bool ContactForces::update(const Surroundings& around, State& state) {
   const Lattice& lattice = around.lattice;
   const bool touched = !forces_.empty();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Short-range repulsion of the faces of cracks and of fragments, as in LAMMPS's pair peri/pmb
-// (after the EMU manual): two nodes that no bond joins push each other apart when they are nearer
-// than d = reach min(L, 1.5 dx), L their distance at rest, with `stiffness` times the micromodulus
-// times (d - r)/delta, delta the horizon.
+// Short-range repulsion between faces of cracks and fragments, as in LAMMPS's pair peri/pmb (after
+// the EMU manual): two unbonded nodes repel each other when they are closer than d = reach min(L,
+// 1.5 dx), L their initial distance, with `stiffness` times the micromodulus times (d - r)/delta,
+// delta the horizon.
 //
-// Only nodes that lack a bond are looked at, those at the rims of the plate included. LAMMPS pushes
-// nodes that are still bonded, too, once they are nearer than d: a second, stiffer law for bonds
-// that are shortened by a tenth, which no bond of glass lives to see. Faces of a closed crack push
-// each other before that (crack_faces.hpp).
+// Only nodes that lack a bond are considered, including those at the rims of the plate. LAMMPS also
+// lets bonded nodes repel each other once they are closer than d: a second, stiffer law for bonds
+// shortened by a tenth, which no bond of glass survives. Faces of a closed crack push each other
+// before that (crack_faces.hpp).
 #pragma once
 
 #include <cstdint>
@@ -40,11 +40,11 @@ class ContactForces final : public Term {
   double stored() const override { return energy_; }
   double heat_work(const std::vector<double>& before,
                    const std::vector<double>& after) const override;
-  // Of what grows with the plate, and not with what is broken of it.
+  // Counts the memory that grows with the plate, not with its damage.
   std::size_t bytes() const override { return place_.size() * sizeof(int); }
 
  private:
-  // Two of the open nodes that no bond joins.
+  // Two open nodes without a bond between them.
   struct Pair {
     int one = 0;
     int other = 0;
@@ -55,27 +55,27 @@ class ContactForces final : public Term {
   int open(const Lattice& lattice, const State& state, int i, int j);
   void find_pairs(int node, const Lattice& lattice, const BondBits& bonds);
   void pair_up(int one, int other, const Lattice& lattice);
-  // The bond `bit` that node (i, j) kept is no more. Gives back its ends.
+  // Removes the bond `bit` kept by node (i, j). Returns its ends.
   Pair lose(const Lattice& lattice, const State& state, int i, int j, int bit);
-  // Reads u. False when a node has wandered too far for what was found near it.
+  // Reads u. Returns false if a node has moved too far for the list of its neighbours.
   bool move_nodes(const Grid& grid, const State& state);
-  // Seeks anew who is near.
+  // Finds the neighbours again.
   void renew(const Lattice& lattice, const State& state);
-  // The energy it stores.
+  // Adds its forces and returns its energy.
   double push(const Pair& pair);
   void collect(const Lattice& lattice);
 
   CrackFaces faces_;
   double reach_;
-  double strength_;  // of two nodes of the plate's own material
+  double strength_;  // for two nodes of the plate's own material
   double unit_;      // lattice unit of acceleration, m/s2
   std::vector<OpenNode> open_;
-  std::vector<int> place_;  // in open_, by Grid::index; -1 for nodes that are not
+  std::vector<int> place_;  // index in open_, by Grid::index; -1 for other nodes
   std::unordered_map<std::int64_t, std::vector<int>> cells_;
   std::vector<Pair> pairs_;
   std::vector<LoadedNode> forces_;
   double energy_ = 0.0;                  // stored, in units of rho dx^4/dt^2
-  std::optional<double> stored_before_;  // in faces, when bonds broke since update()
+  std::optional<double> stored_before_;  // in faces, if bonds broke since update()
 };
 
 }  // namespace hackle

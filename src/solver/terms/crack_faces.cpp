@@ -9,11 +9,11 @@
 namespace hackle {
 namespace {
 
-// The stretch from which a lost bond counts no more. Less would press faces that slide: bonds that
-// are lengthened would count too little against those that are shortened.
+// The stretch above which a lost bond has no weight. A smaller limit would press faces that slide:
+// lengthened bonds would count too little against shortened ones.
 constexpr double gone = 4.0;
 
-// s as it counts, and the derivative of that.
+// Returns the weighted s, and its derivative.
 double counted(double s) {
   if (s <= 0.0) return s;
   const double left = std::max(1.0 - s / gone, 0.0);
@@ -127,7 +127,7 @@ double CrackFaces::push(std::span<OpenNode> nodes, const std::vector<double>& he
   for (std::size_t k = 0; k < near_.size(); ++k) {
     const LostBond& bond = bonds_[static_cast<std::size_t>(near_[k])];
     const double s = stretches_[k];
-    // Two nodes that meet must not divide by zero.
+    // Coinciding nodes must not divide by zero.
     if (approach_of(bond) == 0.0 || !(s > -1.0 && s < gone)) continue;
     const Vec2 force = force_of(bond, nodes, s);
     nodes[static_cast<std::size_t>(bond.one)].force.add(force);

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The faces of cracks that are closed carry pressure. A node that lost bonds, to a crack or because
-// they broke, has come nearer to those beyond the crack by the mean stretch of its lost bonds,
+// The faces of closed cracks carry pressure. A node that lost bonds, to a crack or by breaking, has
+// approached the nodes beyond the crack by the mean stretch of its lost bonds,
 //
 //   eps = sum K s / sum K,   K = c w L.
 //
 // Where eps < 0 the faces are closed: the node stores k/4 sum K eps^2, and every lost bond pushes
-// along itself with k c w (eps_i + eps_j)/2, eps of its ends or 0 where that is above. k = 6/5
-// makes a face bear what its bonds would, which lie in all directions (src/solver/README.md 7.1).
+// along itself with k c w (eps_i + eps_j)/2, where eps of an end counts as 0 if it is above 0. k =
+// 6/5 makes a face bear as much as its bonds, which lie in all directions
+// (src/solver/README.md 7.1).
 //
-// Faces slide freely, for then bonds that lean one way are shortened as much as those that lean the
-// other way are lengthened; and they turn freely, for s does not notice. A lost bond counts ever
-// less as it is stretched, and no more at five times its length: faces that have left each other
-// meet as strangers (contact_forces.hpp).
+// Faces slide freely, because bonds that lean one way are shortened as much as those that lean the
+// other way are lengthened; and they rotate freely, because s does not change. The weight of a lost
+// bond decreases as it is stretched, and is 0 at five times its length: faces that have separated
+// meet again as unrelated ones (contact_forces.hpp).
 #pragma once
 
 #include <span>
@@ -27,7 +28,7 @@ class CrackFaces {
  public:
   CrackFaces(const Lattice& lattice, double dt);
 
-  // From the node that keeps a bond to its other end.
+  // The vector from the node that keeps a bond to its other end.
   struct Way {
     int columns = 0;
     int rows = 0;
@@ -35,17 +36,17 @@ class CrackFaces {
   Way way(int bit) const { return offsets_[static_cast<std::size_t>(bit)].way; }
 
   void clear();
-  // A bond between two nodes, as places in a list that only grows, is no more; `bit` as in Family,
-  // kept by `one`.
+  // Registers a lost bond between two nodes, given as indices in a list that only grows; `bit` as
+  // in Family, kept by `one`.
   void lose(const Lattice& lattice, std::span<const OpenNode> nodes, int one, int other, int bit);
-  // Finds the lost bonds that count until a node has wandered from its home by `slack`, dx. To be
-  // called when homes have changed; bonds that are lost later are looked at in any case.
+  // Finds the lost bonds that matter until a node has moved from its home by `slack`, dx. Call this
+  // when homes have changed; bonds lost later are always considered.
   void find_near(std::span<const OpenNode> nodes, double slack);
 
   // Adds to the forces on the nodes; `heat` is the thermal strain by Grid::index, empty for 0, here
-  // as below. Gives back what is stored, in units of rho dx^4/dt^2.
+  // as below. Returns the stored energy, in units of rho dx^4/dt^2.
   double push(std::span<OpenNode> nodes, const std::vector<double>& heat);
-  // What is stored, alone.
+  // Returns only the stored energy.
   double energy(std::span<const OpenNode> nodes, const std::vector<double>& heat) const;
 
  private:
@@ -61,7 +62,7 @@ class CrackFaces {
     int other = 0;
     int bit = 0;
     double pull = 0.0;       // c w, over c of the plate's own material
-    double stiffness = 0.0;  // K/2, which is what an end has of it, with lengths in horizons
+    double stiffness = 0.0;  // K/2, the share of one end, with lengths in horizons
   };
 
   const Offset& offset_of(const LostBond& bond) const {
@@ -71,7 +72,7 @@ class CrackFaces {
                     const std::vector<double>& heat) const;
   double approach_of(const LostBond& bond) const;  // the mean of eps of its ends
   Vec2 force_of(const LostBond& bond, std::span<const OpenNode> nodes, double s) const;
-  // eps of every node, or 0 where its faces are open. True when some are closed.
+  // Computes eps of every node, or 0 where its faces are open. Returns whether some are closed.
   bool find_closed(std::span<const OpenNode> nodes, const std::vector<double>& heat) const;
   double stored() const;
 
@@ -81,8 +82,8 @@ class CrackFaces {
   std::vector<LostBond> bonds_;
   std::vector<int> near_;                // in bonds_
   std::vector<OrderFreeSum> stiffness_;  // x: sum K/2, by node
-  // What find_closed() found, for whoever asked last.
-  mutable std::vector<double> stretches_;      // by place in near_
+  // The results of the last find_closed().
+  mutable std::vector<double> stretches_;      // indexed as near_
   mutable std::vector<OrderFreeSum> nearing_;  // x: sum K s/2, by node
   mutable std::vector<double> approach_;       // eps, by node
 };

@@ -27,7 +27,7 @@ double square_of_row(const Lattice& lattice, int j, const Motion<Real>& motion) 
   return sum;
 }
 
-// The components of v that are prescribed.
+// Returns the prescribed components of v.
 Vec2 prescribed_part(const PrescribedNode& node, const Vec2& v) {
   return {node.along_x ? v.x() : 0.0, node.along_y ? v.y() : 0.0};
 }

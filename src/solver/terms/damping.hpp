@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Viscous damping: velocities die away as exp(-rate t).
+// Viscous damping: velocities decay as exp(-rate t).
 //
-// A step takes v to keep v + yield a, which is the exact motion under a force that is constant
-// meanwhile: keep = exp(-x), yield = (1 - keep)/x, x = rate dt. It is of second order in the step,
-// a plate creeps under a load at the right velocity for any x, and the step limit does not change:
-// a mode of Omega = omega dt obeys z^2 - (1 + keep - yield Omega^2) z + keep = 0, whose roots lie
-// in the unit circle for yield Omega^2 < 2 (1 + keep), that is Omega^2 < 2 x coth(x/2), which is
-// never below 4.
+// A step sets v to keep v + yield a, which is the exact motion under a constant force: keep =
+// exp(-x), yield = (1 - keep)/x, x = rate dt. It is of second order in the step, a plate creeps
+// under a load at the right velocity for any x, and the step limit does not change: a mode of Omega
+// = omega dt obeys z^2 - (1 + keep - yield Omega^2) z + keep = 0, whose roots lie in the unit
+// circle for yield Omega^2 < 2 (1 + keep), that is Omega^2 < 2 x coth(x/2), which is never below 4.
 #pragma once
 
 #include <span>
@@ -15,26 +14,26 @@
 
 namespace hackle {
 
-// The effect of damping over a time `x`, in units of 1/rate; none when that is 0.
+// The effect of damping over a time `x`, in units of 1/rate; none if that is 0.
 struct Damping {
   explicit Damping(double x);
 
   double keep = 1.0;
   double yield = 1.0;
-  // What damping takes in a step, as a share of free_motion(): x, as the power is rate v^2. Less at
-  // both ends makes the ledger exact for a plate without forces: `first` of the motion at the
-  // start, and `last` in the most recent step.
+  // The energy dissipated in a step, as a share of free_motion(): x, because the power is rate v^2.
+  // Smaller values at both ends make the ledger exact for a plate without forces: `first` for the
+  // motion at the start, and `last` for the most recent step.
   double loss = 0.0;
   double first = 0.0;
   double last = 0.0;
 };
 
-// Sum of v^2 over all components that are not prescribed, weighted by the density over that of the
-// plate's own material. The same bits for any number of threads.
+// Computes the sum of v^2 over all free components, weighted by the density relative to that of the
+// plate's own material. The bits are the same for any number of threads.
 double free_motion(const Lattice& lattice, std::span<const PrescribedNode> prescribed,
                    const Threads& threads, const State& state);
 
-// Multiplies every velocity component that is not prescribed by `keep`.
+// Multiplies every free velocity component by `keep`.
 void damp(const Lattice& lattice, std::span<const PrescribedNode> prescribed, double keep,
           const Threads& threads, State& state);
 

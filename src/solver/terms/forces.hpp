@@ -39,10 +39,10 @@ class Forces final : public Term {
   void sum(const Factor& factor_of);
 
   std::vector<Part> parts_;
-  std::vector<Meeting> crowds_;  // entries of forces_ with three parts or more
+  std::vector<Meeting> crowds_;  // entries of forces_ with three or more parts
   std::vector<LoadedNode> forces_;
   bool varies_ = false;
-  bool fresh_ = true;  // what acts is not what update() found last
+  bool fresh_ = true;  // the loads differ from those of the last update()
 };
 
 // Adds the work of forces in a step, of which `state` is the end. v is the displacement of the

@@ -8,7 +8,7 @@
 namespace hackle {
 namespace {
 
-// Values of nodes that a row of bonds needs, by Grid::index.
+// Values of the nodes of a row of bonds, by Grid::index.
 struct NodeValues {
   std::vector<double> before, after;  // thermal strain
   std::vector<double> half;           // of the micromodulus, N/m6
@@ -27,8 +27,8 @@ NodeValues node_values(const Lattice& lattice, const std::vector<double>& before
   return values;
 }
 
-// The bonds of one offset that row j keeps: adds |xi| w c (s^2 after - s^2 before) of each to the
-// sum of its column. Columns have sums of their own so that the compiler may take several at once.
+// For the bonds of one offset that row j keeps: adds |xi| w c (s^2 after - s^2 before) of each to
+// the sum of its column. Columns have separate sums so that the compiler may vectorise.
 template <class Real>
 void add_row(const Lattice& lattice, const Motion<Real>& motion, const std::uint32_t* words,
              const NodeValues& values, int j, int a, int b, const Vec2& xi, double cost,

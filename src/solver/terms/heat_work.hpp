@@ -10,9 +10,9 @@
 
 namespace hackle {
 
-// How much the energy in bonds grows when the thermal strain of the nodes changes while they stay
-// where they are, J per metre of thickness. `before` and `after` are by Grid::index; empty means 0.
-// The same bits for any number of threads.
+// Computes the increase of the energy in bonds when the thermal strain of the nodes changes while
+// they stay in place, J per metre of thickness. `before` and `after` are by Grid::index; empty
+// means 0. The bits are the same for any number of threads.
 double heat_work(const Lattice& lattice, const State& state, const std::vector<double>& before,
                  const std::vector<double>& after, const Threads& threads);
 

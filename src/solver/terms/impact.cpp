@@ -16,15 +16,15 @@
 namespace hackle {
 namespace {
 
-// Nodes whose cells come within so many spacings of a disc are looked at in every step.
+// Nodes whose cells come within this many spacings of a disc are checked in every step.
 constexpr double margin = 2.0;
 
-// Where a node is now, in dx from the centre of the lattice.
+// Returns the present position of a node, in dx from the centre of the lattice.
 Vec2 place_of(const Grid& grid, const State& state, int i, int j) {
   return grid.from_centre(i, j) + state.origin + state.u(i, j);
 }
 
-// From the centre of a disc to the nearest point of the cell of a node there, in dx.
+// Returns the vector from the centre of a disc to the nearest point of the cell of a node, in dx.
 Vec2 way_to_cell(const Vec2& node, const Vec2& centre) {
   const auto shortened = [](double way) {
     return std::copysign(std::max(std::abs(way) - 0.5, 0.0), way);
@@ -40,7 +40,7 @@ void for_solid_nodes(const Lattice& lattice, const Visit& visit) {
       if (!lattice.is_void(i, j)) visit(i, j);
 }
 
-// A lighter disc than the nodes it pushes at once would be thrown back by more than it came with.
+// A disc lighter than the nodes it pushes at once would be thrown back faster than it came.
 void check(const Impactor& impactor, const Lattice& lattice, Problems& problems) {
   const double dx = lattice.grid.dx, min_mass = 2.0 * impactor.radius * dx * lattice.rho;
   if (impactor.radius < dx)
@@ -101,7 +101,7 @@ void Impact::check_start(const RigidDisc& disc, const Disc& place, const Lattice
               "let it start beside the plate or in a hole");
 }
 
-// Until no node can have come through the margin, if none becomes twice as fast. If one does, it is
+// Valid until a node could have crossed the margin, if no speed doubles. If one does, the node is
 // found a little later.
 void Impact::watch(const Lattice& lattice, const State& state) {
   double fastest = 0.0, fastest_disc = 0.0;
@@ -121,7 +121,7 @@ void Impact::watch(const Lattice& lattice, const State& state) {
   watch_again_ = state.step + static_cast<std::int64_t>(std::clamp(steps, 1.0, 64.0));
 }
 
-// True when something touches, or did in the last step.
+// Returns whether something touches, or did in the last step.
 bool Impact::update(const Surroundings& around, State& state) {
   const Lattice& lattice = around.lattice;
   const bool touched = !forces_.empty();

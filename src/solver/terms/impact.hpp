@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Rigid discs that fly freely in the plane of the plate and push every node whose cell they reach
-// into, by the law of contact (contact_forces.hpp) with the overlap R - r for d - r: r is the way
-// to the nearest point of the cell, the square of one spacing around the node that pictures show,
-// and the push is along it. So a disc touches what is drawn. What pushes a node pushes the disc
-// back.
+// Rigid discs that fly freely in the plane of the plate and push every node whose cell they
+// overlap, by the law of contact (contact_forces.hpp) with the overlap R - r in place of d - r: r
+// is the distance to the nearest point of the cell, the square of one spacing around the node that
+// pictures show, and the push acts along that line. So a disc touches the plate where it is drawn.
+// Nodes push the disc back.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace hackle {
 
 class Impact final : public Term {
  public:
-  // Throws Error (refused) for discs too small or too light for the spacing.
+  // Throws Error (refused) for discs that are too small or too light for the spacing.
   Impact(const Plate& plate, const Lattice& lattice, double dt);
 
   std::unique_ptr<Term> clone() const override { return std::make_unique<Impact>(*this); }
@@ -23,9 +23,9 @@ class Impact final : public Term {
   // Puts the discs that the state does not have yet where they start. Throws Error (refused) when
   // one reaches into a cell; the state is then as before.
   void begin(const Surroundings& around, State& state) override;
-  // Moves the discs on by the step that the forces act in.
+  // Moves the discs by the step in which the forces act.
   void follow(const Surroundings&, State& state) override;
-  // Finds what is pushed at the time of u.
+  // Finds the pushed nodes at displacement u.
   bool update(const Surroundings& around, State& state) override;
   std::span<const LoadedNode> forces() const override { return forces_; }
   bool varies() const override { return true; }
@@ -38,7 +38,7 @@ class Impact final : public Term {
     Impactor impactor;
     double radius;                  // dx
     double mass;                    // of a node of the plate's own material
-    Vec2 push{0, 0};                // of the plate on the disc, in units of rho dx^3/dt^2
+    Vec2 push{0, 0};                // by the plate on the disc, in units of rho dx^3/dt^2
     std::vector<std::size_t> near;  // nodes that it may push until watch_again_
   };
 
@@ -51,7 +51,7 @@ class Impact final : public Term {
 
   std::vector<RigidDisc> discs_;
   double dt_;
-  double strength_;               // of the force on a node of the plate's own material, per overlap
+  double strength_;               // force on a node of the plate's own material, per overlap
   std::int64_t watch_again_ = 0;  // step
   std::vector<LoadedNode> forces_;
 };

@@ -21,7 +21,7 @@ std::vector<std::size_t> union_of(const Lists& lists, const Grid& grid) {
   return all;
 }
 
-// Where the nodes of a list stand among all; both are ordered.
+// Returns the positions of the nodes of a list among all nodes; both are ordered.
 template <class Nodes>
 std::vector<std::size_t> places_of(const Nodes& nodes, const Grid& grid,
                                    const std::vector<std::size_t>& all) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A node that lacks a bond, and so may touch another one.
+// A node that lacks a bond, and so may touch another node.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@ struct OpenNode {
   int i = 0;
   int j = 0;
   std::size_t index = 0;  // Grid::index
-  Vec2 home{0, 0};        // where it was when those near it were found, in dx from the centre
+  Vec2 home{0, 0};        // its position when its neighbours were found, in dx from the centre
   Vec2 u{0, 0};           // now, dx
-  OrderFreeSum force;     // of all that touch it, in units of rho dx^3/dt^2
+  OrderFreeSum force;     // of all contacts, in units of rho dx^3/dt^2
 };
 
 }  // namespace hackle

@@ -9,7 +9,7 @@
 namespace hackle {
 namespace {
 
-// A displacement is that of the end of a step, a velocity that of its middle.
+// A displacement refers to the end of a step, a velocity to its middle.
 double shift_of(Support::Kind kind) {
   return kind == Support::Kind::displacement ? 1.0 : 0.5;
 }
@@ -72,7 +72,7 @@ void Supports::halt(const Surroundings& around, const State& state, double passe
   });
 }
 
-// Where several supports hold a node along one axis, the last one does.
+// If several supports hold a node along one axis, the last one applies.
 template <class Factor>
 void Supports::prescribe(const State& state, const Factor& factor_of) {
   for (const Part& part : parts_) {

@@ -30,7 +30,7 @@ class Supports final : public Term {
  private:
   struct Part {
     std::vector<std::size_t> at;  // in prescribed_
-    std::vector<Vec2> value;      // in units of dx: of u, or of its change in a step
+    std::vector<Vec2> value;      // in units of dx: of u, or of its change per step
     bool along_x, along_y;
     Support::Kind kind;
     TabulatedAmplitude amplitude;

@@ -61,7 +61,7 @@ class Term {
   virtual double before_step(const Surroundings&, State&, double kick) { return kick; }
   // After a step: what moves or breaks with the plate.
   virtual void follow(const Surroundings&, State&) {}
-  // Finds what acts in the step that begins with this state. True when it is not what it was.
+  // Computes the loads of the step that begins with this state. Returns whether they have changed.
   virtual bool update(const Surroundings&, State&) { return false; }
 
   // What update() or halt() found: each node once, ordered by index.

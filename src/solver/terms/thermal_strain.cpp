@@ -20,7 +20,7 @@ void for_places(const NodeRange& range, const Grid& grid, const Work& work) {
     for (int i = range.first_i; i <= range.last_i; ++i) work(place++, grid.index(i, j));
 }
 
-// Of nodes that lie in three areas or more, by Grid::index.
+// Returns the nodes that lie in three or more regions, by Grid::index.
 std::vector<Meeting> crowds_of(const std::vector<SpreadHeat>& heat, const Grid& grid) {
   std::vector<std::vector<std::size_t>> places;
   for (const SpreadHeat& part : heat) {
