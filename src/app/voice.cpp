@@ -42,9 +42,10 @@ std::string error_text(const Error& error, bool colour) {
   for (const Problem& problem : error.problems()) {
     std::istringstream lines(problem.what);
     for (std::string line; std::getline(lines, line);)
-      text += (text.empty() ? "" : "\n") + painted("error:", red, colour) + " " +
-              painted(line, bold, colour);
-    if (!problem.remedy.empty()) text += " " + painted("(" + problem.remedy + ")", faint, colour);
+      text += fmt::format("{}{} {}", text.empty() ? "" : "\n", painted("error:", red, colour),
+                          painted(line, bold, colour));
+    if (!problem.remedy.empty())
+      text += fmt::format(" {}", painted(fmt::format("({})", problem.remedy), faint, colour));
   }
   return text + "\n";
 }

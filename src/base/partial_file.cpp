@@ -6,6 +6,8 @@
 #include <string>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/files.hpp"
 
 namespace hackle {
@@ -27,7 +29,7 @@ PartialFile::PartialFile(const fs::path& path) : HeldFile(partial_name(path), pa
 
 fs::path cut_off_name(const fs::path& path, const std::function<bool(const fs::path&)>& taken) {
   for (int number = 1;; ++number) {
-    const std::string which = number == 1 ? "" : "_" + std::to_string(number);
+    const std::string which = number == 1 ? "" : fmt::format("_{}", number);
     fs::path name = path.parent_path() /
                     (path.stem().string() + ".cut_off" + which + path.extension().string());
     std::error_code ignored;

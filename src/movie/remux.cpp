@@ -6,6 +6,8 @@
 #include <string>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 #include "base/files.hpp"
 #include "movie/av.hpp"
@@ -96,7 +98,8 @@ FilmLength length_of_film(const fs::path& path) {
 }
 
 fs::path indexed_name(const fs::path& path) {
-  return path.parent_path() / ("." + path.stem().string() + ".indexed" + path.extension().string());
+  return path.parent_path() /
+         fmt::format(".{}.indexed{}", path.stem().string(), path.extension().string());
 }
 
 void put_index_first(const fs::path& path, std::int64_t frames) {

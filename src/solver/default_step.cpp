@@ -49,7 +49,7 @@ void check_step(const Plate& plate, const Lattice& lattice, double dt, bool more
   throw Error(
       ErrorKind::refused,
       fmt::format("{}: the step is {}, above the stability limit of {} {}",
-                  more_discs ? "impactor" : "loads", quantity(dt, "s"), quantity(limit, "s"),
+                  more_discs ? "impactor" : "foundation", quantity(dt, "s"), quantity(limit, "s"),
                   more_discs ? "while it pushes" : "with their springs"),
       remedy);
 }

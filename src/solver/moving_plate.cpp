@@ -169,8 +169,8 @@ std::vector<Vec2> MovingPlate::velocities() const {
   const Damping half(0.5 * plate_.loads.damping * dt_);
   const bool starts = state_.is_start();
   const double unit = grid.dx / dt_, keep = starts ? 1.0 : half.keep;
-  std::vector<Vec2> result(grid.nodes(), Vec2(0, 0));
-  if (!starts) result = stepper_->accelerations(lattice_, state_);
+  std::vector<Vec2> result = starts ? std::vector<Vec2>(grid.nodes(), Vec2(0, 0))
+                                    : stepper_->accelerations(lattice_, state_);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       Vec2& v = result[grid.index(i, j)];

@@ -50,7 +50,7 @@ KnownMaterial read_material(lua_State* L, const std::string& key) {
 
 void run_library(lua_State* L, const std::filesystem::path& file) {
   const std::string text = read_text(file);
-  const std::string chunk = "@" + file.string();
+  const std::string chunk = fmt::format("@{}", file.string());
   if (luaL_loadbufferx(L, text.data(), text.size(), chunk.c_str(), "t") != LUA_OK)
     throw take_error(L);
   protected_call(L, 0, 1);

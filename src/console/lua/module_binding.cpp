@@ -13,11 +13,14 @@
 namespace hackle {
 namespace {
 
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = 0; !what.empty() && (at = text.find(what, at)) != std::string::npos;
-       at += by.size())
-    text.replace(at, what.size(), by);
-  return text;
+std::string replaced(std::string_view text, std::string_view what, std::string_view by) {
+  std::string result;
+  for (std::size_t at = text.find(what); !what.empty() && at != std::string_view::npos;
+       at = text.find(what)) {
+    result.append(text.substr(0, at)).append(by);
+    text.remove_prefix(at + what.size());
+  }
+  return result.append(text);
 }
 
 std::string checked_text(lua_State* L, int index) {

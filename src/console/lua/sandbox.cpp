@@ -33,7 +33,7 @@ void refuse_unless_plain(const std::string& who, const fs::path& path, const fs:
 }
 
 std::string shown(const fs::path& folder) {
-  return folder.empty() ? "the current folder" : "'" + folder.string() + "'";
+  return folder.empty() ? "the current folder" : fmt::format("'{}'", folder.string());
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <array>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace hackle {
 namespace {
 
@@ -54,7 +56,7 @@ class Reader {
       if (!rest_.starts_with("--")) return !rest_.empty();
       rest_.remove_prefix(2);
       const int level = long_bracket(rest_);
-      if (!skip_to(level < 0 ? "\n" : "]" + std::string(level, '=') + "]")) return false;
+      if (!skip_to(level < 0 ? "\n" : fmt::format("]{:=>{}}]", "", level))) return false;
     }
   }
 

@@ -71,7 +71,7 @@ TEST(Schema, EveryExampleRuns) {
 TEST(Schema, EveryUnitIsOneThatIsUsed) {
   const std::set<std::string_view> known{"",   "m",    "s",     "Pa",    "N/m3", "m/s",
                                          "K",  "1/K",  "kg/m3", "kg/m",  "N/m",  "1/s",
-                                         "px", "J/m2", "rad",   "steps", "N/m6"};
+                                         "px", "J/m2", "rad",   "steps", "N/m6", "N/m4"};
   for (const FunctionDoc* doc : all_docs())
     for (const Option& option : doc->options)
       EXPECT_TRUE(known.contains(option.unit)) << doc->name << ", " << option.name;

@@ -20,7 +20,7 @@ Simulation plate() {
   return Simulation(test::edge_crack(12e6), test::numerics(), {1});
 }
 
-PictureOptions zoomed(double x, double y, double half_width) {
+PictureOptions zoomed_at(double x, double y, double half_width) {
   PictureOptions options;
   options.zoom = Zoom{{x, y}, half_width};
   return options;
@@ -46,7 +46,7 @@ TEST(View, AZoomIsAWindowOfThePlatesShapeInWholeCells) {
                         {0.1, 0.04, 0.1, {0, 0, 400, 160}},
                         {0.05, 0.02, 0.5e-3, {99, 40, 2, 1}}}) {
     SCOPED_TRACE(testing::Message() << c.x << " " << c.y << " " << c.half);
-    const PictureOptions options = zoomed(c.x, c.y, c.half);
+    const PictureOptions options = zoomed_at(c.x, c.y, c.half);
     Problems problems;
     check_view("frame", options, simulation.lattice().grid, problems);
     EXPECT_NO_THROW(problems.throw_if_any());
@@ -73,7 +73,7 @@ TEST(View, FollowingNeedsAZoom) {
 
 TEST(View, FollowsTheTipOfTheCrackAndKeepsItsSize) {
   const Simulation simulation = plate();
-  PictureOptions options = zoomed(0.09, 0.02, 0.01);
+  PictureOptions options = zoomed_at(0.09, 0.02, 0.01);
   options.follow = Toward::right;
   const Window there = window_of(options, simulation);
   const Window here = followed(there, options, simulation);
@@ -86,7 +86,7 @@ TEST(View, FollowsTheTipOfTheCrackAndKeepsItsSize) {
 
 TEST(View, FollowsTheTipToWhereItIsShown) {
   Simulation simulation = plate();
-  PictureOptions options = zoomed(0.05, 0.02, 0.01);
+  PictureOptions options = zoomed_at(0.05, 0.02, 0.01);
   options.follow = Toward::right;
   const Window at_rest = followed(window_of(options, simulation), options, simulation);
   simulation.restore(test::displaced(simulation, [](const Vec2&) { return Vec2(0.2, 0.1); }));
@@ -100,7 +100,7 @@ TEST(View, FollowsTheTipToWhereItIsShown) {
 TEST(View, FollowsNothingSoFarThatCellsCannotBeCounted) {
   Simulation simulation = plate();
   simulation.restore(test::displaced(simulation, [](const Vec2&) { return Vec2(1e4, -1e4); }));
-  PictureOptions options = zoomed(0.05, 0.02, 0.01);
+  PictureOptions options = zoomed_at(0.05, 0.02, 0.01);
   options.follow = Toward::right;
   options.deformed = true;
   options.magnification = 1e9;
@@ -112,7 +112,7 @@ TEST(View, FollowsNothingSoFarThatCellsCannotBeCounted) {
 
 TEST(View, WithoutDamageTheZoomStaysWhereItIs) {
   const Simulation simulation(test::bare_plate(40, 20), test::numerics(), {1});
-  PictureOptions options = zoomed(0.01, 0.005, 2e-3);
+  PictureOptions options = zoomed_at(0.01, 0.005, 2e-3);
   options.follow = Toward::left;
   const Window window = window_of(options, simulation);
   EXPECT_EQ(followed(window, options, simulation).left, window.left);
@@ -148,7 +148,7 @@ TEST(View, FollowsInEveryDirection) {
                                           {Toward::up, {100, 64}},
                                           {Toward::down, {100, 16}}};
   for (const auto& [toward, cell] : ends) {
-    PictureOptions options = zoomed(0.05, 0.02, 0.01);
+    PictureOptions options = zoomed_at(0.05, 0.02, 0.01);
     options.follow = toward;
     const Window here = followed(window_of(options, simulation), options, simulation);
     const Vec2 middle(here.left + 0.5 * here.nx, here.bottom + 0.5 * here.ny);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "solver/statics/breakage.hpp"
-
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -9,6 +7,7 @@
 #include "base/interrupt.hpp"
 #include "measure/energy.hpp"
 #include "solver/simulation.hpp"
+#include "solver/statics/breakage.hpp"
 #include "support/mirror.hpp"
 #include "support/scenes.hpp"
 
