@@ -8,10 +8,10 @@
 
 namespace hackle {
 
-// Clears in `bonds` every bond that shares a point with the crack. The two ends do not belong to
-// the crack: a bond that only touches an end stays, while a node on the crack between its ends
-// loses all its bonds. Distances below 1e-9 dx count as 0. Both ends of a bond, and mirror images,
-// give the same decision to the last bit.
+// Clears in `bonds` every bond that shares a point with the crack. Its two ends belong to it only
+// if they coincide or with CrackEnds::cut: else a bond that only touches an end stays, while a node
+// on the crack between its ends loses all its bonds. Distances below 1e-9 dx count as 0. Both ends
+// of a bond, and mirror images, give the same decision to the last bit.
 void cut(const Crack& crack, const Grid& grid, const Family& family, BondBits& bonds);
 
 }  // namespace hackle

@@ -104,17 +104,21 @@ NodeForces spread(const Pressure& pressure, const Plate& plate, const Lattice& l
       for_nodes_in(cutout.shape, grid, [&](int i, int j) {
         open[grid.index(i, j)] = static_cast<char>(lattice.is_void(i, j));
       });
-  for (const Outline& outline : plate.outlines)
-    if (outline.name == pressure.rim)
-      for_nodes(grid, [&](int i, int j) {
-        if (!covers(outline, grid.position(i, j), tie * grid.dx)) open[grid.index(i, j)] = 1;
-      });
+  // An outline may touch the edge of the rectangle: cells beyond it are open, too.
+  const auto is_outside = [&](int i, int j) {
+    return std::ranges::any_of(plate.outlines, [&](const Outline& outline) {
+      return outline.name == pressure.rim && !covers(outline, grid.position(i, j), tie * grid.dx);
+    });
+  };
+  const auto is_open = [&](int i, int j) {
+    return (grid.contains(i, j) && open[grid.index(i, j)] != 0) || is_outside(i, j);
+  };
   NodeForces forces;
   for_nodes(grid, [&](int i, int j) {
     if (lattice.is_void(i, j)) return;
     Vec2 normal{0, 0};  // out of the cut-out, summed over faces
     for (const auto& [a, b] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-      if (grid.contains(i + a, j + b) && open[grid.index(i + a, j + b)] != 0) normal -= Vec2(a, b);
+      if (is_open(i + a, j + b)) normal -= Vec2(a, b);
     if (normal != Vec2(0, 0)) push(forces, lattice, i, j, pressure.pressure * normal, grid.dx);
   });
   if (forces.empty()) refuse_empty("pressure", fmt::format("around '{}'", pressure.rim));

@@ -252,6 +252,25 @@ TEST(Loads, AccelerateEveryMaterialByItsOwnDensity) {
   EXPECT_EQ(found, 28);
 }
 
+// A disc that touches all four edges of its rectangle: seen along an axis it is as wide as the
+// rectangle, and a pressure all around has no resultant.
+TEST(Pressures, ActOnAllOfAnOutline) {
+  Plate plate = test::bare_plate(40, 40);
+  plate.outlines = {{{Ellipse{{0.01, 0.01}, {0.01, 0.01}, 0.0}}, "rim"}};
+  plate.loads.pressures.push_back({"rim", 3e6, {}});
+  const Lattice lattice(plate, test::numerics());
+  Vec2 sum(0.0, 0.0), one_way(0.0, 0.0);
+  for (const LoadedNode& load : forces_of(plate, lattice)) {
+    const Vec2 force =
+        load.acceleration * lattice.rho * lattice.grid.dx * lattice.grid.dx;  // N per metre
+    sum += force;
+    one_way += force.cwiseMax(0.0);
+  }
+  EXPECT_NEAR(sum.norm(), 0.0, 1e-6);
+  EXPECT_NEAR(one_way.x(), 3e6 * plate.height, 1e-6);
+  EXPECT_NEAR(one_way.y(), 3e6 * plate.width, 1e-6);
+}
+
 TEST(Tractions, ActAtTheEdgeOfTheirName) {
   const double depth = 1.5e-3;
   for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top}) {
