@@ -64,7 +64,8 @@ int add_notch(lua_State* L) {
 constexpr std::array<std::string_view, 2> straight{"from", "to"};
 constexpr std::array<std::string_view, 1> polyline{"points"};
 constexpr std::array<std::string_view, 3> along_arc{"centre", "radius", "angles"};
-constexpr std::array crack_forms{Form{straight}, Form{polyline}, Form{along_arc}};
+constexpr std::array<std::string_view, 1> polyline_unit{"unit"};
+constexpr std::array crack_forms{Form{straight}, Form{polyline, polyline_unit}, Form{along_arc}};
 
 std::vector<Vec2> arc_of(Arguments& arguments) {
   const Vec2 angles = arguments.pair("angles");
@@ -79,7 +80,10 @@ std::vector<Vec2> arc_of(Arguments& arguments) {
 
 std::vector<Vec2> points_of(Arguments& arguments, std::size_t form) {
   if (form == 0) return {arguments.point("from"), arguments.point("to")};
-  return form == 1 ? arguments.points("points") : arc_of(arguments);
+  if (form == 2) return arc_of(arguments);
+  std::vector<Vec2> points = arguments.points("points");
+  for (Vec2& point : points) point *= arguments.number("unit", 1.0);
+  return points;
 }
 
 int add_crack(lua_State* L) {

@@ -114,8 +114,8 @@ inline constexpr std::array arc_options{
            .sentence = "First and last angle of the arc, from x anticlockwise; at most one turn."},
 };
 
-inline constexpr auto crack_options =
-    joined(straight_crack_options, joined(options_of<Crack>, arc_options));
+inline constexpr auto crack_options = joined(joined(straight_crack_options, options_of<Crack>),
+                                             joined(point_unit_options, arc_options));
 
 inline constexpr FunctionDoc crack_doc{
     .name = "crack",

@@ -10,6 +10,8 @@
 #include "base/text.hpp"
 #include "console/lua/description.hpp"
 #include "console/schema/given_value.hpp"
+#include "console/schema/value_reader.hpp"
+#include "scene/self_crossing.hpp"
 
 namespace hackle {
 namespace {
@@ -24,6 +26,7 @@ constexpr auto circle = std::to_array<std::string_view>({"centre", "radius"});
 constexpr auto ellipse = std::to_array<std::string_view>({"centre", "radii"});
 constexpr auto turned = std::to_array<std::string_view>({"angle"});
 constexpr auto polygon = std::to_array<std::string_view>({"points"});
+constexpr auto in_unit = std::to_array<std::string_view>({"unit"});
 constexpr auto slot = std::to_array<std::string_view>({"from", "to", "width"});
 constexpr auto regular = std::to_array<std::string_view>({"centre", "radius", "corners"});
 constexpr auto ring = std::to_array<std::string_view>({"centre", "radius", "inner"});
@@ -38,7 +41,7 @@ Shape make_ellipse(const Arguments& arguments) {
 }
 
 Shape make_polygon(const Arguments& arguments) {
-  return Polygon{arguments.points("points")};
+  return moved(Polygon{arguments.points("points")}, {0, 0}, arguments.number("unit", 1.0));
 }
 
 Shape make_slot(const Arguments& arguments) {
@@ -63,7 +66,7 @@ Shape make_star(const Arguments& arguments) {
 constexpr std::array shapes{
     ShapeForm{{circle}, make_circle},
     ShapeForm{{ellipse, turned}, make_ellipse},
-    ShapeForm{{polygon}, make_polygon},
+    ShapeForm{{polygon, in_unit}, make_polygon},
     ShapeForm{{slot}, make_slot},
     ShapeForm{{ring}, make_ring},
     ShapeForm{{regular, turned}, make_regular},
@@ -116,6 +119,20 @@ std::optional<Shape> area_at_top(const GivenValue& given) {
 }
 
 }  // namespace
+
+std::any read_corners(const GivenValue& given) {
+  std::any value = read_points(given);
+  if (!value.has_value() || lua_type(given.L, given.index) != LUA_TSTRING) return value;
+  Polygon polygon{std::any_cast<std::vector<Vec2>>(std::move(value))};
+  std::vector<Vec2>& points = polygon.points;
+  if (points.size() > 3 && points.front() == points.back()) points.pop_back();
+  if (const auto crossed = crossing_sides(polygon))
+    return given.wrong(
+        fmt::format("{}: the side from point {} of '{}' crosses that from point {}", given.name(),
+                    crossed->first + 1, text_at(given.L, given.index), crossed->second + 1),
+        "list the points in their order around the area");
+  return std::move(points);
+}
 
 std::any read_areas(const GivenValue& given) {
   if (lua_type(given.L, given.index) != LUA_TTABLE) return given.wrong_type();

@@ -15,6 +15,19 @@
 
 namespace hackle {
 
+// Reads the points of a polygon. Those of a file may begin and end with the same point, and must
+// not cross themselves: they are then in no order around it.
+std::any read_corners(const GivenValue& given);
+
+// The unit of points, for all functions that take some.
+inline constexpr std::array point_unit_options{
+    Option{.name = "unit",
+           .unit = "m",
+           .range = above(0.0),
+           .fallback = "1",
+           .sentence = "Unit of the points: with unit = mm they are numbers of millimetres."},
+};
+
 inline constexpr std::array shape_options{
     Option{.name = "centre",
            .type = OptionType::point,
@@ -51,10 +64,14 @@ inline constexpr std::array shape_options{
         .sentence = "Radius of the corners between the tips of a star, or of the hole of a ring."},
     Option{.name = "points",
            .type = OptionType::points,
+           .read = read_corners,
            .unit = "m",
            .range = between(3, max_points),
            .alternative = true,
-           .sentence = "Corners of a polygon; parts where it overlaps itself count as outside."},
+           .sentence =
+               "Corners of a polygon, or a CSV file of x, y; parts where it overlaps itself "
+               "count as outside."},
+    point_unit_options[0],
     Option{.name = "from",
            .type = OptionType::point,
            .unit = "m",

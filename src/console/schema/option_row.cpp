@@ -31,7 +31,7 @@ std::string_view type_word(OptionType type) {
     case OptionType::window:
       return "{x, y, half}";
     case OptionType::points:
-      return "points";
+      return "points or file";
     case OptionType::markers:
       return "markers";
     case OptionType::numbers:

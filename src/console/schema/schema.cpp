@@ -56,7 +56,8 @@ std::string expectation(const Option& option) {
     case OptionType::window:
       return "{x, y, half}, the middle and half the width" + in_unit;
     case OptionType::points:
-      return fmt::format("a list of {} or more points {{x, y}}{}", option.range.least, in_unit);
+      return fmt::format("a list of {} or more points {{x, y}}{}, or the name of a file",
+                         option.range.least, in_unit);
     case OptionType::markers:
       return fmt::format("a list of {} or more {{x, y, \"label\"}}{}", option.range.least, in_unit);
     case OptionType::numbers:

@@ -25,7 +25,7 @@ enum class OptionType {
   point,         // {x, y}, two finite numbers; a place or a vector
   pair,          // {a, b}, two finite numbers, each in the range
   window,        // {x, y, half}, the middle of a window and half its width in the range
-  points,        // a list of points; range of its length
+  points,        // a list of points, or the name of a file of such; range of its length
   markers,       // a list of {x, y, "label"}; range of its length
   numbers,       // a list of finite numbers; range of its length
   recordings,    // a list of values of recording{...}; range of its length
@@ -45,7 +45,7 @@ using ValueReader = std::any (*)(const GivenValue& given);
 struct Option {
   std::string_view name;
   OptionType type = OptionType::number;
-  ValueReader read = nullptr;  // of markers, recordings, material and areas; beside their bindings
+  ValueReader read = nullptr;  // beside its binding; markers, recordings, material, areas need one
   std::string_view unit{};     // "" for none
   Range range{};
   bool required = false;

@@ -15,6 +15,8 @@
 #include "base/units.hpp"
 #include "console/lua/description.hpp"
 #include "console/lua/lua_function.hpp"
+#include "console/schema/point_file.hpp"
+#include "console/session.hpp"
 #include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
 #include "scene/vec2.hpp"
@@ -157,8 +159,31 @@ std::any read_window(const GivenValue& given) {
   return *window;
 }
 
+// Reads them from a file: a script may name one in place of a list.
+std::any read_points_of_file(const GivenValue& given) {
+  const std::any name = read_text(given);
+  if (!name.has_value()) return {};
+  const std::filesystem::path path =
+      session_of(given.L).input_path(given.name(), std::any_cast<const std::string&>(name));
+  try {
+    const Range& range = given.option.range;
+    const double most = std::min(range.most, static_cast<double>(max_point_file));
+    std::vector<Vec2> points = read_point_file(path, static_cast<std::size_t>(most));
+    if (range.holds(static_cast<double>(points.size()))) return points;
+    return given.wrong(fmt::format("{}: '{}' has {} points, there must be {}", given.name(),
+                                   path.string(), points.size(), range_text(given.option)));
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::files) throw;
+    const Problem& problem = error.problems().front();
+    return given.wrong(fmt::format("{}: {}", given.name(), problem.what), problem.remedy);
+  }
+}
+
+}  // namespace
+
 std::any read_points(const GivenValue& given) {
   const auto& [L, index, doc, option, problems] = given;
+  if (lua_type(L, index) == LUA_TSTRING) return read_points_of_file(given);
   if (lua_type(L, index) != LUA_TTABLE) return given.wrong_type();
   const lua_Unsigned count = lua_rawlen(L, index);
   if (!option.range.holds(static_cast<double>(count)))
@@ -180,6 +205,8 @@ std::any read_points(const GivenValue& given) {
   }
   return points;
 }
+
+namespace {
 
 std::any read_numbers(const GivenValue& given) {
   const auto& [L, index, doc, option, problems] = given;
@@ -267,6 +294,7 @@ std::any read_amplitude(const GivenValue& given) {
 }  // namespace
 
 std::any read_value(const GivenValue& given) {
+  if (given.option.read != nullptr) return given.option.read(given);
   switch (given.option.type) {
     case OptionType::number:
       return read_number(given);
@@ -306,8 +334,8 @@ std::any read_value(const GivenValue& given) {
     case OptionType::areas:
       break;
   }
-  assert(given.option.read != nullptr);
-  return given.option.read(given);
+  assert(false);
+  return {};
 }
 
 }  // namespace hackle

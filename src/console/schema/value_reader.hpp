@@ -27,4 +27,7 @@ struct Choice {
 //   any other: the type that the option's own reader returns
 std::any read_value(const GivenValue& given);
 
+// [-0, +0] Does so for points: a list of {x, y}, or the name of a file (point_file.hpp).
+std::any read_points(const GivenValue& given);
+
 }  // namespace hackle

@@ -98,7 +98,7 @@ TEST(Schema, EveryTypeThatTheCheckerDoesNotKnowHasItsOwnReader) {
                                  OptionType::areas};
   for (const FunctionDoc* doc : all_docs())
     for (const Option& option : doc->options)
-      EXPECT_EQ(option.read != nullptr, own.contains(option.type))
+      EXPECT_TRUE(option.read != nullptr || !own.contains(option.type))
           << doc->name << ", " << option.name;
 }
 
