@@ -6,6 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include "base/files.hpp"
 #include "console/lua/guard.hpp"
 #include "console/schema/object_type.hpp"
 #include "console/session.hpp"
@@ -94,6 +97,8 @@ void open_modules(lua_State* L) {
 
 void look_for_modules_in(lua_State* L, const std::filesystem::path& folder) {
   std::string path = (folder / "?.lua").string() + ";" + (folder / "?/init.lua").string();
+  if (const auto scripts = find_data_file("scripts"))
+    path += fmt::format(";{}", (*scripts / "?.lua").string());
   lua_getglobal(L, "package");
   const bool has_path = lua_getfield(L, -1, "path") == LUA_TSTRING;
   if (session_of(L).settings.trust && has_path) path += std::string(";") + lua_tostring(L, -1);

@@ -12,8 +12,8 @@ namespace hackle {
 // the Sandbox, and a package.searchpath that does the same.
 void open_modules(lua_State* L);
 
-// Searches modules beside the script that requires them; for a trusted script also where Lua itself
-// searches.
+// Searches modules beside the script that requires them, then in Hackle's `scripts`; for a trusted
+// script also where Lua itself searches.
 void look_for_modules_in(lua_State* L, const std::filesystem::path& folder);
 
 }  // namespace hackle

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "console/reference/see_also.hpp"
+#include "console/reference/specimen_list.hpp"
 #include "console/reference/vocabulary.hpp"
 #include "console/schema/option_row.hpp"
 #include "measure/scalar.hpp"
@@ -167,6 +168,7 @@ std::string page_of_order() {
 
 std::string page_of_list(std::string_view name) {
   if (name == "order") return page_of_order();
+  if (name == "specimens") return list_of_specimens();
   if (name == "functions") return list_of_functions();
   if (name == "fields") return list_of_fields();
   return name == "units" ? list_of_units() : "";
@@ -261,7 +263,8 @@ std::string reference_of(std::string_view name) {
 }
 
 std::vector<std::string> topics() {
-  std::set<std::string_view> names{"functions", "units", "materials", "fields", "order"};
+  std::set<std::string_view> names{"functions", "units", "materials",
+                                   "fields",    "order", "specimens"};
   for (const FunctionDoc* doc : all_docs()) {
     names.insert(doc->name);
     for (const Option& option : doc->options) names.insert(option.name);

@@ -26,6 +26,13 @@ std::string printed(const std::string& call) {
   return console.evaluate("shown").at(0);
 }
 
+TEST(Help, ListsTheSpecimensThatAreInstalled) {
+  const std::string text = printed("help 'specimens'");
+  EXPECT_THAT(text, HasSubstr("require \"specimens.compact_tension\""));
+  EXPECT_THAT(text, HasSubstr("\n  dog_bone         the dumbbell for tension"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("parts")));
+}
+
 TEST(Help, AloneIsATourThatRuns) {
   const std::string text = printed("help()");
   const test::Folder folder;
