@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the pictures of the gallery must show.
+#include <regex>
+
 #include "scripts/watched_script.hpp"
 
 namespace hackle {
@@ -67,6 +69,20 @@ TEST(Gallery, OwnPictureBreaksFromItsCusp) {
   EXPECT_LT(script("runs[1].s:cracks { from = {22*mm, 0}, to = {28*mm, 40*mm} }.bottom"), 9 * mm);
   EXPECT_GT(script("runs[1].s:cracks { from = {0, 20*mm}, to = {60*mm, 40*mm} }.right"), 38 * mm)
       << "a branch to the right";
+}
+
+// On lattices this coarse the soft rim counts for up to 15 %; see specimens_test.cpp.
+TEST(Gallery, TheSpecimensComeNearTheHandbook) {
+  test::WatchedScript script("gallery/specimens.lua");
+  EXPECT_EQ(script("#runs"), 8);
+  EXPECT_EQ(script.pictures(), 9U);
+  const std::string lines = script.printed();
+  const std::regex percentage("\\(([+-][0-9.]+) %\\)");
+  int seen = 0;
+  for (std::sregex_iterator match(lines.begin(), lines.end(), percentage), none; match != none;
+       ++match, ++seen)
+    EXPECT_NEAR(std::stod((*match)[1]), 7.0, 8.5) << lines;
+  EXPECT_EQ(seen, 8);
 }
 
 // The nodes within 3 mm of the impact are dust or nearly so.

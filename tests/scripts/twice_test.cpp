@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 
 const fs::path scripts = fs::path(HACKLE_SOURCE_FOLDER) / "scripts";
 
-// Returns false for a sheet of other scripts' output.
+// Returns false for a sheet of other scripts' output, and for modules.
 bool stands_alone(const fs::path& script) {
-  return script.filename() != "contact_sheet.lua";
+  return script.filename() != "contact_sheet.lua" && script.parent_path().filename() != "specimens";
 }
 
 std::vector<fs::path> ready_scripts() {
