@@ -168,7 +168,7 @@ std::string page_of_order() {
 
 std::string page_of_list(std::string_view name) {
   if (name == "order") return page_of_order();
-  if (name == "specimens") return list_of_specimens();
+  if (name == "specimens") return list_of_specimens(reference_width);
   if (name == "functions") return list_of_functions();
   if (name == "fields") return list_of_fields();
   return name == "units" ? list_of_units() : "";

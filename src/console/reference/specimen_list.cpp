@@ -8,7 +8,6 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "console/reference/reference.hpp"
 
 namespace hackle {
 namespace {
@@ -33,18 +32,17 @@ std::map<std::string, std::string> titles() {
 
 }  // namespace
 
-std::string list_of_specimens() {
+std::string list_of_specimens(std::size_t width) {
   std::string text =
-      "Ready specimens are functions of their dimensions, in modules that require finds beside\n"
-      "the script and in Hackle's scripts. They return a plate and what the handbook says of "
-      "it:\n\n"
+      "Ready specimens are functions of their dimensions, in modules of Hackle. They\n"
+      "return a plate and a table of what belongs to it (specimens/parts.lua):\n\n"
       "  local p, at = require \"specimens.compact_tension\" { W = 50*mm, a = 25*mm }\n"
       "  local s = simulate(p, { spacing = 0.5*mm })\n"
       "  s:relax() print(at.measured(s), at.displacement, at.K)\n";
   const auto all = titles();
   if (all.empty()) return text + "\nNone are installed: they belong into scripts/specimens.";
   for (const auto& [name, title] : all)
-    text += fmt::format("\n  {:<17}{}", name, hanging(title, 19, reference_width));
+    text += fmt::format("\n  {:<19}{}", name, hanging(title, 21, width));
   return text;
 }
 
