@@ -1,4 +1,4 @@
--- dog_bone.lua: the dumbbell for tension, type I of ASTM D638 (and as such of ISO 527-2).
+-- dog_bone.lua: the dumbbell for tension, type I of ASTM D638.
 --
 -- A narrow section of width w and length 4.4 w between shoulders of radius 5.85 w, which widen it to 1.46 w; 12.7 w
 -- long in all: 165 mm for w = 13 mm. The grips pull at their ends.

@@ -23,7 +23,8 @@ const fs::path scripts = fs::path(HACKLE_SOURCE_FOLDER) / "scripts";
 
 // Returns false for a sheet of other scripts' output, and for modules.
 bool stands_alone(const fs::path& script) {
-  return script.filename() != "contact_sheet.lua" && script.parent_path().filename() != "specimens";
+  return script.filename() != "contact_sheet.lua" && script.filename() != "dxf.lua" &&
+         script.parent_path().filename() != "specimens" && script.parent_path().filename() != "dxf";
 }
 
 std::vector<fs::path> ready_scripts() {
