@@ -114,7 +114,7 @@ TEST_F(Members, OfHoles) {
   const std::string calls =
       "p:hole { centre = {11*mm, 12*mm}, radius = 3*mm, name = 'a', bonds = 'keep' }\n"
       "p:hole { centre = {21*mm, 22*mm}, radii = {3*mm, 2*mm}, angle = 0.5, name = 'b' }\n"
-      "p:hole { points = {{31*mm, 1*mm}, {35*mm, 2*mm}, {33*mm, 6*mm}} }\n"
+      "p:hole { points = {{31, 1}, {35, 2}, {33, 6}}, unit = mm }\n"
       "p:hole { from = {41*mm, 11*mm}, to = {45*mm, 12*mm}, width = 3*mm, name = 'd' }\n"
       "p:hole { centre = {51*mm, 12*mm}, radius = 3*mm, corners = 6, angle = 0.2 }\n"
       "p:hole { centre = {61*mm, 12*mm}, radius = 4*mm, inner = 2*mm, corners = 5 }";
@@ -165,7 +165,7 @@ TEST_F(Members, OfInclusions) {
       "p:inclusion { centre = {21*mm, 22*mm}, radii = {3*mm, 2*mm}, angle = -0.5, material = "
       "'soda_lime' }\n"
       "p:inclusion { centre = {11*mm, 12*mm}, radius = 1*mm, material = 'alumina' }\n"
-      "p:inclusion { points = {{31*mm, 1*mm}, {35*mm, 2*mm}, {33*mm, 6*mm}}, material = 'pmma' }\n"
+      "p:inclusion { points = {{31, 1}, {35, 2}, {33, 6}}, unit = mm, material = 'pmma' }\n"
       "p:inclusion { from = {41*mm, 11*mm}, to = {45*mm, 12*mm}, width = 2*mm, material = 'pmma' "
       "}\n"
       "p:inclusion { centre = {61*mm, 12*mm}, radius = 4*mm, inner = 2*mm, corners = 5, material = "
@@ -237,7 +237,7 @@ TEST_F(Members, OfNotches) {
 TEST_F(Members, OfCracks) {
   const std::string calls =
       "p:crack { from = {1*mm, 2*mm}, to = {3*mm, 4*mm}, born = 'absent' }\n"
-      "p:crack { points = {{5*mm, 6*mm}, {7*mm, 8*mm}, {9*mm, 1*mm}} }\n"
+      "p:crack { points = {{5, 6}, {7, 8}, {9, 1}}, unit = mm }\n"
       "p:crack { centre = {40*mm, 20*mm}, radius = 5*mm, angles = {90*deg, 180*deg}, ends = 'cut' "
       "}";
   expect_all_named(crack_doc, calls);
