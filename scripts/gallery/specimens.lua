@@ -2,8 +2,8 @@
 --
 -- Each is in static equilibrium; von Mises' stress, on the displaced plate. The table compares the gauges with the
 -- handbook (see the header of each module).
--- Expected: gauges 1 % below to 14 % above the handbook, because the rim of a plate of bonds is soft; half of that with
--- half the horizon (--set refine=2).
+-- Expected: gauges 1 % below to 14 % above the handbook, because the rim of a plate of bonds is soft; about half of that
+-- with half the horizon (--set refine=2).
 --
 --   hackle run scripts/gallery/specimens.lua
 

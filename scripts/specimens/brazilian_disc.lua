@@ -3,8 +3,9 @@
 -- A disc of radius R, pressed from above and below; with a > 0 a crack of length 2 a in its middle, along the load.
 -- Handbook: tension in the middle F/(pi R); growth of the horizontal diameter F/E (nu + 4/pi - 1), Hondros 1959;
 -- K = F sqrt(a)/(sqrt(pi) R) N(a/R) with N = 0.991 + 0.141 x + 0.863 x^2 + 0.886 x^3, Fowell and Xu 1993.
--- Expected: the growth is 1.2 % below the handbook, K for a = R/3 6.6 % above it with a horizon of R/25 and
--- quadrature = "area"; with "full" the disc, which is not the same in all directions, grows 4.5 % too little.
+-- Expected: K for a = R/3 12 % above the handbook with a horizon of R/12.5, 6.6 % with R/25; growth without a crack
+-- 1.2 % below it with either. All with quadrature = "area": with "full" the disc, which is then not the same in all
+-- directions, grows 4.5 % too little.
 --
 --   local p, at = require "specimens.brazilian_disc" { R = 25*mm, load = 1e4 }
 local parts = require "specimens.parts"
