@@ -25,7 +25,7 @@ return function(given)
   end
 
   local E, F, inside = o.material.E, o.load, 1e-6*R
-  return p, parts.gauged({
+  return p, parts.gauged(p, {
     E = E, load = F, a = o.a,
     gauges = { { inside, R }, { 2*R - inside, R } },
     stress = F/(math.pi*R),

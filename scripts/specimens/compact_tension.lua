@@ -29,7 +29,7 @@ return function(given)
   end
 
   local E, F, aside = o.material.E, o.load, 1e-6*W
-  return p, parts.gauged({
+  return p, parts.gauged(p, {
     E = E, load = F, a = o.a, tip = { line + o.a, middle },
     gauges = { { line, middle - aside }, { line, middle + aside } },
     K = F/math.sqrt(W)*(2 + a)/(1 - a)^1.5*(0.886 + 4.64*a - 13.32*a^2 + 14.72*a^3 - 5.6*a^4),

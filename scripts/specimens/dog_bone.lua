@@ -50,7 +50,7 @@ return function(given)
   end
 
   local E, F = o.material.E, o.load
-  return p, parts.gauged({
+  return p, parts.gauged(p, {
     E = E, load = F,
     gauges = { { middle - o.gauge/2, axis }, { middle + o.gauge/2, axis } },
     stress = F/o.w,

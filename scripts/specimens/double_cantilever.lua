@@ -29,7 +29,7 @@ return function(given)
   end
 
   local E, F = o.material.E, o.load
-  return p, parts.gauged({
+  return p, parts.gauged(p, {
     E = E, load = F, a = o.a, tip = { line + a, h },
     gauges = { { line, h/2 }, { line, 1.5*h } },
     K = F/math.sqrt(h)*(3.46*a/h + 2.38),

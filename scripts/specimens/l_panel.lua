@@ -26,10 +26,10 @@ return function(given)
                     outline = { points = { { 0, 0 }, { leg, 0 }, { leg, leg }, { W, leg }, { W, W }, { 0, W } } } }
   p:clamp { edge = "bottom", depth = 0.02*W }
   p:nofail { edge = "bottom", depth = 0.04*W }
-  parts.pin(p, o, { line, leg + pin/2 }, pin, { 0, o.load })
+  parts.pin(p, o, { line, leg + pin/2 }, pin, { 0, o.load }, 1)
 
   local E, F = o.material.E, o.load
-  return p, parts.gauged({
+  return p, parts.gauged(p, {
     E = E, load = F,
     gauges = { { leg/2, 0 }, { line, 0.75*W } },
     displacement = F/E*39.05,

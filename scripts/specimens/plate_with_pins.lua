@@ -33,7 +33,7 @@ return function(given)
   end
 
   local E, F, aside = o.material.E, o.load, 1e-6*W
-  return p, parts.gauged({
+  return p, parts.gauged(p, {
     E = E, load = F, a = o.a, tip = { W/2 + o.a, middle },
     gauges = { { W/2, middle - aside }, { W/2, middle + aside } },
     stress = F/W,

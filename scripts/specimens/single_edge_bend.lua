@@ -1,6 +1,7 @@
 -- single_edge_bend.lua: the single-edge bend specimen SE(B) of ASTM E399 and E1820.
 --
 -- A bar W deep on two rollers 4 W apart, loaded in the middle, with a crack of length a from below.
+-- The spacing must divide W/10: the forces of the rollers then balance each other.
 -- Handbook: K, E399 A3; opening of the crack's mouth, Tada, Paris and Irwin, both for a span of 4 W.
 -- Expected: opening 8.2 % and K 7.5 % above the handbook with a horizon of W/10; 5.4 % and 3.9 % with W/20.
 --
@@ -30,7 +31,7 @@ return function(given)
 
   local E, F, aside = o.material.E, o.load, 1e-6*W
   local shape = 1.99 - a*(1 - a)*(2.15 - 3.93*a + 2.7*a^2)
-  return p, parts.gauged({
+  return p, parts.gauged(p, {
     E = E, load = F, a = o.a, tip = { middle, o.a },
     gauges = { { middle - aside, 0 }, { middle + aside, 0 } },
     K = F*span/W^1.5*3*math.sqrt(a)*shape/(2*(1 + 2*a)*(1 - a)^1.5),

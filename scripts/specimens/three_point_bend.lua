@@ -1,6 +1,7 @@
 -- three_point_bend.lua: a bar without a crack on two rollers, for the strength in bending (ASTM C1161, size B).
 --
--- A bar of depth h on rollers `span` apart, loaded in the middle.
+-- A bar of depth h on rollers `span` apart, loaded in the middle. The spacing must divide h/4: the
+-- forces of the rollers then balance each other.
 -- Handbook: sagging of the middle line against the rollers, F S^3/(4 E h^3) (1 + 2.85 (h/S)^2 - 0.84 (h/S)^3),
 -- Timoshenko and Goodier; stress on the lower side, 3 F S/(2 h^2).
 -- Expected: sagging 13.5 % above the handbook with a horizon of h/5; 6.5 % with h/10.
@@ -29,7 +30,7 @@ return function(given)
   end
 
   local E, F, slender = o.material.E, o.load, h/span
-  return p, parts.gauged({
+  return p, parts.gauged(p, {
     E = E, load = F,
     gauges = { { middle, h/2 }, { middle - span/2, h/2 } },
     stress = 1.5*F*span/h^2,

@@ -95,6 +95,28 @@ TEST(Specimens, BreakWhenTheirPinsMove) {
               1e-3);
 }
 
+// The gauges of the cantilever lie in its two pins; the panel has one.
+TEST(Specimens, MoveTheirPinsApartAtTheGivenVelocity) {
+  Console console(test::quiet());
+  console.evaluate(R"(
+    function moved(name, spacing)
+      p, at = require("specimens." .. name) { velocity = 2, material = "pmma" }
+      s = simulate(p, { spacing = spacing })
+      s:quasistatic { duration = 5*us, increments = 1 }
+      return at.measured(s)
+    end)");
+  EXPECT_NEAR(std::stod(console.evaluate("moved('double_cantilever', 1*mm)").at(0)), 10e-6, 1e-12);
+  console.evaluate("moved('l_panel', 10*mm)");
+  EXPECT_NEAR(std::stod(console.evaluate("s:at({470*mm, 270*mm}).uy").at(0)), 10e-6, 1e-12);
+}
+
+// 51 rows: the crack runs along one of them.
+TEST(Specimens, RefuseToMeasureOneNodeAgainstItself) {
+  EXPECT_THAT(test::message_of("local p, at = require 'specimens.compact_tension' {}\n"
+                               "at.measured(simulate(p, { spacing = 60*mm/51 }))"),
+              HasSubstr("test.lua:2: both gauges lie on one node"));
+}
+
 TEST(Specimens, RefuseWhatTheyDoNotKnow) {
   const auto message = [](const std::string& dimensions) {
     return test::message_of("local p = require 'specimens.compact_tension' " + dimensions);
