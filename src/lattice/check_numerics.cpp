@@ -11,6 +11,7 @@
 #include "base/units.hpp"
 #include "lattice/calibration.hpp"
 #include "lattice/needs.hpp"
+#include "lattice/surface.hpp"
 #include "lattice/symbol.hpp"
 #include "lattice/touching.hpp"
 #include "scene/check_members.hpp"
@@ -149,8 +150,8 @@ void check_against_limit(const Plate& plate, const Numerics& numerics, Problems&
     rho = std::min(rho, inclusion.material.rho);
   }
   if (!known || !numerics.step || numerics.force_step) return;
-  const double limit =
-      step_limit(family, c, rho, numerics.spacing, touching_of(plate, numerics.spacing));
+  const double limit = step_limit(family, stiffening(numerics.surface) * c, rho, numerics.spacing,
+                                  touching_of(plate, numerics.spacing));
   if (*numerics.step <= limit) return;
   problems.add(fmt::format("simulate: step is {}, above the stability limit of {}",
                            quantity(*numerics.step, "s"), quantity(limit, "s")),

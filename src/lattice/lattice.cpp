@@ -8,6 +8,7 @@
 #include "lattice/carve.hpp"
 #include "lattice/crack_cut.hpp"
 #include "lattice/scatter.hpp"
+#include "lattice/surface.hpp"
 #include "lattice/symbol.hpp"
 #include "lattice/touching.hpp"
 
@@ -78,7 +79,7 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
       material(materials_of_nodes(plate, grid)),
       calibration(materials.front().calibration),
       rho(plate.material.rho),
-      step_limit(hackle::step_limit(*this, plate)),
+      step_limit(0.0),
       bonds(uncut_bonds(grid, family)),
       unbreakable(bonds_in_zones(plate.no_fail, grid, family)),
       strength(plate.scatter ? strengths(*plate.scatter, grid) : std::vector<float>()) {
@@ -87,12 +88,15 @@ Lattice::Lattice(const Plate& plate, const Numerics& numerics)
   cut_all(plate.cracks, Born::absent, grid, family, bonds);
   initial_neighbours = degrees(grid, family, bonds);
   cut_all(plate.cracks, Born::broken, grid, family, bonds);
+  surface = surface_factors(numerics.surface, grid, family, bonds);
+  step_limit = hackle::step_limit(*this, plate);
   if (plate.contact)
     for_each_missing(uncut, bonds, *this, [&](const KeptBond& bond) { cut.push_back(bond); });
 }
 
 double Lattice::micromodulus_at(int i, int j) const {
-  return is_void(i, j) ? calibration.c : material_at(i, j).calibration.c;
+  const double c = is_void(i, j) ? calibration.c : material_at(i, j).calibration.c;
+  return surface.empty() ? c : c * static_cast<double>(surface[grid.index(i, j)]);
 }
 
 double Lattice::critical_stretch_at(int i, int j) const {
@@ -116,6 +120,7 @@ double step_limit(const Lattice& lattice, const Plate& plate) {
     c = std::max(c, entry.calibration.c);
     rho = std::min(rho, entry.material.rho);
   }
+  if (!lattice.surface.empty()) c *= most_surface_factor;
   const double dx = lattice.grid.dx;
   return step_limit(lattice.family, c, rho, dx, touching_of(plate, dx));
 }

@@ -54,6 +54,8 @@ struct Lattice {
                                 // which alone needs them
   BondBits unbreakable;         // bonds of no-fail zones; empty when there are none
   std::vector<float> strength;  // per node: its critical stretch over s0; empty when all are 1
+  std::vector<float> surface;   // per node: factor of its micromodulus (surface.hpp); empty when
+                                // all are 1
 
   // Marks nodes removed by cut-outs: they have no bonds, loads or motion.
   static constexpr std::uint8_t void_node = hackle::void_node;
@@ -66,9 +68,9 @@ struct Lattice {
   }
   // Return the constants of node (i, j), or those of the plate's own material if it is void. A bond
   // has the mean micromodulus of its two nodes and breaks at the smaller critical stretch.
-  double micromodulus_at(int i, int j) const;
+  double micromodulus_at(int i, int j) const;      // correction of surfaces included
   double critical_stretch_at(int i, int j) const;  // strength included
-  bool is_mixed() const { return differ(materials); }
+  bool is_mixed() const { return !surface.empty() || differ(materials); }  // of unlike nodes
   bool has_history() const { return have_history(materials); }
   double min_stretch() const;  // smallest critical stretch of all materials
   std::int64_t initial_bonds() const;

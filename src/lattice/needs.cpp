@@ -44,6 +44,7 @@ double bytes_of_node(const Plate& plate, const Needs& needs) {
   double bytes = sizeof(std::uint16_t);  // initial bonds
   if (needs.kinds) bytes += sizeof(std::uint8_t);
   if (needs.scattered) bytes += sizeof(float);
+  if (needs.surfaced) bytes += sizeof(float);
   if (needs.heated) bytes += sizeof(double);
   if (plate.contact) bytes += sizeof(int);
   return bytes;
@@ -115,8 +116,10 @@ double statics(const Grid& grid, const Family& family, const Needs& needs, doubl
 Needs needs_of(const Plate& plate, const Numerics& numerics) {
   const Family family(numerics.m(), numerics.quadrature, numerics.micromodulus);
   const auto materials = materials_of(plate, family, numerics);
+  const bool surfaced = numerics.surface != Surface::none;
   return {.kinds = !plate.inclusions.empty() || !plate.cutouts.empty() || !plate.outlines.empty(),
-          .mixed = differ(materials),
+          .mixed = surfaced || differ(materials),
+          .surfaced = surfaced,
           .history = have_history(materials),
           .heated = !plate.loads.thermal_loads.empty(),
           .zones = !plate.no_fail.empty(),
@@ -126,6 +129,7 @@ Needs needs_of(const Plate& plate, const Numerics& numerics) {
 Needs needs_of(const Lattice& lattice, bool heated) {
   return {.kinds = !lattice.material.empty(),
           .mixed = lattice.is_mixed(),
+          .surfaced = !lattice.surface.empty(),
           .history = lattice.has_history(),
           .heated = heated,
           .zones = !lattice.unbreakable.empty(),

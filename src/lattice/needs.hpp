@@ -12,7 +12,8 @@ namespace hackle {
 
 struct Needs {
   bool kinds = false;      // each node stores its material: there are inclusions or cut-outs
-  bool mixed = false;      // materials differ in stiffness, density, s0 or alpha
+  bool mixed = false;      // nodes differ in stiffness, density, s0 or alpha
+  bool surfaced = false;   // nodes near a surface are stiffer; implies mixed
   bool history = false;    // some material has an alpha above 0
   bool heated = false;     // temperature changes
   bool zones = false;      // some bonds never break

@@ -34,6 +34,14 @@ enum class Constants {
   paper,      // the paper's Eq. 8 and Eq. 10, which are inconsistent (src/lattice/README.md 3.7)
 };
 
+// The correction of nodes that lack bonds: along edges, cut-outs, and cracks that the scene begins
+// with (src/lattice/README.md 3.9).
+enum class Surface {
+  none,
+  volume,  // as much stiffer as the weights of their bonds are fewer
+  energy,  // as much stiffer as they keep less energy when they are strained along the surface
+};
+
 // The step in which an overstretched bond stops pulling.
 enum class Breaking {
   at_once,    // the step that finds it
@@ -52,6 +60,9 @@ template <>
 inline constexpr auto enum_names<Constants> =
     std::to_array<std::string_view>({"lattice", "continuum", "paper"});
 template <>
+inline constexpr auto enum_names<Surface> = std::to_array<std::string_view>({"none", "volume",
+                                                                             "energy"});
+template <>
 inline constexpr auto enum_names<Breaking> = std::to_array<std::string_view>({"at_once",
                                                                               "next_step"});
 template <>
@@ -67,6 +78,7 @@ struct Numerics {
   Quadrature quadrature = Quadrature::full;
   Micromodulus micromodulus = Micromodulus::constant;
   Constants constants = Constants::lattice;
+  Surface surface = Surface::none;
   Breaking breaking = Breaking::at_once;
   Precision precision = Precision::f64;
   bool fused = false;  // multiply and add with one rounding: faster, but not on every machine
@@ -93,7 +105,9 @@ inline constexpr auto description_of<Numerics> = describe_noun(
            {.unit = "m",
             .range = above(0.0),
             .fallback = "4 spacings",
-            .sentence = "Horizon of the bonds, delta: 2 to 16 spacings."}),
+            .sentence =
+                "Horizon of the bonds, delta: 2 to 16 spacings. Without a crack, strength goes "
+                "with 1/sqrt(horizon)."}),
     member("precision", &Numerics::precision,
            {.fallback = "f64", .sentence = "Floating-point precision of the computation."}),
     member("fused", &Numerics::fused,
@@ -107,12 +121,18 @@ inline constexpr auto description_of<Numerics> = describe_noun(
     member("breaking", &Numerics::breaking,
            {.fallback = "at_once",
             .sentence = "When an overstretched bond stops pulling; LAMMPS uses next_step."}),
-    member("quadrature", &Numerics::quadrature,
-           {.fallback = "full", .sentence = "Weights of nodes near the rim of the horizon."}),
+    member(
+        "quadrature", &Numerics::quadrature,
+        {.fallback = "full",
+         .sentence = "Weights of nodes near the rim of the horizon; area is the most isotropic."}),
     member("micromodulus", &Numerics::micromodulus,
            {.fallback = "constant", .sentence = "How bond stiffness depends on bond length."}),
     member("constants", &Numerics::constants,
            {.fallback = "lattice", .sentence = "Source of the stiffness and strength of a bond."}),
+    member("surface", &Numerics::surface,
+           {.fallback = "none",
+            .sentence = "Stiffens the soft layer along edges, cut-outs and cracks of the scene; "
+                        "energy is the exact one for thin parts."}),
     member("step", &Numerics::step,
            {.unit = "s",
             .range = above(0.0),

@@ -36,7 +36,8 @@ inline double stretch(const Vec2& xi, double per_length2, const Vec2& h, double 
 template <class Visit>
 void visit_bonds(const Lattice& lattice, const State& state, const std::vector<double>& heat,
                  Visit visit) {
-  const bool alike = lattice.material.empty(), even = alike && lattice.strength.empty();
+  const bool alike = lattice.material.empty() && lattice.surface.empty();
+  const bool even = lattice.material.empty() && lattice.strength.empty();
   const auto heat_of = [&](std::size_t node) { return heat.empty() ? 0.0 : heat[node]; };
   const auto with = [&](const auto& motion, int a, int b, const Vec2& xi, double weight, int bit) {
     const auto u = [&](std::ptrdiff_t at) {

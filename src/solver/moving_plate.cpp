@@ -187,7 +187,8 @@ std::vector<Vec2> MovingPlate::velocities() const {
 std::size_t MovingPlate::bytes() const {
   return state_.bytes() + stepper_->bytes() + bytes_of(lattice_.bonds.words()) +
          bytes_of(lattice_.unbreakable.words()) + bytes_of(lattice_.initial_neighbours) +
-         bytes_of(lattice_.strength) + bytes_of(lattice_.material) + terms_.bytes();
+         bytes_of(lattice_.strength) + bytes_of(lattice_.surface) + bytes_of(lattice_.material) +
+         terms_.bytes();
 }
 
 }  // namespace hackle

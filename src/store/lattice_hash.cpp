@@ -18,6 +18,7 @@ std::string lattice_hash(const Lattice& lattice) {
   hash.add(std::span(lattice.bonds.words()));
   hash.add(std::span(lattice.initial_neighbours));
   hash.add(std::span(lattice.strength));
+  hash.add(std::span(lattice.surface));
   return hash.hex();
 }
 

@@ -26,7 +26,7 @@ class NotesTest : public testing::Test {
               p:clamp { edge = "bottom", depth = 1*mm }
               p:traction { edge = "top", )" +
            pull + "}\n" + more + R"(
-              s = simulate(p, { spacing = 0.5*mm })
+              s = simulate(p, { spacing = 0.5*mm, surface = "energy" })
               s:run(10*us)
               print(s.damage.broken_bonds))";
   }

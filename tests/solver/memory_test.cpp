@@ -51,6 +51,7 @@ const std::vector<Scene> scenes{
     {"m 16", [](Plate&, Numerics& n) { n.horizon = 16.0 * n.spacing; }},
     {"area", [](Plate&, Numerics& n) { n.quadrature = Quadrature::area; }},
     {"conical", [](Plate&, Numerics& n) { n.micromodulus = Micromodulus::conical; }},
+    {"surface", [](Plate&, Numerics& n) { n.surface = Surface::energy; }},
     {"fidelity", [](Plate&, Numerics& n) { n.fidelity = 0.1; }},
     {"no-fail", [](Plate& p, Numerics&) { p.no_fail.push_back(patch(p, 0.8)); }},
     {"history", [](Plate& p, Numerics&) { p.material.alpha = 0.25; }},

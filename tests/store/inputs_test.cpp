@@ -69,6 +69,7 @@ Numerics every_choice() {
   numerics.quadrature = Quadrature::centroid;
   numerics.micromodulus = Micromodulus::conical;
   numerics.constants = Constants::continuum;
+  numerics.surface = Surface::volume;
   numerics.breaking = Breaking::next_step;
   numerics.precision = Precision::f32;
   numerics.fused = true;

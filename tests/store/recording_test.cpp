@@ -58,6 +58,7 @@ Scene scattered() {
       {Bitmap{{0.01, 0.01}, {0.014, 0.013}, 4, 3, {0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1, 0}}, ""});
   Numerics numerics = test::numerics(0.5e-3, 3e-3);
   numerics.quadrature = Quadrature::area;
+  numerics.surface = Surface::energy;
   numerics.micromodulus = Micromodulus::conical;
   numerics.precision = Precision::f32;
   return {"scattered", plate, numerics};

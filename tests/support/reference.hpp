@@ -133,8 +133,9 @@ class Reference {
     const MaterialOnLattice& own =
         lattice.materials[lattice.material.empty() || nothing ? 0 : lattice.material[node]];
     const Real strength = lattice.strength.empty() ? Real(1) : Real(lattice.strength[node]);
-    nodes_.push_back(
-        {own.calibration.c, own.material.rho, strength * own.calibration.s0, own.material.alpha});
+    const Real stiffness = lattice.surface.empty() ? Real(1) : Real(lattice.surface[node]);
+    nodes_.push_back({stiffness * own.calibration.c, own.material.rho,
+                      strength * own.calibration.s0, own.material.alpha});
   }
 
   void add_bonds(const Simulation& simulation, Real unit, int i, int j) {

@@ -39,7 +39,7 @@ const Plate& plate_at(lua_State* L, int index) {
 void check_numerics(const Plate& plate, Numerics numerics, std::uint64_t memory,
                     Arguments& arguments) {
   if (!arguments.has("spacing")) return;
-  if (!arguments.good({"horizon", "quadrature", "micromodulus", "constants"}))
+  if (!arguments.good({"horizon", "quadrature", "micromodulus", "constants", "surface"}))
     numerics.step.reset();
   check(plate, numerics, memory, arguments.problems);
 }

@@ -32,7 +32,9 @@ std::vector<std::string> kernel_features(const Simulation& simulation) {
     if (present) list.push_back(std::move(name));
   };
   add(needs.zones, "no-fail zones");
-  add(needs.mixed, fmt::format("{} materials", simulation.lattice().materials.size()));
+  add(differ(simulation.lattice().materials),
+      fmt::format("{} materials", simulation.lattice().materials.size()));
+  add(needs.surfaced, fmt::format("surface {}", name_of(numerics.surface)));
   add(needs.scattered, "scatter of strength");
   add(needs.history, "alpha");
   add(needs.heated, "thermal strain");

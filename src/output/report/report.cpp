@@ -9,6 +9,7 @@
 
 #include "base/units.hpp"
 #include "output/report/features.hpp"
+#include "output/report/ligament_remark.hpp"
 #include "output/report/shape_remarks.hpp"
 #include "scene/waves.hpp"
 #include "solver/f32_range.hpp"
@@ -127,6 +128,7 @@ std::vector<std::string> remarks(const Simulation& simulation) {
         spread_of(simulation.state(), simulation.lattice().material).half.maxCoeff()));
   for (std::string& remark : shape_remarks(plate, simulation.lattice()))
     list.push_back(std::move(remark));
+  if (auto remark = ligament_remark(simulation)) list.push_back(std::move(*remark));
   const double E = simulation.lattice().calibration.moduli.E / plate.material.E;
   const double G0 = simulation.lattice().calibration.G0 / plate.material.G0;
   if (std::abs(E - 1.0) > 1e-6 || std::abs(G0 - 1.0) > 1e-6)

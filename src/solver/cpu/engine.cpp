@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "lattice/carve.hpp"
 #include "lattice/needs.hpp"
 #include "solver/cpu/kernel_tables.hpp"
 #include "solver/cpu/tasks.hpp"
@@ -26,7 +27,7 @@ KernelFeatures features_for(const Needs& needs) {
 
 // The stencil of linearised forces is that of one cold material.
 double linear_range(const Lattice& lattice, const EngineOptions& options) {
-  if (lattice.is_mixed() || options.heated) return 0.0;
+  if (differ(lattice.materials) || options.heated) return 0.0;
   return threshold_of(options.fidelity * lattice.calibration.s0);
 }
 
@@ -170,6 +171,22 @@ void Engine<Real>::find_intact(const Lattice& lattice, const BondBits& bonds) {
     for (int i = 0; i < layout_.nx; ++i)
       if (degree[lattice.grid.index(i, j)] != lattice.family.bonds())
         complete_[static_cast<std::size_t>(tile_of(layout_.at(i, j)))] = 0;
+  if (!lattice.surface.empty()) find_surfaces(lattice);
+}
+
+// Linearised forces are those of bonds of the same stiffness: a tile that a bond of a stiffened
+// node reaches is not complete. No tile is smaller than the reach.
+template <class Real>
+void Engine<Real>::find_surfaces(const Lattice& lattice) {
+  for_nodes(lattice.grid, [&](int i, int j) {
+    if (lattice.surface[lattice.grid.index(i, j)] == 1.0F) return;
+    for (const int a : {-reach_, 0, reach_})
+      for (const int b : {-reach_, 0, reach_}) {
+        const int column = std::clamp(i + a, 0, layout_.nx - 1);
+        const int row = std::clamp(j + b, 0, layout_.ny - 1);
+        complete_[static_cast<std::size_t>(tile_of(layout_.at(column, row)))] = 0;
+      }
+  });
 }
 
 template <class Real>

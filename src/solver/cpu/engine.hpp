@@ -52,6 +52,7 @@ class Engine final : public Stepper {
   Values<Real> thresholds_of(const Lattice& lattice, const State& state) const;
   void survey(const Lattice& lattice, Motion<Real>& motion, const State& state);
   void find_intact(const Lattice& lattice, const BondBits& bonds);
+  void find_surfaces(const Lattice& lattice);
   void break_bonds(BondBits& bonds);
   int tile_of(std::ptrdiff_t place) const;
 

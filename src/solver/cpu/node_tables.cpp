@@ -39,7 +39,8 @@ void NodeTables<Real>::set_materials(const Lattice& lattice, bool history) {
     if (lattice.is_void(i, j)) return;
     const MaterialOnLattice& own = lattice.material_at(i, j);
     const auto at = static_cast<std::size_t>(layout.at(i, j));
-    half_stiffness[at] = static_cast<Real>(0.5 * own.calibration.c / lattice.calibration.c);
+    half_stiffness[at] =
+        static_cast<Real>(0.5 * lattice.micromodulus_at(i, j) / lattice.calibration.c);
     inverse_inertia[at] = static_cast<Real>(lattice.rho / own.material.rho);
     if (history) alphas[at] = static_cast<Real>(own.material.alpha);
   });

@@ -69,9 +69,9 @@ bool LinearisedBonds::has_bonds(int i, int j) const {
 }
 
 double LinearisedBonds::strength_of(int i, int j, const Kept& bond) const {
-  if (lattice_->material.empty()) return bond.weight;
-  const double sum = lattice_->material_at(i, j).calibration.c +
-                     lattice_->material_at(i + bond.a, j + bond.b).calibration.c;
+  if (lattice_->material.empty() && lattice_->surface.empty()) return bond.weight;
+  const double sum =
+      lattice_->micromodulus_at(i, j) + lattice_->micromodulus_at(i + bond.a, j + bond.b);
   return bond.weight * (0.5 * sum / lattice_->calibration.c);
 }
 

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/units.hpp"
+#include "lattice/surface.hpp"
 #include "solver/statics/coarse_space.hpp"
 #include "solver/statics/conjugate_gradient.hpp"
 
@@ -182,7 +183,7 @@ double StaticEquilibrium::stiffest() const {
   double sum = 0.0;
   lattice_->family.for_each_bond(
       [&](int, int, const Vec2& xi, double weight, int) { sum += 2.0 * weight / xi.norm(); });
-  return most * sum;
+  return (lattice_->surface.empty() ? 1.0 : most_surface_factor) * most * sum;
 }
 
 StaticEquilibrium::Balance StaticEquilibrium::find_left() {

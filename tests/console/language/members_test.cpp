@@ -448,7 +448,8 @@ TEST_F(Members, OfNumerics) {
   const std::string calls =
       "s = simulate(p, { spacing = 1*mm, horizon = 3*mm, precision = 'f32', breaking = "
       "'next_step', "
-      "quadrature = 'ramp', micromodulus = 'conical', constants = 'continuum', step = 50*ns, "
+      "quadrature = 'ramp', micromodulus = 'conical', constants = 'continuum', surface = 'volume', "
+      "step = 50*ns, "
       "fidelity = 0.2, fused = false, safety = 0.8, force_step = true })";
   expect_all_named(simulate_doc, calls);
   plate_after(calls);
@@ -461,6 +462,7 @@ TEST_F(Members, OfNumerics) {
   EXPECT_EQ(numerics.quadrature, Quadrature::ramp);
   EXPECT_EQ(numerics.micromodulus, Micromodulus::conical);
   EXPECT_EQ(numerics.constants, Constants::continuum);
+  EXPECT_EQ(numerics.surface, Surface::volume);
   EXPECT_NEAR(numerics.step.value(), 50e-9, 1e-20);
   EXPECT_EQ(numerics.fidelity, 0.2);
   EXPECT_FALSE(numerics.fused);

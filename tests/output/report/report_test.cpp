@@ -78,15 +78,15 @@ TEST(Remarks, TellOfAPlateThatIsNoWholeNumberOfSpacings) {
   Plate plate = test::bare_plate(20, 10);
   plate.width += 0.1e-3;
   EXPECT_THAT(remarks(Simulation(plate, test::numerics())),
-              testing::ElementsAre(HasSubstr("the lattice is 10 mm x 5 mm")));
+              testing::Contains(HasSubstr("the lattice is 10 mm x 5 mm")));
 }
 
 TEST(Remarks, TellWhatThePapersConstantsAmountTo) {
   Numerics numerics = test::numerics();
   numerics.constants = Constants::paper;
   EXPECT_THAT(remarks(Simulation(test::bare_plate(20, 10), numerics)),
-              testing::ElementsAre(HasSubstr("paper constants give 0.822 of the material's E and "
-                                             "0.774 of its G0")));
+              testing::Contains(HasSubstr("paper constants give 0.822 of the material's E and "
+                                          "0.774 of its G0")));
 }
 
 // Checks each line with values that all differ.
@@ -143,27 +143,29 @@ TEST(Report, NamesEachFeatureByItself) {
     const char* text;
     void (*add)(Plate&, Numerics&);
   };
-  const Case cases[] = {{"no-fail zones",
-                         [](Plate& p, Numerics&) {
-                           p.no_fail.push_back(rectangle({0, 0}, {1e-3, 1e-3}));
-                         }},
-                        {"2 materials",
-                         [](Plate& p, Numerics&) {
-                           Material other = p.material;
-                           other.E *= 2.0;
-                           p.inclusions.push_back({rectangle({0, 0}, {2e-3, 2e-3}), other});
-                         }},
-                        {"scatter of strength",
-                         [](Plate& p, Numerics&) {
-                           p.scatter = Scatter{Scatter::Kind::normal, 0.1, 0.0, 1};
-                         }},
-                        {"alpha", [](Plate& p, Numerics&) { p.material.alpha = 0.1; }},
-                        {"thermal strain",
-                         [](Plate& p, Numerics&) {
-                           p.material.alphaT = 1e-6;
-                           p.loads.thermal_loads.push_back({{}, 10.0, {}});
-                         }},
-                        {"fidelity 0.25", [](Plate&, Numerics& n) { n.fidelity = 0.25; }}};
+  const Case cases[] = {
+      {"no-fail zones",
+       [](Plate& p, Numerics&) {
+         p.no_fail.push_back(rectangle({0, 0}, {1e-3, 1e-3}));
+       }},
+      {"2 materials",
+       [](Plate& p, Numerics&) {
+         Material other = p.material;
+         other.E *= 2.0;
+         p.inclusions.push_back({rectangle({0, 0}, {2e-3, 2e-3}), other});
+       }},
+      {"surface energy", [](Plate&, Numerics& n) { n.surface = Surface::energy; }},
+      {"scatter of strength",
+       [](Plate& p, Numerics&) {
+         p.scatter = Scatter{Scatter::Kind::normal, 0.1, 0.0, 1};
+       }},
+      {"alpha", [](Plate& p, Numerics&) { p.material.alpha = 0.1; }},
+      {"thermal strain",
+       [](Plate& p, Numerics&) {
+         p.material.alphaT = 1e-6;
+         p.loads.thermal_loads.push_back({{}, 10.0, {}});
+       }},
+      {"fidelity 0.25", [](Plate&, Numerics& n) { n.fidelity = 0.25; }}};
   for (const Case& one : cases) {
     Plate plate = test::bare_plate(40, 20);
     Numerics numerics = test::numerics();
