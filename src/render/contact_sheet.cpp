@@ -16,7 +16,7 @@
 namespace hackle {
 namespace {
 
-using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
+using CairoSurface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 
 // Lengths in px.
 struct Measures {
@@ -30,9 +30,9 @@ struct Measures {
   double pitch;  // from the top of a cell to the top of the next below
 };
 
-Surface read(const std::filesystem::path& file) {
+CairoSurface read(const std::filesystem::path& file) {
   check_png(file);
-  Surface surface(cairo_image_surface_create_from_png(file.c_str()), cairo_surface_destroy);
+  CairoSurface surface(cairo_image_surface_create_from_png(file.c_str()), cairo_surface_destroy);
   const cairo_status_t status = cairo_surface_status(surface.get());
   if (status != CAIRO_STATUS_SUCCESS)
     throw Error(ErrorKind::files, fmt::format("cannot read the picture '{}': {}", file.string(),
@@ -105,7 +105,7 @@ Image contact_sheet(std::vector<SheetImage>& images, const SheetLayout& layout) 
       static_cast<int>(images.size()), layout,
       [&](std::size_t k) {
         Image& image = images[k].image;
-        return Surface(
+        return CairoSurface(
             cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_RGB24,
                                                 image.width, image.height, image.stride()),
             cairo_surface_destroy);
