@@ -4,6 +4,7 @@
 -- long in all: 165 mm for w = 13 mm. The grips pull at their ends.
 -- Handbook: lengthening of the gauge length G = 3.85 w: F G/(E w); stress F/w.
 -- Expected: lengthening 3.3 % above the handbook with a horizon of w/6.5; 1.6 % with w/13.
+-- With surface = "energy" both are within 0.2 %.
 --
 --   local p, at = require "specimens.dog_bone" { w = 13*mm, load = 1e4 }
 local parts = require "specimens.parts"

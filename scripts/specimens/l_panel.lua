@@ -5,6 +5,7 @@
 -- Handbook: none in closed form. The rise of the leg's middle line above the load is 39.05 F/E for nu = 1/3, by finite
 -- elements: squares of W/50 to W/400 give 38.726, 38.905, 38.985, 39.021.
 -- Expected: rise 8.4 % above the finite elements with a horizon of W/25; 4.7 % with W/50.
+-- With surface = "energy": 3.7 %; 2.6 %.
 --
 --   local p, at = require "specimens.l_panel" { W = 500*mm, load = 1e4 }
 local parts = require "specimens.parts"

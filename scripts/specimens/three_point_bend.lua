@@ -5,6 +5,7 @@
 -- Handbook: sagging of the middle line against the rollers, F S^3/(4 E h^3) (1 + 2.85 (h/S)^2 - 0.84 (h/S)^3),
 -- Timoshenko and Goodier; stress on the lower side, 3 F S/(2 h^2).
 -- Expected: sagging 13.5 % above the handbook with a horizon of h/5; 6.5 % with h/10.
+-- With surface = "energy": 1.8 %; 0.4 %.
 --
 --   local p, at = require "specimens.three_point_bend" { h = 4*mm, span = 40*mm, load = 1e3 }
 local parts = require "specimens.parts"
