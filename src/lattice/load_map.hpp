@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lattice/carve.hpp"
@@ -28,15 +29,35 @@ struct HeldNode {
   bool along_y = true;
 };
 
-// A force on nodes, each listed once, ordered by index; void nodes are left out.
+// A quantity of nodes that is a function of place and time: of node k, the field at places[k] over
+// divisors[k]. Empty for a quantity that does not vary in time, or by its amplitude alone.
+template <class T>
+struct Course {
+  FieldOfPlace<T> field;
+  std::string who;           // in messages: "traction"
+  std::vector<Vec2> places;  // m
+  std::vector<double> divisors;
+
+  bool empty() const { return places.empty(); }
+};
+
+// Returns the values of all nodes at a time, s. Throws what the function throws, and Error
+// (refused) for a value that is not finite.
+std::vector<Vec2> values_at(const Course<Vec2>& course, double t);
+std::vector<double> values_at(const Course<double>& course, double t);
+
+// A force on nodes, each listed once, ordered by index; void nodes are left out. Where there is a
+// course, the nodes have its values at t = 0.
 struct SpreadForce {
   std::vector<LoadedNode> nodes;
   Amplitude amplitude;
+  Course<Vec2> course;
 };
 struct SpreadSupport {
   std::vector<HeldNode> nodes;
   Support::Kind kind = Support::Kind::displacement;
   Amplitude amplitude;
+  Course<Vec2> course;
 };
 
 // Thermal strain of nodes: alphaT of their material times the change of temperature.
@@ -44,6 +65,8 @@ struct SpreadHeat {
   NodeRange range;             // encloses the region
   std::vector<double> strain;  // by NodeRange::index; 0 outside the region
   Amplitude amplitude;
+  Course<double> course;          // of the strain
+  std::vector<std::size_t> at{};  // of the nodes of the course, in `strain`
 };
 
 // Returns tractions, pressures and body forces of the plate, in that order. Throws what functions

@@ -54,6 +54,13 @@ double nodes_around(const Region& region, const Grid& grid) {
   return static_cast<double>(nodes_of(region, grid).count());
 }
 
+// The table of a function of place and time, per node: nine moments of a block of steps
+// (src/lattice/README.md 7.5). Runs of more blocks take as much more.
+template <class T>
+double bytes_in_time(const FieldOfPlace<T>& field) {
+  return field.varies_in_time() ? 9.0 * sizeof(T) : 0.0;
+}
+
 double kept(const Plate& plate, const Grid& grid, const Family& family, const Needs& needs,
             double real) {
   const NodeLayout layout = grid.layout();
@@ -63,11 +70,14 @@ double kept(const Plate& plate, const Grid& grid, const Family& family, const Ne
       rows_of_tiles(grid.ny, family.reach()) * layout.groups() * bytes_of_tile(needs, real) +
       static_cast<double>(grid.nodes()) * bytes_of_node(plate, needs);
   for (const ThermalLoad& thermal_load : plate.loads.thermal_loads)
-    bytes += sizeof(double) * nodes_around(thermal_load.region, grid);
+    bytes += (sizeof(double) + bytes_in_time(thermal_load.change)) *
+             nodes_around(thermal_load.region, grid);
   return bytes;
 }
 
+// A rim has the order of the nodes around the whole lattice.
 double nodes_of_edge(const Traction& traction, const Grid& grid) {
+  if (!traction.edge) return 2.0 * (grid.nx + grid.ny);
   const bool along_x = traction.edge == Edge::top || traction.edge == Edge::bottom;
   const double layers = std::max(1.0, std::round(traction.depth / grid.dx));
   return along_x ? grid.nx * std::min<double>(layers, grid.ny)
@@ -80,11 +90,12 @@ double loads(const Plate& plate, const Grid& grid, double real) {
   const double force = 3.0 * sizeof(LoadedNode) + 24.0 + 3.0 * real;
   const double prescribed = sizeof(HeldNode) + 80.0 + 4.0 * real;
   double bytes = 0.0;
-  for (const Traction& load : plate.loads.tractions) bytes += force * nodes_of_edge(load, grid);
+  for (const Traction& load : plate.loads.tractions)
+    bytes += (force + bytes_in_time(load.stress)) * nodes_of_edge(load, grid);
   for (const BodyForce& load : plate.loads.body_forces)
-    bytes += force * nodes_around(load.region, grid);
+    bytes += (force + bytes_in_time(load.force)) * nodes_around(load.region, grid);
   for (const Support& support : plate.loads.supports)
-    bytes += prescribed * nodes_around(support.region, grid);
+    bytes += (prescribed + bytes_in_time(support.value)) * nodes_around(support.region, grid);
   return bytes;
 }
 

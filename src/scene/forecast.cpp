@@ -12,8 +12,9 @@
 namespace hackle {
 namespace {
 
-constexpr int places = 21;    // along x and y
-constexpr int moments = 101;  // of the duration
+constexpr int places = 21;       // along x and y
+constexpr int moments = 101;     // of the duration
+constexpr int few_moments = 21;  // where each takes all places
 
 double size_of(double value) {
   return std::abs(value);
@@ -43,11 +44,20 @@ struct Sampler {
     if (field.is_constant()) return size_of(field.constant());
     sampled = true;
     double most = 0.0;
+    const int times = field.varies_in_time() ? few_moments : 1;
+    for (int k = 0; k < times; ++k)
+      most = std::max(most, largest(field, begin + (end - begin) * k / (few_moments - 1)));
+    return most;
+  }
+
+  template <class T>
+  double largest(const FieldOfPlace<T>& field, double t) const {
+    double most = 0.0;
     for (int j = 0; j < places; ++j)
       for (int i = 0; i < places; ++i)
-        most = std::max(
-            most,
-            size_of(field.at({plate.width * i / (places - 1), plate.height * j / (places - 1)})));
+        most = std::max(most,
+                        size_of(field.at(
+                            {plate.width * i / (places - 1), plate.height * j / (places - 1)}, t)));
     return most;
   }
 };

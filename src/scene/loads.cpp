@@ -1,15 +1,48 @@
 // SPDX-License-Identifier: MIT
 #include "scene/loads.hpp"
 
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
 #include "base/text.hpp"
 #include "scene/check_members.hpp"
 
 namespace hackle {
+namespace {
+
+void check_part(const RimPart& angles, const char* who, Problems& problems) {
+  if (!angles) return;
+  const double turn = std::abs(angles->y() - angles->x());
+  if (turn > 0.0 && turn <= 2.0 * std::numbers::pi + 1e-9) return;
+  problems.add(fmt::format("{}: the arc goes {:.4g} degrees", who, turn * 180.0 / std::numbers::pi),
+               "angles = {from, to} must differ by at most 360*deg, and not by 0");
+}
+
+void check_place(const Traction& traction, Problems& problems) {
+  if (traction.edge.has_value() == !traction.rim.empty())
+    problems.add("traction: it is not clear where it acts",
+                 "give edge, or rim, the name of a hole, a notch or an outline");
+  else if (traction.edge && traction.angles)
+    problems.add("traction: angles are of a rim, and an edge is given",
+                 "give rim and angles, or an edge alone");
+  else if (!traction.edge && traction.depth != 0.0)
+    problems.add("traction: depth is of an edge, and a rim is given", "leave it out");
+}
+
+}  // namespace
 
 void check(const Loads& loads, Problems& problems) {
   for_each_list(loads, [&](const auto& list) {
     for (const auto& load : list) check_members(load, problems);
   });
+  for (const Traction& traction : loads.tractions) {
+    check_place(traction, problems);
+    check_part(traction.angles, "traction", problems);
+  }
+  for (const Pressure& pressure : loads.pressures)
+    check_part(pressure.angles, "pressure", problems);
   check_members(loads, problems);
 }
 

@@ -12,7 +12,7 @@ namespace hackle {
 
 struct Outline {
   std::vector<Shape> areas;  // at least one
-  std::string name;          // for pressures to find its rim; "" for none
+  std::string name;          // for loads to find its rim; "" for none
 };
 
 template <>
@@ -20,7 +20,8 @@ inline constexpr auto description_of<Outline> = describe_noun(
     "outline", "outline", member("areas", &Outline::areas, {.required = true}),
     member("name", &Outline::name,
            {.alternative = true,
-            .sentence = "Name for p:pressure to find the rim; several rims may share one."}));
+            .sentence = "Name for p:pressure and p:traction to find the rim; several rims may "
+                        "share one."}));
 
 Box bounds(const Outline& outline);
 Outline transformed(const Outline& outline, const Vec2& origin, double factor);

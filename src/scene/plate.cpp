@@ -29,19 +29,50 @@ bool on_plate(const Plate& plate, const Vec2& point) {
          point.y() <= plate.height + slack;
 }
 
+using Names = std::vector<std::string_view>;
+
+template <class Nouns>
+void add_names(const Nouns& nouns, Names& names) {
+  for (const auto& noun : nouns)
+    if (!noun.name.empty()) names.push_back(noun.name);
+}
+
+bool holds(const Names& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+void check_rim(std::string_view who, std::string_view what, const std::string& rim,
+               const Names& names, Problems& problems) {
+  if (holds(names, rim)) return;
+  problems.add(
+      fmt::format("{}: there is no {} named '{}'{}", who, what, rim, did_you_mean(rim, names)),
+      names.empty() ? "give it a name: p:hole { name = \"bore\", ... }"
+                    : "named are " + comma_list(names));
+}
+
+void check_traction(const Traction& traction, const Names& rims, const Names& cracks,
+                    Problems& problems) {
+  if (traction.rim.empty()) return;
+  if (holds(cracks, traction.rim) && !holds(rims, traction.rim))
+    problems.add(fmt::format("traction: '{}' is a crack, whose two faces it would pull the same "
+                             "way",
+                             traction.rim),
+                 "p:pressure pushes them apart");
+  else
+    check_rim("traction", "hole, notch or outline", traction.rim, rims, problems);
+}
+
 void check_rims(const Plate& plate, Problems& problems) {
-  for (const Pressure& pressure : plate.loads.pressures) {
-    std::vector<std::string_view> rims;
-    for (const Outline& outline : plate.outlines)
-      if (!outline.name.empty()) rims.push_back(outline.name);
-    for (const Cutout& cutout : plate.cutouts)
-      if (!cutout.name.empty()) rims.push_back(cutout.name);
-    if (std::ranges::find(rims, pressure.rim) != rims.end()) continue;
-    problems.add(fmt::format("pressure: there is no hole, notch or outline named '{}'{}",
-                             pressure.rim, did_you_mean(pressure.rim, rims)),
-                 rims.empty() ? "give it a name: p:hole { name = \"bore\", ... }"
-                              : "named are " + comma_list(rims));
-  }
+  Names rims, cracks;
+  add_names(plate.outlines, rims);
+  add_names(plate.cutouts, rims);
+  add_names(plate.cracks, cracks);
+  for (const Traction& traction : plate.loads.tractions)
+    check_traction(traction, rims, cracks, problems);
+  Names all = rims;
+  all.insert(all.end(), cracks.begin(), cracks.end());
+  for (const Pressure& pressure : plate.loads.pressures)
+    check_rim("pressure", "hole, notch, outline or crack", pressure.rim, all, problems);
 }
 
 void check_expansion(const Plate& plate, Problems& problems) {
@@ -192,14 +223,39 @@ std::string describe(const Scatter& scatter) {
       scatter.seed);
 }
 
+namespace {
+
+// Returns "E 40 to 65 GPa", or "" for a quantity that all inclusions have in common.
+std::string range_of(const Plate& plate, double Material::*value, const char* name,
+                     const char* unit) {
+  const auto value_of = [&](const Inclusion& inclusion) { return inclusion.material.*value; };
+  const auto [least, most] = std::ranges::minmax_element(plate.inclusions, {}, value_of);
+  if (value_of(*least) == value_of(*most)) return "";
+  return fmt::format("{} {} to {}", name, quantity(value_of(*least), unit),
+                     quantity(value_of(*most), unit));
+}
+
+std::string describe_inclusions(const Plate& plate) {
+  std::string ranges;
+  if (plate.inclusions.empty()) return ranges;
+  for (const std::string& range :
+       {range_of(plate, &Material::E, "E", "Pa"), range_of(plate, &Material::rho, "rho", "kg/m3"),
+        range_of(plate, &Material::G0, "G0", "J/m2")})
+    if (!range.empty()) ranges += fmt::format("{}{}", ranges.empty() ? "" : ", ", range);
+  return counted(plate.inclusions.size(), "inclusion") +
+         (ranges.empty() ? "" : fmt::format(" ({})", ranges));
+}
+
+}  // namespace
+
 std::string describe(const Plate& plate) {
   return fmt::format(
       "plate {} x {} mm, {}{}{}{}{}{}{}{}{}{}", shortest(std::round(plate.width * 1e9) * 1e-6),
       shortest(std::round(plate.height * 1e9) * 1e-6),
       plate.plane == Plane::strain ? "plane strain, " : "", describe(plate.material),
       counted(plate.outlines.size(), "outline"), counted(plate.cutouts.size(), "cut-out"),
-      counted(plate.inclusions.size(), "inclusion"), counted(plate.cracks.size(), "crack"),
-      describe(plate.loads), counted(plate.no_fail.size(), "no-fail zone"),
+      describe_inclusions(plate), counted(plate.cracks.size(), "crack"), describe(plate.loads),
+      counted(plate.no_fail.size(), "no-fail zone"),
       plate.scatter ? ", " + describe(*plate.scatter) : "", plate.contact ? ", contact" : "");
 }
 

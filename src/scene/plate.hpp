@@ -44,6 +44,7 @@ struct Crack {
   std::vector<Vec2> points;  // m, on the plate; at least two
   Born born = Born::broken;
   CrackEnds ends = CrackEnds::open;
+  std::string name;  // used by pressures to find its faces; "" for none
 };
 
 template <>
@@ -61,7 +62,10 @@ inline constexpr auto description_of<Crack> = describe_noun(
     member("ends", &Crack::ends,
            {.fallback = "open",
             .sentence = "Whether a bond that meets the crack only at its end is cut, as in "
-                        "PDMATLAB2D, or stays."}));
+                        "PDMATLAB2D, or stays."}),
+    member("name", &Crack::name,
+           {.alternative = true,
+            .sentence = "Name for p:pressure to push its faces apart; several may share one."}));
 
 // The treatment of bonds that pass through removed material.
 enum class Bridging { cut, keep };
@@ -73,7 +77,7 @@ inline constexpr auto enum_names<Bridging> = std::to_array<std::string_view>({"c
 // absent, or are kept, as in codes that only remove nodes.
 struct Cutout {
   Shape shape;
-  std::string name;  // used by pressures to find this rim; "" for none
+  std::string name;  // used by loads to find this rim; "" for none
   Bridging bonds = Bridging::cut;
 };
 
@@ -82,7 +86,8 @@ inline constexpr auto description_of<Cutout> = describe_noun(
     "cut-out", "cut-out", member("shape", &Cutout::shape, {.required = true}),
     member("name", &Cutout::name,
            {.alternative = true,
-            .sentence = "Name for p:pressure to find the rim; several rims may share one."}),
+            .sentence = "Name for p:pressure and p:traction to find the rim; several rims may "
+                        "share one."}),
     member("bonds", &Cutout::bonds,
            {.fallback = "cut",
             .sentence = "Whether bonds that pass through it are cut, or kept between the nodes on "

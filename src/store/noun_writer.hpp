@@ -43,7 +43,8 @@ struct NounWriter {
 
   template <class T>
   static Json json_of(const FieldOfPlace<T>& field) {
-    if (!field.is_constant()) return function_of("of place");
+    if (!field.is_constant())
+      return function_of(field.varies_in_time() ? "of place and time" : "of place");
     if constexpr (std::is_same_v<T, double>)
       return field.constant();
     else

@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
               }},
         Wrong{"damping", [](Plate& p) { p.loads.damping = -1.0; }},
         Wrong{"damping", [](Plate& p) { p.loads.damping = nan; }},
-        Wrong{"no hole, notch or outline named 'b'",
+        Wrong{"no hole, notch, outline or crack named 'b'",
               [](Plate& p) {
                 p.cutouts.push_back({Ellipse{{0.01, 0.01}, {1e-3, 1e-3}, 0}, "a"});
                 p.loads.pressures = {{"a", 1e6, {}}, {"b", 1e6, {}}};

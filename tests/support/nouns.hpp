@@ -99,7 +99,7 @@ class NounFiller {
     else if constexpr (std::is_same_v<T, ScalarField>)
       value = number({});
     else
-      value = Vec2(number({}), number({}));
+      value = Vec2(number(about.range), number(about.range));
   }
 
   void fill_shape(Shape& shape) { fill_kind<0>(shape, next() % std::variant_size_v<Shape>); }
@@ -130,10 +130,17 @@ struct AnyValue {
   requires(!holds_any<T>) operator T() const;
 };
 
+// A vector claims to be made of anything, so an optional one needs a value of its own.
+struct NoVector {
+  operator std::optional<Vec2>() const;
+};
+
 // How many members an aggregate has: as many values as it can be made of.
 template <class Noun, class... Values>
 constexpr std::size_t count_members() {
-  if constexpr (requires { Noun{Values{}..., AnyValue{}}; })
+  if constexpr (requires { Noun{Values{}..., NoVector{}}; })
+    return count_members<Noun, Values..., NoVector>();
+  else if constexpr (requires { Noun{Values{}..., AnyValue{}}; })
     return count_members<Noun, Values..., AnyValue>();
   else
     return sizeof...(Values);

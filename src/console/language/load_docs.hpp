@@ -51,17 +51,23 @@ inline constexpr auto start_options = joined(options_of<InitialCondition>, regio
 inline constexpr FunctionDoc plate_traction_doc{
     .name = "traction",
     .owner = "p",
-    .sentence = "Pulls, pushes or shears an edge.",
+    .sentence =
+        "Pulls, pushes or shears an edge, the rim of a hole or an outline, or an arc of it.",
     .options = options_of<Traction>,
-    .example = "p:traction { edge = \"top\", stress = {0, 12*MPa}, time = ramp(1*us) }"};
+    .example =
+        "p:traction { edge = \"top\", stress = {0, 12*MPa}, time = ramp(1*us) }\n"
+        "p:hole { centre = {70*mm, 20*mm}, radius = 4*mm, name = \"bore\" }\n"
+        "p:traction { rim = \"bore\", stress = {5*MPa, 0}, angles = {-30*deg, 30*deg} }"};
 inline constexpr FunctionDoc plate_pressure_doc{
     .name = "pressure",
     .owner = "p",
-    .sentence = "Applies a pressure to the rim of a hole or notch.",
+    .sentence = "Applies a pressure to a rim or an arc of it, or to the faces of a crack.",
     .options = options_of<Pressure>,
     .example =
         "p:hole { centre = {70*mm, 20*mm}, radius = 4*mm, name = \"bore\" }\n"
-        "p:pressure { rim = \"bore\", pressure = 5*MPa }"};
+        "p:pressure { rim = \"bore\", pressure = 5*MPa }\n"
+        "p:crack { from = {20*mm, 20*mm}, to = {30*mm, 20*mm}, name = \"slit\" }\n"
+        "p:pressure { rim = \"slit\", pressure = 2*MPa, time = ramp(5*us) }"};
 inline constexpr FunctionDoc plate_body_force_doc{
     .name = "body_force",
     .owner = "p",

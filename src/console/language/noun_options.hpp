@@ -73,6 +73,8 @@ constexpr Option option_of(std::string_view name, const About& about) {
                 .alternative = about.alternative,
                 .sentence = about.sentence};
   if (!option.choices.empty()) option.type = OptionType::choice;
+  const bool angles = option.type == OptionType::point && about.unit == "rad";
+  if (angles) option.type = OptionType::pair;
   if constexpr (own_way<T>.has_value()) option.read = own_way<T>->read;
   return option;
 }

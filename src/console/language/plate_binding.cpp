@@ -9,6 +9,7 @@
 
 #include "base/units.hpp"
 #include "console/language/contact_binding.hpp"
+#include "console/language/grading_binding.hpp"
 #include "console/language/load_binding.hpp"
 #include "console/language/noun_options.hpp"
 #include "console/language/region_options.hpp"
@@ -30,7 +31,8 @@ constexpr auto plate_options = [] {
                         .read = read_areas,
                         .alternative = true,
                         .sentence = "Area of the rectangle that is kept, as by p:keep; without "
-                                    "width and height the plate has the size of the outline."}});
+                                    "width and height the plate has the size of the outline. Loads "
+                                    "find its rim by the name \"outline\"."}});
   for (Option& option : options)
     if (option.name == "width" || option.name == "height") option.unless = "outline";
   return options;
@@ -71,7 +73,7 @@ int make_plate(lua_State* L) {
   arguments.problems.throw_if_any();
   auto plate = noun_of<Plate>(arguments);
   if (outlined) {
-    plate.outlines = {{arguments.get<std::vector<Shape>>("outline", {}), ""}};
+    plate.outlines = {{arguments.get<std::vector<Shape>>("outline", {}), "outline"}};
     size_by(plate.outlines.front(), arguments, plate, arguments.problems);
     arguments.problems.throw_if_any();
   }
@@ -117,7 +119,7 @@ std::vector<Function> all_methods_of_plate() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
        {shape_methods(), std::span<const Function>(own_methods_of_plate), load_methods_of_plate(),
-        strength_methods(), contact_methods()})
+        grading_methods(), strength_methods(), contact_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -94,6 +94,7 @@ int add_crack(lua_State* L) {
   if (form)
     crack = {points_of(arguments, *form), arguments.choice<Born>("born"),
              arguments.choice<CrackEnds>("ends")};
+  crack.name = arguments.text("name");
   if (!crack.points.empty()) check(plate, crack, arguments.problems);
   arguments.problems.throw_if_any();
   plate.cracks.push_back(std::move(crack));

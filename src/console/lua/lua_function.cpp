@@ -44,6 +44,13 @@ std::string where_defined(lua_State* L, int index) {
   return fmt::format("function at {}:{}", function.short_src, function.linedefined);
 }
 
+int parameters_of(lua_State* L, int index) {
+  lua_Debug function;
+  lua_pushvalue(L, index);
+  lua_getinfo(L, ">u", &function);
+  return function.nparams;
+}
+
 }  // namespace
 
 struct LuaFunction::Reference {
@@ -65,7 +72,8 @@ struct LuaFunction::Reference {
 LuaFunction::LuaFunction(lua_State* L, int index, std::string who)
     : reference_(std::make_shared<const Reference>(L, index)),
       who_(std::move(who)),
-      text_(where_defined(L, index)) {
+      text_(where_defined(L, index)),
+      parameters_(parameters_of(L, index)) {
 }
 
 void LuaFunction::call(std::span<const double> arguments, std::span<double> results,

@@ -24,12 +24,15 @@ class LuaFunction {
 
   // Returns "function at script.lua:12".
   const std::string& text() const { return text_; }
+  // Returns how many parameters the function names: 0 if it is written in C or takes (...).
+  int parameters() const { return parameters_; }
 
  private:
   struct Reference;
   std::shared_ptr<const Reference> reference_;
   std::string who_;
   std::string text_;
+  int parameters_ = 0;
 };
 
 // Call this once for a state whose functions are stored.

@@ -71,9 +71,10 @@ std::string expectation(const Option& option) {
     case OptionType::areas:
       return "an area, {centre = ..., radius = ...} for one, or a list of areas";
     case OptionType::vector_field:
-      return "{x, y}" + in_unit + ", or a function of x and y that returns two numbers";
+      return "{x, y}" + in_unit +
+             ", or a function of x and y, and maybe t, that returns two numbers";
     case OptionType::scalar_field:
-      return "a number" + in_unit + ", or a function of x and y";
+      return "a number" + in_unit + ", or a function of x and y, and maybe t";
     case OptionType::amplitude:
       return "{{t, factor}, ...}, as ramp, pulse and step_at make it, or a function of t";
     case OptionType::function:

@@ -2,10 +2,14 @@
 #include "console/schema/value_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -235,17 +239,36 @@ std::any read_choice(const GivenValue& given) {
   return Choice{static_cast<std::size_t>(found - option.choices.begin())};
 }
 
+template <class T>
+T called(const LuaFunction& function, std::span<const double> arguments, const std::string& where) {
+  T value{};
+  if constexpr (std::is_same_v<T, double>)
+    function.call(arguments, {&value, 1}, where);
+  else
+    function.call(arguments, {value.data(), 2}, where);
+  return value;
+}
+
+// A function with a third parameter is one of place and time.
+template <class T>
+FieldOfPlace<T> field_of(const LuaFunction& function) {
+  if (function.parameters() < 3)
+    return FieldOfPlace<T>(std::function<T(const Vec2&)>([function](const Vec2& place) {
+      return called<T>(function, {place.data(), 2}, at_place(place));
+    }));
+  return FieldOfPlace<T>(
+      std::function<T(const Vec2&, double)>([function](const Vec2& place, double t) {
+        return called<T>(function, std::array{place.x(), place.y(), t},
+                         fmt::format("{}, t = {}", at_place(place), quantity(t, "s")));
+      }));
+}
+
 std::any read_vector_field(const GivenValue& given) {
   if (lua_type(given.L, given.index) != LUA_TFUNCTION) {
     const std::any point = read_point(given);
     return point.has_value() ? std::any(VectorField(std::any_cast<const Vec2&>(point))) : point;
   }
-  return VectorField(
-      [function = LuaFunction(given.L, given.index, given.name())](const Vec2& place) {
-        Vec2 value{0, 0};
-        function.call({place.data(), 2}, {value.data(), 2}, at_place(place));
-        return value;
-      });
+  return field_of<Vec2>(LuaFunction(given.L, given.index, given.name()));
 }
 
 std::any read_scalar_field(const GivenValue& given) {
@@ -253,12 +276,7 @@ std::any read_scalar_field(const GivenValue& given) {
     const std::any number = read_number(given);
     return number.has_value() ? std::any(ScalarField(std::any_cast<double>(number))) : number;
   }
-  return ScalarField(
-      [function = LuaFunction(given.L, given.index, given.name())](const Vec2& place) {
-        double value = 0.0;
-        function.call({place.data(), 2}, {&value, 1}, at_place(place));
-        return value;
-      });
+  return field_of<double>(LuaFunction(given.L, given.index, given.name()));
 }
 
 std::any read_function(const GivenValue& given) {

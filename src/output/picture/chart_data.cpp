@@ -23,7 +23,8 @@ std::vector<LoadAmplitude> amplitudes_of(const Loads& loads) {
   for (const Traction& one : loads.tractions) {
     std::optional<double> stress;
     if (one.stress.is_constant()) stress = one.stress.constant().norm();
-    all.push_back({"traction", std::string(name_of(one.edge)), stress, &one.amplitude});
+    all.push_back(
+        {"traction", one.edge ? std::string(name_of(*one.edge)) : one.rim, stress, &one.amplitude});
   }
   for (const Pressure& one : loads.pressures)
     all.push_back({"pressure", one.rim, one.pressure, &one.amplitude});

@@ -19,12 +19,15 @@ Forces::Forces(const std::vector<SpreadForce>& forces, const Grid& grid) {
   const std::vector<std::size_t> all = union_of(forces, grid);
   forces_.resize(all.size());
   for (const SpreadForce& force : forces) {
-    Part part{places_of(force.nodes, grid, all), {}, TabulatedAmplitude(force.amplitude, 0.0)};
+    Part part{places_of(force.nodes, grid, all),
+              {},
+              TabulatedAmplitude(force.amplitude, 0.0),
+              TabulatedCourse<Vec2>(force.course, 0.0)};
     for (std::size_t k = 0; k < force.nodes.size(); ++k) {
       forces_[part.at[k]] = force.nodes[k];
       part.acceleration.push_back(force.nodes[k].acceleration);
     }
-    varies_ = varies_ || !part.amplitude.is_constant();
+    varies_ = varies_ || !part.amplitude.is_constant() || !part.course.empty();
     parts_.push_back(std::move(part));
   }
   find_crowds();
@@ -37,11 +40,17 @@ void Forces::find_crowds() {
 }
 
 void Forces::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt) {
-  for (Part& part : parts_) part.amplitude.tabulate(clock, begin, end, dt);
+  for (Part& part : parts_) {
+    part.amplitude.tabulate(clock, begin, end, dt);
+    part.course.tabulate(clock, begin, end, dt);
+  }
 }
 
 bool Forces::update(const Surroundings& around, State& state) {
   if (!std::exchange(fresh_, false) && !varies_) return false;
+  for (Part& part : parts_)
+    if (!part.course.empty())
+      part.acceleration = part.course.at(state.clock, state.step, around.dt);
   sum([&](const Part& part) { return part.amplitude.at(state.clock, state.step, around.dt); });
   return true;
 }
@@ -49,6 +58,8 @@ bool Forces::update(const Surroundings& around, State& state) {
 void Forces::halt(const Surroundings& around, const State& state, double) {
   const double now = state.clock.time(state.step, 0.0, around.dt);
   fresh_ = true;
+  for (Part& part : parts_)
+    if (!part.course.empty()) part.acceleration = values_at(part.course.course(), now);
   sum([&](const Part& part) { return part.amplitude.amplitude().at(now); });
 }
 
@@ -67,6 +78,12 @@ void Forces::sum(const Factor& factor_of) {
       sum.add(factors[part] * parts_[part].acceleration[entry]);
     forces_[crowd.place].acceleration = sum.value();
   }
+}
+
+std::size_t Forces::bytes() const {
+  std::size_t sum = 0;
+  for (const Part& part : parts_) sum += part.course.bytes();
+  return sum;
 }
 
 void Forces::add_work(const Surroundings& around, const State& state, WorkOf part,

@@ -6,6 +6,7 @@
 
 #include "solver/meetings.hpp"
 #include "solver/tabulated_amplitude.hpp"
+#include "solver/tabulated_course.hpp"
 #include "solver/terms/term.hpp"
 
 namespace hackle {
@@ -25,6 +26,7 @@ class Forces final : public Term {
                 double& work) const override;
   void halt(const Surroundings& around, const State& state, double passed) override;
   bool acts_at_rest() const override { return true; }
+  std::size_t bytes() const override;
 
  private:
   // What one load adds to the entries of forces_.
@@ -32,6 +34,7 @@ class Forces final : public Term {
     std::vector<std::size_t> at;
     std::vector<Vec2> acceleration;  // m/s2
     TabulatedAmplitude amplitude;
+    TabulatedCourse<Vec2> course;  // of the acceleration
   };
 
   void find_crowds();

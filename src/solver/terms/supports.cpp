@@ -36,7 +36,9 @@ void Supports::add(const SpreadSupport& support, const std::vector<std::size_t>&
             false,
             false,
             support.kind,
-            TabulatedAmplitude(support.amplitude, shift_of(support.kind))};
+            TabulatedAmplitude(support.amplitude, shift_of(support.kind)),
+            TabulatedCourse<Vec2>(support.course, shift_of(support.kind)),
+            unit};
   for (std::size_t k = 0; k < support.nodes.size(); ++k) {
     const HeldNode& node = support.nodes[k];
     PrescribedNode& prescribed = prescribed_[part.at[k]];
@@ -53,10 +55,23 @@ void Supports::add(const SpreadSupport& support, const std::vector<std::size_t>&
 }
 
 void Supports::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt) {
-  for (Part& part : parts_) part.amplitude.tabulate(clock, begin, end, dt);
+  for (Part& part : parts_) {
+    part.amplitude.tabulate(clock, begin, end, dt);
+    part.course.tabulate(clock, begin, end, dt);
+  }
+}
+
+template <class Values>
+void Supports::follow_courses(const Values& values_of) {
+  for (Part& part : parts_) {
+    if (part.course.empty()) continue;
+    part.value = values_of(part);
+    for (Vec2& value : part.value) value *= part.unit;
+  }
 }
 
 bool Supports::update(const Surroundings& around, State& state) {
+  follow_courses([&](Part& part) { return part.course.at(state.clock, state.step, around.dt); });
   prescribe(state, [&](const Part& part) {
     return part.amplitude.at(state.clock, state.step, around.dt);
   });
@@ -65,6 +80,10 @@ bool Supports::update(const Surroundings& around, State& state) {
 
 void Supports::halt(const Surroundings& around, const State& state, double passed) {
   const double now = state.clock.time(state.step, 0.0, around.dt);
+  follow_courses([&](const Part& part) {
+    const bool led = part.kind == Support::Kind::velocity;
+    return values_at(part.course.course(), led ? now - 0.5 * passed : now);
+  });
   prescribe(state, [&](const Part& part) {
     const Amplitude& amplitude = part.amplitude.amplitude();
     if (part.kind == Support::Kind::displacement) return amplitude.at(now);
@@ -85,6 +104,12 @@ void Supports::prescribe(const State& state, const Factor& factor_of) {
       if (part.along_y) node.move.y() = move.y();
     }
   }
+}
+
+std::size_t Supports::bytes() const {
+  std::size_t sum = 0;
+  for (const Part& part : parts_) sum += part.course.bytes();
+  return sum;
 }
 
 void Supports::add_work(const Surroundings& around, const State&, WorkOf part, double& work) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/tabulated_amplitude.hpp"
+#include "solver/tabulated_course.hpp"
 #include "solver/terms/term.hpp"
 
 namespace hackle {
@@ -26,6 +27,7 @@ class Supports final : public Term {
   void add_open(const Surroundings& around, const State& state, Ledger& ledger) const override;
   void halt(const Surroundings& around, const State& state, double passed) override;
   bool acts_at_rest() const override { return true; }
+  std::size_t bytes() const override;
 
  private:
   struct Part {
@@ -34,10 +36,14 @@ class Supports final : public Term {
     bool along_x, along_y;
     Support::Kind kind;
     TabulatedAmplitude amplitude;
+    TabulatedCourse<Vec2> course;  // of the value, m or m/s
+    double unit;                   // of the value, per m or m/s
   };
 
   void add(const SpreadSupport& support, const std::vector<std::size_t>& all,
            const Lattice& lattice, double dt);
+  template <class Values>
+  void follow_courses(const Values& values_of);
   template <class Factor>
   void prescribe(const State& state, const Factor& factor_of);
 

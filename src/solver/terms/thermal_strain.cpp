@@ -55,11 +55,16 @@ ThermalStrain::ThermalStrain(const Plate& plate, const Lattice& lattice, double 
   std::vector<SpreadHeat> heat = spread_heat(plate, lattice);
   if (heat.size() > 2) crowds_ = crowds_of(heat, lattice.grid);
   for (SpreadHeat& part : heat)
-    parts_.push_back({part.range, std::move(part.strain), TabulatedAmplitude(part.amplitude, 0.0)});
+    parts_.push_back({part.range, std::move(part.strain), TabulatedAmplitude(part.amplitude, 0.0),
+                      TabulatedCourse<double>(std::move(part.course), 0.0), std::move(part.at)});
+  for (const Part& part : parts_) has_courses_ = has_courses_ || !part.course.empty();
 }
 
 void ThermalStrain::tabulate(const Clock& clock, std::int64_t begin, std::int64_t end) {
-  for (Part& part : parts_) part.amplitude.tabulate(clock, begin, end, dt_);
+  for (Part& part : parts_) {
+    part.amplitude.tabulate(clock, begin, end, dt_);
+    part.course.tabulate(clock, begin, end, dt_);
+  }
 }
 
 ThermalStrain::Factors ThermalStrain::factors_at(const State& state, std::int64_t steps) const {
@@ -85,45 +90,73 @@ ThermalStrain::Factors ThermalStrain::factors_before(const State& state) const {
 bool ThermalStrain::update(const Lattice& lattice, const State& state) {
   if (parts_.empty()) return false;
   Factors factors = factors_at(state, 0);
-  if (factors == factors_) return false;
-  values_ = sum(lattice, factors);
+  if (factors == factors_ && !has_courses_) return false;
+  values_ = sum(lattice, scaled(state, 0));
   factors_ = std::move(factors);
   return true;
 }
 
 std::vector<double> ThermalStrain::before(const Lattice& lattice, const State& state) const {
-  return parts_.empty() ? std::vector<double>() : sum(lattice, factors_before(state));
+  if (parts_.empty()) return {};
+  return sum(lattice, scaled(state, state.is_start() ? 0 : -1));
 }
 
 std::vector<double> ThermalStrain::after(const Lattice& lattice, const State& state) const {
-  return parts_.empty() ? std::vector<double>() : sum(lattice, factors_towards(state, 1));
+  return parts_.empty() ? std::vector<double>() : sum(lattice, scaled(state, 1));
 }
 
 bool ThermalStrain::changes_around(const State& state) const {
-  return factors_before(state) != factors_towards(state, 1);
+  return has_courses_ || factors_before(state) != factors_towards(state, 1);
 }
 
 bool ThermalStrain::changes_until(const State& state) const {
-  return factors_before(state) != factors_at(state, 0);
+  return has_courses_ || factors_before(state) != factors_at(state, 0);
+}
+
+std::vector<ThermalStrain::Scaled> ThermalStrain::scaled(const State& state,
+                                                         std::int64_t steps) const {
+  const Factors factors = steps == 0 ? factors_at(state, 0) : factors_towards(state, steps);
+  std::vector<Scaled> all;
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    if (parts_[k].course.empty())
+      all.push_back({factors[k], {}});
+    else
+      all.push_back({1.0, course_of(parts_[k], state, steps)});
+  return all;
+}
+
+std::vector<double> ThermalStrain::course_of(const Part& part, const State& state,
+                                             std::int64_t steps) const {
+  std::vector<double> strain(part.strain.size());
+  const auto add = [&](std::int64_t step, double share) {
+    const std::vector<double> values = part.course.at(state.clock, step, dt_);
+    const double factor = share * part.amplitude.at(state.clock, step, dt_);
+    for (std::size_t k = 0; k < values.size(); ++k) strain[part.at[k]] += factor * values[k];
+  };
+  add(state.step, steps == 0 ? 1.0 : 0.5);
+  if (steps != 0) add(state.step + steps, 0.5);
+  return strain;
 }
 
 std::size_t ThermalStrain::bytes() const {
   std::size_t sum = values_.size() * sizeof(double);
-  for (const Part& part : parts_) sum += part.strain.size() * sizeof(double);
+  for (const Part& part : parts_) sum += part.strain.size() * sizeof(double) + part.course.bytes();
   return sum;
 }
 
 std::vector<double> ThermalStrain::sum(const Lattice& lattice,
-                                       const std::vector<double>& factors) const {
+                                       const std::vector<Scaled>& scaled) const {
+  const auto value = [&](std::size_t part, std::size_t place) {
+    const std::vector<double>& course = scaled[part].course;
+    return scaled[part].factor * (course.empty() ? parts_[part].strain : course)[place];
+  };
   std::vector<double> strain(lattice.grid.nodes());
   for (std::size_t k = 0; k < parts_.size(); ++k)
-    for_places(parts_[k].range, lattice.grid, [&](std::size_t place, std::size_t node) {
-      strain[node] += factors[k] * parts_[k].strain[place];
-    });
+    for_places(parts_[k].range, lattice.grid,
+               [&](std::size_t place, std::size_t node) { strain[node] += value(k, place); });
   for (const Meeting& crowd : crowds_) {
     ExactSum sum;
-    for (const auto& [part, entry] : crowd.entries)
-      sum.add(factors[part] * parts_[part].strain[entry]);
+    for (const auto& [part, entry] : crowd.entries) sum.add(value(part, entry));
     strain[crowd.place] = sum.value();
   }
   check(strain, lattice.grid);

@@ -10,6 +10,7 @@
 #include "solver/meetings.hpp"
 #include "solver/state.hpp"
 #include "solver/tabulated_amplitude.hpp"
+#include "solver/tabulated_course.hpp"
 
 namespace hackle {
 
@@ -51,15 +52,26 @@ class ThermalStrain {
     NodeRange range;
     std::vector<double> strain;
     TabulatedAmplitude amplitude;
+    mutable TabulatedCourse<double> course;  // keeps what it was asked for
+    std::vector<std::size_t> at;             // of the nodes of the course, in `strain`
+  };
+  // The strain of a part: a factor times its own strain, or times `course` if that is not empty.
+  struct Scaled {
+    double factor;
+    std::vector<double> course;
   };
   using Factors = std::vector<double>;                               // by part
   Factors factors_at(const State& state, std::int64_t steps) const;  // from there
   // Returns the factors half a step from the state, towards a neighbouring step.
   Factors factors_towards(const State& state, std::int64_t steps) const;
   Factors factors_before(const State& state) const;
-  std::vector<double> sum(const Lattice& lattice, const Factors& factors) const;
+  // Returns the strain of every part at the state, or the mean of that and the one `steps` later.
+  std::vector<Scaled> scaled(const State& state, std::int64_t steps) const;
+  std::vector<double> course_of(const Part& part, const State& state, std::int64_t steps) const;
+  std::vector<double> sum(const Lattice& lattice, const std::vector<Scaled>& scaled) const;
 
   double dt_;
+  bool has_courses_ = false;
   std::vector<Part> parts_;
   std::vector<Meeting> crowds_;  // nodes, by Grid::index, with three or more parts
   Factors factors_;              // of values_; empty before the first update

@@ -236,7 +236,8 @@ TEST_F(Members, OfNotches) {
 
 TEST_F(Members, OfCracks) {
   const std::string calls =
-      "p:crack { from = {1*mm, 2*mm}, to = {3*mm, 4*mm}, born = 'absent' }\n"
+      "p:crack { from = {1*mm, 2*mm}, to = {3*mm, 4*mm}, born = 'absent', "
+      "name = 'slit' }\n"
       "p:crack { points = {{5, 6}, {7, 8}, {9, 1}}, unit = mm }\n"
       "p:crack { centre = {40*mm, 20*mm}, radius = 5*mm, angles = {90*deg, 180*deg}, ends = 'cut' "
       "}";
@@ -244,6 +245,7 @@ TEST_F(Members, OfCracks) {
   const Plate& plate = plate_after(calls);
   ASSERT_EQ(plate.cracks.size(), 3U);
   const auto near = [](const Vec2& one, const Vec2& other) { return (one - other).norm() < 1e-12; };
+  EXPECT_EQ(plate.cracks[0].name, "slit");
   EXPECT_EQ(plate.cracks[0].born, Born::absent);
   EXPECT_TRUE(near(plate.cracks[0].points[0], {1e-3, 2e-3}));
   EXPECT_TRUE(near(plate.cracks[0].points[1], {3e-3, 4e-3}));
@@ -295,13 +297,15 @@ TEST_F(Members, OfRegions) {
 TEST_F(Members, OfTractionsAndPressures) {
   const std::string tractions =
       "p:traction { edge = 'right', stress = {1*MPa, 2*MPa}, depth = 3*mm, time = ramp(4*us) }\n"
-      "p:traction { edge = 'left', stress = function(x, y) return 5*x, 6*y end }\n";
+      "p:traction { edge = 'left', stress = function(x, y) return 5*x, 6*y end }\n"
+      "p:traction { rim = 'bore', stress = function(x, y, t) return 5*x, 6*t end, angles = {1, 2} "
+      "}\n";
   const std::string pressures =
-      "p:pressure { rim = 'bore', pressure = 7*MPa, time = pulse(2*us, 3*us) }";
+      "p:pressure { rim = 'bore', pressure = 7*MPa, time = pulse(2*us, 3*us), angles = {3, 4} }";
   expect_all_named(plate_traction_doc, tractions);
   expect_all_named(plate_pressure_doc, pressures);
   const Loads& loads = plate_after(tractions + pressures).loads;
-  ASSERT_EQ(loads.tractions.size(), 2U);
+  ASSERT_EQ(loads.tractions.size(), 3U);
   EXPECT_EQ(loads.tractions[0].edge, Edge::right);
   EXPECT_EQ(loads.tractions[0].stress.constant(), Vec2(1e6, 2e6));
   EXPECT_EQ(loads.tractions[0].depth, 3e-3);
@@ -310,7 +314,14 @@ TEST_F(Members, OfTractionsAndPressures) {
   EXPECT_EQ(loads.tractions[1].stress.at({10.0, 100.0}), Vec2(50.0, 600.0));
   EXPECT_EQ(loads.tractions[1].depth, 0.0);
   EXPECT_TRUE(loads.tractions[1].amplitude.is_constant());
+  EXPECT_FALSE(loads.tractions[0].angles || loads.tractions[1].stress.varies_in_time());
+  EXPECT_FALSE(loads.tractions[2].edge);
+  EXPECT_EQ(loads.tractions[2].rim, "bore");
+  EXPECT_EQ(loads.tractions[2].angles, Vec2(1.0, 2.0));
+  EXPECT_TRUE(loads.tractions[2].stress.varies_in_time());
+  EXPECT_EQ(loads.tractions[2].stress.at({10.0, 100.0}, 3.0), Vec2(50.0, 18.0));
   ASSERT_EQ(loads.pressures.size(), 1U);
+  EXPECT_EQ(loads.pressures[0].angles, Vec2(3.0, 4.0));
   EXPECT_EQ(loads.pressures[0].rim, "bore");
   EXPECT_EQ(loads.pressures[0].pressure, 7e6);
   EXPECT_EQ(loads.pressures[0].amplitude.at(2.9e-6), 0.0);

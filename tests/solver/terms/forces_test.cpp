@@ -5,6 +5,7 @@
 
 #include "measure/energy.hpp"
 #include "solver/simulation.hpp"
+#include "solver/tabulated_course.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
@@ -105,6 +106,84 @@ TEST(Loading, AsksAFunctionBeforeTheRunOnly) {
   Observer* const observers[] = {&watch};
   simulation.run(10 * simulation.dt(), observers);
   EXPECT_GE(calls, 10);
+}
+
+VectorField field_in_time(std::function<Vec2(const Vec2&, double)> function) {
+  return VectorField(std::move(function));
+}
+
+// f(x) g(t) as a function of place and time is f(x) with the amplitude g, to the tolerance of its
+// table: linear response.
+TEST(Loading, AFunctionOfPlaceAndTimeIsOneOfPlaceWithAnAmplitude) {
+  const auto place = [](const Vec2& at) { return Vec2(1e6, 3e8 * at.x()); };
+  const auto time = [](double t) { return std::sin(1.5e6 * t); };
+  Plate apart = test::bare_plate(20, 10), together = apart;
+  apart.loads.tractions.push_back(
+      {Edge::top, VectorField(std::function<Vec2(const Vec2&)>(place)), 0.0, Amplitude(time, "")});
+  together.loads.tractions.push_back(
+      {Edge::top,
+       field_in_time([=](const Vec2& at, double t) { return Vec2(time(t) * place(at)); }),
+       0.0,
+       {}});
+  Simulation one(apart, test::numerics(), threads(1)),
+      other(together, test::numerics(), threads(1));
+  double largest = 0.0, error = 0.0;
+  for (int part = 0; part < 5; ++part) {
+    one.run(2e-6);
+    other.run(2e-6);
+    const Vec2 u = one.displacement(13, 4);
+    largest = std::max(largest, u.norm());
+    error = std::max(error, (other.displacement(13, 4) - u).norm());
+  }
+  EXPECT_GT(error, 0.0);  // it is a table
+  EXPECT_LT(error, TabulatedCourse<Vec2>::max_error * largest);
+  const auto wanted = energy(one), found = energy(other);
+  EXPECT_NEAR(found.external, wanted.external, 1e-3 * (wanted.kinetic + wanted.strain));
+  EXPECT_NEAR(found.residual(), wanted.residual(), 1e-3 * (wanted.kinetic + wanted.strain));
+}
+
+TEST(Loading, AFunctionOfPlaceAndTimeDoesNotNoticeHowARunIsCut) {
+  Plate plate = test::bare_plate(20, 10);
+  const auto travels = [](const Vec2& at, double t) {
+    return Vec2(1e6 * std::exp(-std::pow((at.x() - 3e3 * t) / 1e-3, 2)), 0.0);
+  };
+  plate.loads.body_forces.push_back({{}, field_in_time(travels), ramp(3e-6)});
+  Support pulled = moved(strip(plate, Edge::left, 1e-3), Support::Kind::velocity, {0, 0});
+  pulled.value =
+      field_in_time([](const Vec2& at, double t) { return Vec2(1e5 * t, 50.0 * at.y()); });
+  plate.loads.supports.push_back(pulled);
+  Simulation whole(plate, test::numerics(), threads(1)), cut(plate, test::numerics(), threads(1));
+  const double dt = whole.dt();
+  whole.run(150 * dt);
+  for (const int steps : {1, 30, 40, 79}) cut.run(steps * dt);
+  EXPECT_EQ(cut.state().step, whole.state().step);
+  EXPECT_EQ(cut.state().hash(), whole.state().hash());
+}
+
+TEST(Loading, AFunctionOfPlaceAndTimeThatFailsLeavesTheRunWhereItWas) {
+  Plate plate = test::bare_plate(20, 10);
+  const auto fails = [](const Vec2&, double t) { return Vec2(t < 2e-6 ? 1e6 : std::nan(""), 0.0); };
+  plate.loads.tractions.push_back({Edge::top, field_in_time(fails), 0.0, {}});
+  Simulation simulation(plate, test::numerics(), threads(1));
+  EXPECT_THROW(simulation.run(50e-6), Error);
+  EXPECT_EQ(simulation.state().step, 0);
+}
+
+// A bar that is pulled at rest by a function of time is stretched by its value now.
+TEST(Loading, AFunctionOfPlaceAndTimeActsAtRestAsItIsNow) {
+  const auto middle = [](Plate plate, VectorField stress) {
+    plate.loads.tractions.push_back({Edge::right, std::move(stress), 0.0, {}});
+    plate.loads.supports.push_back(
+        moved(strip(plate, Edge::left, 1e-3), Support::Kind::displacement, {0, 0}));
+    Simulation simulation(plate, test::numerics(), threads(1));
+    simulation.load_slowly({4e-6, 2});
+    return simulation.displacement(15, 5).x();
+  };
+  const Plate plate = test::bare_plate(20, 10);
+  const double wanted = middle(plate, Vec2(4e5, 0.0));
+  EXPECT_NEAR(
+      middle(plate, field_in_time([](const Vec2&, double t) { return Vec2(1e11 * t, 0.0); })),
+      wanted, 1e-6 * wanted);
 }
 
 TEST(Loading, AFunctionThatFailsLeavesTheRunWhereItWas) {

@@ -57,6 +57,23 @@ TEST(Heat, AFreePlateExpandsByAlphaTTimesTheChange) {
   EXPECT_LT(energy(simulation).strain, 1e-6 * simulation.ledger().external);
 }
 
+// x t as a function of place and time is x with a ramp: the table of a straight line is exact.
+TEST(Heat, MayBeAFunctionOfPlaceAndTime) {
+  Plate apart = heated(30, 20, 0.0, Amplitude({{0.0, 0.0}, {1e-3, 1e-3}})), together = apart;
+  apart.loads.thermal_loads[0].change =
+      ScalarField(std::function<double(const Vec2&)>([](const Vec2& at) { return 1e9 * at.x(); }));
+  together.loads.thermal_loads[0].amplitude = {};
+  together.loads.thermal_loads[0].change = ScalarField(std::function<double(const Vec2&, double)>(
+      [](const Vec2& at, double t) { return 1e9 * at.x() * t; }));
+  Simulation one(apart, test::numerics(), {1}), other(together, test::numerics(), {1});
+  one.run(10e-6);
+  other.run(10e-6);
+  const double u = one.displacement(29, 10).x();
+  EXPECT_GT(u, 1e-7);
+  EXPECT_NEAR(other.displacement(29, 10).x(), u, 1e-9 * u);
+  EXPECT_NEAR(energy(other).external, energy(one).external, 1e-9 * energy(one).external);
+}
+
 // The force across the middle of the plate, along x, over its height and Young's modulus.
 double mean_strain_that_pulls(const Simulation& simulation) {
   const Lattice& lattice = simulation.lattice();
