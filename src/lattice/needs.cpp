@@ -75,18 +75,32 @@ double kept(const Plate& plate, const Grid& grid, const Family& family, const Ne
   return bytes;
 }
 
-// A rim has the order of the nodes around the whole lattice.
-double nodes_of_edge(const Traction& traction, const Grid& grid) {
-  if (!traction.edge) return 2.0 * (grid.nx + grid.ny);
-  const bool along_x = traction.edge == Edge::top || traction.edge == Edge::bottom;
-  const double layers = std::max(1.0, std::round(traction.depth / grid.dx));
+// Counts the nodes of `layers` rows along horizontal edges, or columns along vertical ones.
+double nodes_of_edge(bool along_x, double layers, const Grid& grid) {
   return along_x ? grid.nx * std::min<double>(layers, grid.ny)
                  : grid.ny * std::min<double>(layers, grid.nx);
 }
 
+// A rim has the order of the nodes around the whole lattice.
+double nodes_of_edge(const Traction& traction, const Grid& grid) {
+  if (!traction.edge) return 2.0 * (grid.nx + grid.ny);
+  return nodes_of_edge(traction.edge == Edge::top || traction.edge == Edge::bottom,
+                       std::max(1.0, std::round(traction.depth / grid.dx)), grid);
+}
+
+// Counts a layer one horizon deep along every edge.
+double nodes_of_absorber(const Absorber& absorber, const Grid& grid, double m) {
+  using Where = Absorber::Where;
+  const bool all = absorber.edge == Where::all;
+  const bool along_x = absorber.edge == Where::bottom || absorber.edge == Where::top;
+  const double layers = std::ceil(m);
+  return (all || along_x ? nodes_of_edge(true, layers, grid) : 0.0) * (all ? 2.0 : 1.0) +
+         (all || !along_x ? nodes_of_edge(false, layers, grid) : 0.0) * (all ? 2.0 : 1.0);
+}
+
 // Counts, per node in a list of forces: the force of each load and their sum, twice, and the
 // kernel's copy.
-double loads(const Plate& plate, const Grid& grid, double real) {
+double loads(const Plate& plate, const Grid& grid, double m, double real) {
   const double force = 3.0 * sizeof(LoadedNode) + 24.0 + 3.0 * real;
   const double prescribed = sizeof(HeldNode) + 80.0 + 4.0 * real;
   double bytes = 0.0;
@@ -94,6 +108,12 @@ double loads(const Plate& plate, const Grid& grid, double real) {
     bytes += (force + bytes_in_time(load.stress)) * nodes_of_edge(load, grid);
   for (const BodyForce& load : plate.loads.body_forces)
     bytes += (force + bytes_in_time(load.force)) * nodes_around(load.region, grid);
+  for (const Foundation& load : plate.loads.foundations)
+    bytes += force * nodes_around(load.region, grid);
+  for (const Absorber& load : plate.loads.absorbers)
+    bytes += force * nodes_of_absorber(load, grid, m);
+  if (plate.loads.stiffness_damping > 0.0)  // a list per row, and their union
+    bytes += (force + 2.0 * sizeof(LoadedNode)) * static_cast<double>(grid.nodes());
   for (const Support& support : plate.loads.supports)
     bytes += (prescribed + bytes_in_time(support.value)) * nodes_around(support.region, grid);
   return bytes;
@@ -155,7 +175,7 @@ Memory memory_of(const Plate& plate, const Numerics& numerics) {
   const Grid grid = make_grid(plate, numerics.spacing);
   const Family family(numerics.m(), numerics.quadrature, numerics.micromodulus);
   return {.kept = kept(plate, grid, family, needs, real),
-          .loads = loads(plate, grid, real),
+          .loads = loads(plate, grid, numerics.m(), real),
           .passing = passing(plate, grid, needs, real),
           .statics = statics(grid, family, needs, real)};
 }

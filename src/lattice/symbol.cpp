@@ -88,9 +88,12 @@ double largest_frequency(const Family& family, double c, double rho, double dx) 
 }
 
 double step_limit(const Family& family, double c, double rho, double dx, const Touching& touching) {
-  return 2.0 / std::hypot(largest_frequency(family, touching.bonds * c, rho, dx),
-                          std::sqrt(touching.nodes * c * dx / (family.m() * rho) +
-                                    touching.springs / rho));
+  const double bonds = largest_frequency(family, touching.bonds * c, rho, dx);
+  const double others =
+      std::sqrt(touching.nodes * c * dx / (family.m() * rho) + touching.springs / rho);
+  const double omega = std::hypot(bonds, others) / touching.left_by_drag;
+  const double zeta = 0.5 * touching.stiffness_damping * bonds * bonds / omega;
+  return 2.0 / omega * (std::hypot(1.0, zeta) - zeta);
 }
 
 }  // namespace hackle

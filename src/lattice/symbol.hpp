@@ -29,9 +29,15 @@ struct Touching {
   double bonds = 1.0;
   double nodes = 0.0;
   double springs = 0.0;  // N/m4
+  // Of forces that resist velocities, which are those of half a step ago: the share of the limit
+  // that drag leaves, and the beta of stiffness damping, s (src/lattice/README.md 4.7).
+  double left_by_drag = 1.0;
+  double stiffness_damping = 0.0;
+
+  bool operator==(const Touching&) const = default;
 };
 
-// Returns the stability limit of velocity Verlet, 2/omega_max, in s.
+// Returns the stability limit of velocity Verlet, 2/omega_max without drag, in s.
 double step_limit(const Family& family, double c, double rho, double dx,
                   const Touching& touching = {});
 

@@ -39,7 +39,9 @@ Touching touching_of(const Plate& plate, double dx) {
   return {plate.contact ? faces_bear : 1.0,
           4.0 * contact_stiffness(plate) +
               discs * (1.0 + recoil) * plate.contact.value_or(Contact{}).stiffness,
-          spring_stiffness(plate.loads)};
+          spring_stiffness(plate.loads),
+          plate.loads.absorbers.empty() ? 1.0 : left_by_absorber,
+          plate.loads.stiffness_damping};
 }
 
 double longest_step_of_impact(const Plate& plate, double dx) {

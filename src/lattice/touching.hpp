@@ -12,6 +12,10 @@ namespace hackle {
 // (solver/terms/crack_faces.hpp).
 inline constexpr double faces_bear = 1.2;
 
+// What drag leaves of the step limit: that of absorbing edges (solver/terms/absorbing_edges.cpp,
+// src/lattice/README.md 4.7).
+inline constexpr double left_by_absorber = 0.93;
+
 // Computes how much stiffer contacts and impacts make the plate. Bonds: the energy of a face is
 // that of the mean stretch of a node's lost bonds, which is at most the mean of their energies; so
 // the plate with its faces is at most `faces_bear` times as stiff as with every bond intact.

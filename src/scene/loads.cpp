@@ -61,7 +61,7 @@ std::string describe(const Loads& loads) {
     using Load = typename std::remove_cvref_t<decltype(list)>::value_type;
     text += counted(list.size(), std::string(description_of<Load>.counted).c_str());
   });
-  return text + (loads.damping > 0.0 ? ", damping" : "");
+  return text + (loads.damping > 0.0 || loads.stiffness_damping > 0.0 ? ", damping" : "");
 }
 
 }  // namespace hackle

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/loads/absorber.hpp"
 #include "scene/loads/body_force.hpp"
 #include "scene/loads/foundation.hpp"
 #include "scene/loads/impactor.hpp"
@@ -25,7 +26,9 @@ struct Loads {
   std::vector<ThermalLoad> thermal_loads;
   std::vector<Impactor> impactors;
   std::vector<Foundation> foundations;
-  double damping = 0.0;  // 1/s: every velocity decays as exp(-damping t)
+  std::vector<Absorber> absorbers;
+  double damping = 0.0;            // 1/s: every velocity decays as exp(-damping t)
+  double stiffness_damping = 0.0;  // s: a bond pulls by this times its rate of stretch more
 };
 
 template <>
@@ -33,12 +36,18 @@ inline constexpr auto description_of<Loads> = describe_noun(
     "loads", "load", member("tractions", &Loads::tractions), member("pressures", &Loads::pressures),
     member("body_forces", &Loads::body_forces), member("supports", &Loads::supports),
     member("temperatures", &Loads::thermal_loads), member("impactors", &Loads::impactors),
-    member("foundations", &Loads::foundations),
+    member("foundations", &Loads::foundations), member("absorbers", &Loads::absorbers),
     member("damping", &Loads::damping,
            {.unit = "1/s",
             .range = at_least(0.0),
             .fallback = "0",
-            .sentence = "Velocities decay as exp(-rate t); stable for any rate."}));
+            .sentence = "Velocities decay as exp(-rate t); stable for any rate."}),
+    member("stiffness_damping", &Loads::stiffness_damping,
+           {.unit = "s",
+            .range = at_least(0.0),
+            .fallback = "0",
+            .sentence = "Rayleigh's beta: bonds resist the rate of their stretch; waves of angular "
+                        "frequency w decay as exp(-beta w^2 t/2), rigid motion does not."}));
 
 // Returns all loads of one kind.
 template <class Load>

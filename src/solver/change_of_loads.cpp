@@ -2,15 +2,29 @@
 // How a plate takes other loads between two steps (src/solver/README.md 3.4): the half of its work
 // that a load does after a step is not the one that it would have done.
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "lattice/lattice.hpp"
+#include "lattice/touching.hpp"
 #include "solver/default_step.hpp"
 #include "solver/moving_plate.hpp"
 #include "solver/terms/damping.hpp"
 #include "solver/terms/heat.hpp"
 
 namespace hackle {
+namespace {
+
+// The name of what limits the step with the next loads and not, or less, with those of before; ""
+// if there is none.
+std::string_view limits_more(const Loads& next, const Loads& before) {
+  if (next.impactors.size() > before.impactors.size()) return "impactor";
+  if (spring_stiffness(next) > spring_stiffness(before)) return "foundation";
+  if (next.absorbers.size() > before.absorbers.size()) return "absorb";
+  return next.stiffness_damping > before.stiffness_damping ? "damping" : "";
+}
+
+}  // namespace
 
 // The terms of a plate with other loads, ready to act on the state; what it says is checked. Throws
 // with the plate as it was.
@@ -19,10 +33,8 @@ Terms MovingPlate::terms_for(const Plate& plate, std::int64_t last_step) {
   check(plate, problems);
   problems.throw_if_any();
   Terms next(plate, lattice_, dt_);
-  const bool more_discs = plate.loads.impactors.size() > plate_.loads.impactors.size();
-  const bool stiffer = spring_stiffness(plate.loads) > spring_stiffness(plate_.loads);
-  if ((more_discs || stiffer) && !numerics_.force_step)
-    check_step(plate, lattice_, dt_, more_discs);
+  const std::string_view who = limits_more(plate.loads, plate_.loads);
+  if (!who.empty() && !numerics_.force_step) check_step(plate, lattice_, dt_, who);
   next.tabulate(state_.clock, state_.step, std::max(state_.step, last_step) + 1, dt_);
   const std::vector<Disc> discs = state_.discs;
   try {
@@ -41,10 +53,11 @@ void MovingPlate::set_loads(Loads loads, std::int64_t last_step) {
   Terms next = terms_for(plate, last_step);
   state_.external_work += heat_work_of_change(next);
   const double work = work_of_half_step(), loss = lost_in_half_step();
+  const double dragged = terms_.drag_of_half_step(around(), state_);
   const double damping = plate.loads.damping;
   const bool rebuild = next.thermal_strain().empty() != thermal_strain().empty();
-  const bool limits = plate.loads.impactors.size() > plate_.loads.impactors.size() ||
-                      spring_stiffness(plate.loads) != spring_stiffness(plate_.loads);
+  const double dx = lattice_.grid.dx;
+  const bool limits = touching_of(plate, dx) != touching_of(plate_, dx);
   next.set_damping(plate_.loads.damping);
   plate.loads.damping = plate_.loads.damping;
   terms_ = std::move(next);
@@ -54,6 +67,9 @@ void MovingPlate::set_loads(Loads loads, std::int64_t last_step) {
   prepare();
   state_.external_work += work_of_half_step() - work;
   state_.damped += loss - lost_in_half_step();  // other nodes are led
+  const double more_drag = terms_.drag_of_half_step(around(), state_) - dragged;
+  state_.external_work += more_drag;  // which is among all work
+  state_.damped += more_drag;
   if (damping != plate_.loads.damping) change_damping(damping);
 }
 

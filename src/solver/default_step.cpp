@@ -31,27 +31,24 @@ double default_step(const Plate& plate, const Lattice& lattice, double safety) {
   return std::min(default_step(lattice.step_limit, safety), rounded_down(longest));
 }
 
-void check_step(const Plate& plate, const Lattice& lattice, double dt, bool more_discs) {
+void check_step(const Plate& plate, const Lattice& lattice, double dt, std::string_view who) {
   const double limit = step_limit(lattice, plate) / step_fraction;
   const double longest = longest_step_of_impact(plate, lattice.grid.dx);
   const double fit = std::min(limit, longest);
   if (dt <= fit * (1.0 + 1e-9)) return;
   const std::string remedy = fmt::format(
-      "give simulate a step of {} or less; for {} that the plate has before simulate() "
-      "it is found",
-      quantity(rounded_down(fit), "s"), more_discs ? "an impactor" : "a spring");
+      "give simulate a step of {} or less; for what the plate has before simulate() it is found",
+      quantity(rounded_down(fit), "s"));
   if (limit >= longest)
     throw Error(ErrorKind::refused,
                 fmt::format("impactor: in the step of {} it crosses {:.2g} spacings, {:g} are the "
                             "most",
                             quantity(dt, "s"), max_crossed * dt / longest, max_crossed),
                 remedy);
-  throw Error(
-      ErrorKind::refused,
-      fmt::format("{}: the step is {}, above the stability limit of {} {}",
-                  more_discs ? "impactor" : "foundation", quantity(dt, "s"), quantity(limit, "s"),
-                  more_discs ? "while it pushes" : "with their springs"),
-      remedy);
+  throw Error(ErrorKind::refused,
+              fmt::format("{}: the step is {}, above the stability limit of {} while it acts", who,
+                          quantity(dt, "s"), quantity(limit, "s")),
+              remedy);
 }
 
 }  // namespace hackle

@@ -6,6 +6,7 @@
 
 #include "base/stopwatch.hpp"
 #include "solver/terms/damping.hpp"
+#include "solver/terms/forces.hpp"
 #include "solver/terms/makers.hpp"
 
 namespace hackle {
@@ -87,7 +88,19 @@ bool Terms::vary() const {
 }
 
 void Terms::add_work(const Surroundings& around, State& state, WorkOf part) const {
-  for (const Cloned<Term>& term : list_) term->add_work(around, state, part, state.external_work);
+  double dragged = 0.0;
+  for (const Cloned<Term>& term : list_) {
+    term->add_work(around, state, part, state.external_work);
+    add_work_of(term->drag(), around, state, part, dragged);
+  }
+  state.damped -= dragged;
+}
+
+double Terms::drag_of_half_step(const Surroundings& around, const State& state) const {
+  double work = 0.0;
+  for (const Cloned<Term>& term : list_)
+    add_work_of(term->drag(), around, state, WorkOf::second_half, work);
+  return state.is_start() ? 0.0 : -work;
 }
 
 void Terms::check_rest(const std::string& who) const {

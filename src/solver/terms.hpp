@@ -45,6 +45,8 @@ class Terms {
   void follow(const Surroundings& around, State& state);
   bool update(const Surroundings& around, State& state);
   void add_work(const Surroundings& around, State& state, WorkOf part) const;
+  // What drag has taken in the second half of the last step, in units of rho dx^4/dt^2.
+  double drag_of_half_step(const Surroundings& around, const State& state) const;
   // Adds the wall time of terms that these replace to theirs.
   void go_on_from(const Terms& other) { earlier_ = other.seconds(); }
   bool vary() const;  // one of them does: the work of all forces is counted in halves

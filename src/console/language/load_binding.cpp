@@ -98,22 +98,27 @@ int change_in_run(lua_State* L) {
   return return_self(L);
 }
 
-double read_damping(lua_State* L, const FunctionDoc& doc) {
-  const Arguments arguments = Arguments::from_table(L, 2, doc);
+// What is not given is 0 from then on.
+void read_damping(lua_State* L, const FunctionDoc& doc, Loads& loads) {
+  Arguments arguments = Arguments::from_table(L, 2, doc);
+  if (!arguments.has("rate") && !arguments.has("stiffness") &&
+      arguments.good({"rate", "stiffness"}))
+    arguments.problems.add("damping: it is not clear how much", "give rate, stiffness or both");
   arguments.problems.throw_if_any();
-  return arguments.number("rate");
+  loads.damping = arguments.number("rate", 0.0);
+  loads.stiffness_damping = arguments.number("stiffness", 0.0);
 }
 
 int damp_plate(lua_State* L) {
   Plate& plate = self<Plate>(L, plate_damping_doc);
-  plate.loads.damping = read_damping(L, plate_damping_doc);
+  read_damping(L, plate_damping_doc, plate.loads);
   return return_plate(L);
 }
 
 int damp_run(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, run_damping_doc);
   Loads loads = scripted.simulation().plate().loads;
-  loads.damping = read_damping(L, run_damping_doc);
+  read_damping(L, run_damping_doc, loads);
   scripted.run().set_loads(std::move(loads));
   return return_self(L);
 }

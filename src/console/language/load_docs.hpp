@@ -36,13 +36,12 @@ inline constexpr auto impactor_options = joined(
                       .fallback = "7850",
                       .sentence = "Density of the disc, instead of a mass; 7850 is steel."}});
 
-// The only number of Loads that is not a list; p:damping calls it rate.
+// The numbers of Loads, all others of which are lists; p:damping calls them rate and stiffness.
 inline constexpr auto damping_options = [] {
   auto options = options_of<Loads>;
-  static_assert(options.size() == 1);
+  static_assert(options.size() == 2);
   options[0].name = "rate";
-  options[0].required = true;
-  options[0].fallback = {};
+  options[1].name = "stiffness";
   return options;
 }();
 
@@ -101,11 +100,12 @@ inline constexpr FunctionDoc plate_impactor_doc{
     .sentence = "Throws a rigid disc at the plate, in its plane.",
     .options = impactor_options,
     .example = "p:impactor { centre = {-6*mm, 20*mm}, radius = 5*mm, velocity = {50, 0} }"};
-inline constexpr FunctionDoc plate_damping_doc{.name = "damping",
-                                               .owner = "p",
-                                               .sentence = "Damps all motion.",
-                                               .options = damping_options,
-                                               .example = "p:damping { rate = 1e5 }"};
+inline constexpr FunctionDoc plate_damping_doc{
+    .name = "damping",
+    .owner = "p",
+    .sentence = "Damps all motion, or waves the more the shorter they are.",
+    .options = damping_options,
+    .example = "p:damping { rate = 1e5 }"};
 inline constexpr FunctionDoc plate_start_doc{
     .name = "initial",
     .owner = "p",

@@ -72,8 +72,11 @@ class Term {
 
   // Whether its forces differ from step to step, or it leads nodes.
   virtual bool varies() const { return false; }
-  // Adds the work that it does in a step, of which `state` is the end, in units of rho dx^4/dt^2,
-  // here as below.
+  // The part of its forces that resists motion and only takes energy, likewise: Terms books its
+  // work as damped. A term that has one varies().
+  virtual std::span<const LoadedNode> drag() const { return {}; }
+  // Adds the work that its other forces do in a step, of which `state` is the end, in units of rho
+  // dx^4/dt^2, here as below.
   virtual void add_work(const Surroundings&, const State&, WorkOf, double&) const {}
   // Adds what the state's ledger does not know yet: the half step that is open, what is stored now.
   virtual void add_open(const Surroundings&, const State&, Ledger&) const {}
