@@ -28,6 +28,12 @@ double discs_at_a_node(const std::vector<Impactor>& discs, double dx) {
   return static_cast<double>(most);
 }
 
+bool rubs(const Plate& plate) {
+  const auto rough = [](const auto& body) { return body.friction > 0.0; };
+  const Loads& loads = plate.loads;
+  return (plate.contact && rough(*plate.contact)) || std::ranges::any_of(loads.impactors, rough);
+}
+
 }  // namespace
 
 Touching touching_of(const Plate& plate, double dx) {
@@ -40,7 +46,8 @@ Touching touching_of(const Plate& plate, double dx) {
           4.0 * contact_stiffness(plate) +
               discs * (1.0 + recoil) * plate.contact.value_or(Contact{}).stiffness,
           spring_stiffness(plate.loads),
-          plate.loads.absorbers.empty() ? 1.0 : left_by_absorber,
+          (plate.loads.absorbers.empty() ? 1.0 : left_by_absorber) *
+              (rubs(plate) ? left_by_friction : 1.0),
           plate.loads.stiffness_damping};
 }
 

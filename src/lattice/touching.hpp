@@ -12,9 +12,11 @@ namespace hackle {
 // (solver/terms/crack_faces.hpp).
 inline constexpr double faces_bear = 1.2;
 
-// What drag leaves of the step limit: that of absorbing edges (solver/terms/absorbing_edges.cpp,
-// src/lattice/README.md 4.7).
+// What drag leaves of the step limit: that of absorbing edges (solver/terms/absorbing_edges.cpp),
+// and friction, which takes at most half of a node's velocity in a step
+// (src/lattice/README.md 4.7).
 inline constexpr double left_by_absorber = 0.93;
+inline constexpr double left_by_friction = 0.85;
 
 // Computes how much stiffer contacts and impacts make the plate. Bonds: the energy of a face is
 // that of the mean stretch of a node's lost bonds, which is at most the mean of their energies; so

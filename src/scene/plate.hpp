@@ -150,10 +150,13 @@ inline constexpr auto description_of<Scatter> = describe_noun(
 // Repulsion between faces of cracks and fragments. Faces of a closed crack bear pressure like the
 // uncracked plate, and slide freely (see crack_faces.hpp). Nodes that lack bonds and come closer
 // than `reach` times their initial distance repel each other with `stiffness` times the
-// micromodulus (see contact_forces.hpp); the defaults are those of LAMMPS.
+// micromodulus (see contact_forces.hpp); the defaults are those of LAMMPS. What slides is resisted
+// by `friction` times what presses it, and what rebounds keeps `restitution` of its speed.
 struct Contact {
   double stiffness = 15.0;
   double reach = 0.9;
+  double friction = 0.0;
+  double restitution = 1.0;
 };
 
 template <>
@@ -168,7 +171,16 @@ inline constexpr auto description_of<Contact> = describe_noun(
            {.range = above_up_to(0.0, 1.0),
             .fallback = "0.9",
             .sentence = "Nodes are too near below this share of their initial distance, or of 1.5 "
-                        "spacings if that is less."}));
+                        "spacings if that is less."}),
+    member("friction", &Contact::friction,
+           {.range = between(0.0, 10.0),
+            .fallback = "0",
+            .sentence = "Coefficient of friction of faces and fragments that press."}),
+    member("restitution", &Contact::restitution,
+           {.range = between(0.0, 1.0),
+            .fallback = "1",
+            .sentence = "Speed after a rebound over that before it, apart from what waves carry "
+                        "away."}));
 
 // Plane stress: thin, without stress across the thickness. Plane strain: thick, without strain
 // across it. Bond-based theory makes Poisson's ratio 1/3 in plane stress and 1/4 in plane strain

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/described.hpp"
+#include "scene/loads/guided.hpp"
 #include "scene/vec2.hpp"
 
 namespace hackle {
@@ -12,6 +12,8 @@ struct Impactor {
   double radius = 0.0;  // m
   Vec2 velocity{0, 0};  // m/s, at t = 0
   double mass = 0.0;    // kg per m of thickness
+  double friction = 0.0;
+  double restitution = 1.0;
 };
 
 template <>
@@ -34,7 +36,13 @@ inline constexpr auto description_of<Impactor> = describe_noun(
            {.unit = "kg/m",
             .range = above(0.0),
             .alternative = true,
-            .sentence = "Mass per metre of thickness, instead of a density."}));
+            .sentence = "Mass per metre of thickness, instead of a density."}),
+    member("friction", &Impactor::friction, about_friction),
+    member("restitution", &Impactor::restitution,
+           {.range = between(0.0, 1.0),
+            .fallback = "1",
+            .sentence = "Speed after a rebound over that before it, apart from what waves carry "
+                        "away."}));
 
 // Never: a disc moves, so a new one does not replace it.
 inline bool same_place(const Impactor&, const Impactor&) {

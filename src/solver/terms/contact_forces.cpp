@@ -13,6 +13,9 @@ namespace {
 
 constexpr double farthest = 1.5;  // spacings: the initial distance of pairs counts as at most this
 constexpr double slack = 0.35;    // how far nodes may move before pairs are found again
+// The share of its sliding velocity that friction between two nodes may take in a step; a node has
+// up to four contacts, and both ends of each move (src/lattice/README.md 4.7).
+constexpr double hold_of_pair = 1.0 / 16.0;
 constexpr double cell = farthest + 2.0 * slack;
 
 // Nodes of a diverged solution, far beyond any plate, share their cells.
@@ -29,6 +32,7 @@ std::int64_t cell_at(const Vec2& place, int right, int up) {
 
 ContactForces::ContactForces(const Contact& contact, const Lattice& lattice, double dt)
     : faces_(lattice, dt),
+      roughness_{contact.friction, contact.restitution},
       reach_(contact.reach),
       strength_(contact.stiffness * lattice.calibration.c * lattice.grid.dx * dt * dt /
                 (lattice.rho * lattice.family.m())),
@@ -93,7 +97,13 @@ int ContactForces::open(const Lattice& lattice, const State& state, int i, int j
   if (place >= 0) return place;
   place = static_cast<int>(open_.size());
   const Vec2 u = state.u(i, j);
-  open_.push_back({i, j, grid.index(i, j), grid.from_centre(i, j) + u, u, {}});
+  open_.push_back({i,
+                   j,
+                   grid.index(i, j),
+                   grid.from_centre(i, j) + u,
+                   u,
+                   {},
+                   lattice.material_at(i, j).material.rho / lattice.rho});
   find_pairs(place, lattice, state.bonds);
   return place;
 }
@@ -130,6 +140,8 @@ bool ContactForces::move_nodes(const Grid& grid, const State& state) {
   for (OpenNode& node : open_) {
     node.u = state.u(node.i, node.j);
     node.force = {};
+    node.loss = {};
+    if (!roughness_.is_smooth()) node.v = state.v(node.i, node.j);
     near &= (grid.from_centre(node.i, node.j) + node.u - node.home).norm() < slack;
   }
   return near;
@@ -153,7 +165,7 @@ bool ContactForces::update(const Surroundings& around, State& state) {
   if (!move_nodes(lattice.grid, state)) renew(lattice, state);
   OrderFreeSum energy;
   for (const Pair& pair : pairs_) energy.add({push(pair), 0.0});
-  const double stored = faces_.push(open_, around.heat);
+  const double stored = faces_.push(open_, around.heat, roughness_.friction);
   state.contact_lost += stored_before_ ? *stored_before_ - stored : 0.0;
   stored_before_.reset();
   energy_ = energy.value().x() + stored;
@@ -176,18 +188,31 @@ double ContactForces::push(const Pair& pair) {
   const Vec2 force = (pair.strength * overlap / r) * apart;
   q.force.add(force);
   p.force.subtract(force);
+  if (!roughness_.is_smooth()) resist(p, q, force);
   return 0.5 * pair.strength * overlap * overlap;
+}
+
+// `force` is that on the other one.
+void ContactForces::resist(OpenNode& one, OpenNode& other, const Vec2& force) const {
+  const double hold = hold_of_pair * std::min(one.inertia, other.inertia);
+  const Vec2 loss = loss_of(roughness_, force, other.v - one.v, hold);
+  other.loss.add(loss);
+  one.loss.subtract(loss);
 }
 
 void ContactForces::collect(const Lattice& lattice) {
   forces_.clear();
+  drag_.clear();
   for (const OpenNode& node : open_) {
-    if (node.force.is_zero()) continue;
-    const double inertia = lattice.material_at(node.i, node.j).material.rho / lattice.rho;
-    forces_.push_back({node.i, node.j, node.force.value() * (unit_ / inertia), inertia});
+    if (node.force.is_zero() && node.loss.is_zero()) continue;
+    const double unit = unit_ / node.inertia;
+    const Vec2 loss = node.loss.value();
+    forces_.push_back({node.i, node.j, (node.force.value() + loss) * unit, node.inertia});
+    if (!loss.isZero(0.0)) drag_.push_back({node.i, node.j, loss * unit, node.inertia});
   }
-  std::ranges::sort(forces_, {},
-                    [&](const LoadedNode& load) { return lattice.grid.index(load.i, load.j); });
+  const auto index = [&](const LoadedNode& load) { return lattice.grid.index(load.i, load.j); };
+  std::ranges::sort(forces_, {}, index);
+  std::ranges::sort(drag_, {}, index);
 }
 
 }  // namespace hackle

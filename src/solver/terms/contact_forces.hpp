@@ -8,6 +8,9 @@
 // lets bonded nodes repel each other once they are closer than d: a second, stiffer law for bonds
 // shortened by a tenth, which no bond of glass survives. Faces of a closed crack push each other
 // before that (crack_faces.hpp).
+//
+// With friction, nodes and closed faces that press each other resist sliding; with restitution
+// below 1, nodes that part push less (roughness.hpp). What that takes is damped.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +21,7 @@
 
 #include "solver/terms/crack_faces.hpp"
 #include "solver/terms/open_node.hpp"
+#include "solver/terms/roughness.hpp"
 #include "solver/terms/term.hpp"
 
 namespace hackle {
@@ -37,6 +41,8 @@ class ContactForces final : public Term {
   // bonds are lost.
   bool update(const Surroundings& around, State& state) override;
   std::span<const LoadedNode> forces() const override { return forces_; }
+  std::span<const LoadedNode> drag() const override { return drag_; }
+  bool varies() const override { return !roughness_.is_smooth(); }
   double stored() const override { return energy_; }
   double heat_work(const std::vector<double>& before,
                    const std::vector<double>& after) const override;
@@ -63,9 +69,11 @@ class ContactForces final : public Term {
   void renew(const Lattice& lattice, const State& state);
   // Adds its forces and returns its energy.
   double push(const Pair& pair);
+  void resist(OpenNode& one, OpenNode& other, const Vec2& force) const;
   void collect(const Lattice& lattice);
 
   CrackFaces faces_;
+  Roughness roughness_;
   double reach_;
   double strength_;  // for two nodes of the plate's own material
   double unit_;      // lattice unit of acceleration, m/s2
@@ -74,6 +82,7 @@ class ContactForces final : public Term {
   std::unordered_map<std::int64_t, std::vector<int>> cells_;
   std::vector<Pair> pairs_;
   std::vector<LoadedNode> forces_;
+  std::vector<LoadedNode> drag_;         // the part of them that only takes energy
   double energy_ = 0.0;                  // stored, in units of rho dx^4/dt^2
   std::optional<double> stored_before_;  // in faces, if bonds broke since update()
 };

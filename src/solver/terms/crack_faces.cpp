@@ -5,6 +5,7 @@
 
 #include "lattice/touching.hpp"
 #include "solver/bond_visit.hpp"
+#include "solver/terms/roughness.hpp"
 
 namespace hackle {
 namespace {
@@ -122,7 +123,8 @@ Vec2 CrackFaces::force_of(const LostBond& bond, std::span<const OpenNode> nodes,
   return (strength_ * bond.pull * counted_slope(s) * eps / (offset.length * (1.0 + s))) * y;
 }
 
-double CrackFaces::push(std::span<OpenNode> nodes, const std::vector<double>& heat) {
+double CrackFaces::push(std::span<OpenNode> nodes, const std::vector<double>& heat,
+                        double friction) {
   if (!find_closed(nodes, heat)) return 0.0;
   for (std::size_t k = 0; k < near_.size(); ++k) {
     const LostBond& bond = bonds_[static_cast<std::size_t>(near_[k])];
@@ -132,8 +134,27 @@ double CrackFaces::push(std::span<OpenNode> nodes, const std::vector<double>& he
     const Vec2 force = force_of(bond, nodes, s);
     nodes[static_cast<std::size_t>(bond.one)].force.add(force);
     nodes[static_cast<std::size_t>(bond.other)].force.subtract(force);
+    if (friction > 0.0) resist(bond, nodes, force, friction);
   }
   return stored();
+}
+
+// Across every lost bond. Along faces the parts of all bonds add up to the coefficient times the
+// pressure, as those along the bonds do to the pressure; across the faces they cancel. `force` is
+// that on the end that keeps the bond. A bond holds by its share of what the faces of its ends
+// bear.
+void CrackFaces::resist(const LostBond& bond, std::span<OpenNode> nodes, const Vec2& force,
+                        double friction) const {
+  constexpr double hold_of_face = 0.25;
+  OpenNode& one = nodes[static_cast<std::size_t>(bond.one)];
+  OpenNode& other = nodes[static_cast<std::size_t>(bond.other)];
+  const double share =
+      bond.stiffness / std::max(stiffness_[static_cast<std::size_t>(bond.one)].value().x(),
+                                stiffness_[static_cast<std::size_t>(bond.other)].value().x());
+  const double hold = hold_of_face * share * std::min(one.inertia, other.inertia);
+  const Vec2 loss = loss_of({friction, 1.0}, -force, other.v - one.v, hold);
+  other.loss.add(loss);
+  one.loss.subtract(loss);
 }
 
 }  // namespace hackle

@@ -9,10 +9,10 @@
 // 6/5 makes a face bear as much as its bonds, which lie in all directions
 // (src/solver/README.md 7.1).
 //
-// Faces slide freely, because bonds that lean one way are shortened as much as those that lean the
-// other way are lengthened; and they rotate freely, because s does not change. The weight of a lost
-// bond decreases as it is stretched, and is 0 at five times its length: faces that have separated
-// meet again as unrelated ones (contact_forces.hpp).
+// Without friction faces slide freely, because bonds that lean one way are shortened as much as
+// those that lean the other way are lengthened; and they rotate freely, because s does not change.
+// The weight of a lost bond decreases as it is stretched, and is 0 at five times its length: faces
+// that have separated meet again as unrelated ones (contact_forces.hpp).
 #pragma once
 
 #include <span>
@@ -43,9 +43,10 @@ class CrackFaces {
   // when homes have changed; bonds lost later are always considered.
   void find_near(std::span<const OpenNode> nodes, double slack);
 
-  // Adds to the forces on the nodes; `heat` is the thermal strain by Grid::index, empty for 0, here
-  // as below. Returns the stored energy, in units of rho dx^4/dt^2.
-  double push(std::span<OpenNode> nodes, const std::vector<double>& heat);
+  // Adds to the forces on the nodes, and to their losses with a coefficient of friction above 0;
+  // `heat` is the thermal strain by Grid::index, empty for 0, here as below. Returns the stored
+  // energy, in units of rho dx^4/dt^2.
+  double push(std::span<OpenNode> nodes, const std::vector<double>& heat, double friction);
   // Returns only the stored energy.
   double energy(std::span<const OpenNode> nodes, const std::vector<double>& heat) const;
 
@@ -75,6 +76,8 @@ class CrackFaces {
   // Computes eps of every node, or 0 where its faces are open. Returns whether some are closed.
   bool find_closed(std::span<const OpenNode> nodes, const std::vector<double>& heat) const;
   double stored() const;
+  void resist(const LostBond& bond, std::span<OpenNode> nodes, const Vec2& force,
+              double friction) const;
 
   double horizon_;   // dx
   double strength_;  // k c dx dt^2/rho of the plate's own material

@@ -10,28 +10,13 @@
 #include "base/units.hpp"
 #include "lattice/carve.hpp"
 #include "solver/order_free_sum.hpp"
+#include "solver/terms/cell_overlap.hpp"
 #include "solver/terms/forces.hpp"
 #include "solver/terms/makers.hpp"
+#include "solver/terms/roughness.hpp"
 
 namespace hackle {
 namespace {
-
-// Nodes whose cells come within this many spacings of a disc are checked in every step.
-constexpr double margin = 2.0;
-
-// Returns the present position of a node, in dx from the centre of the lattice.
-Vec2 place_of(const Grid& grid, const State& state, int i, int j) {
-  return grid.from_centre(i, j) + state.origin + state.u(i, j);
-}
-
-// Returns the vector from the centre of a disc to the nearest point of the cell of a node, in dx.
-Vec2 way_to_cell(const Vec2& node, const Vec2& centre) {
-  const auto shortened = [](double way) {
-    return std::copysign(std::max(std::abs(way) - 0.5, 0.0), way);
-  };
-  const Vec2 way = node - centre;
-  return {shortened(way.x()), shortened(way.y())};
-}
 
 template <class Visit>
 void for_solid_nodes(const Lattice& lattice, const Visit& visit) {
@@ -56,9 +41,7 @@ void check(const Impactor& impactor, const Lattice& lattice, Problems& problems)
 }  // namespace
 
 Impact::Impact(const Plate& plate, const Lattice& lattice, double dt)
-    : dt_(dt),
-      strength_(plate.contact.value_or(Contact{}).stiffness * lattice.calibration.c *
-                lattice.grid.dx * dt * dt / (lattice.rho * lattice.family.m())) {
+    : dt_(dt), strength_(strength_of_push(plate, lattice, dt)) {
   const double dx = lattice.grid.dx;
   Problems problems;
   for (const Impactor& impactor : plate.loads.impactors) {
@@ -92,7 +75,7 @@ void Impact::check_start(const RigidDisc& disc, const Disc& place, const Lattice
   const Grid& grid = lattice.grid;
   double nearest = std::numeric_limits<double>::max();
   for_solid_nodes(lattice, [&](int i, int j) {
-    nearest = std::min(nearest, way_to_cell(place_of(grid, state, i, j), place.centre).norm());
+    nearest = std::min(nearest, way_to_cell(place_now(grid, state, i, j), place.centre).norm());
   });
   if (nearest > disc.radius - tie) return;
   throw Error(ErrorKind::refused,
@@ -101,8 +84,8 @@ void Impact::check_start(const RigidDisc& disc, const Disc& place, const Lattice
               "let it start beside the plate or in a hole");
 }
 
-// Valid until a node could have crossed the margin, if no speed doubles. If one does, the node is
-// found a little later.
+// Valid until a node could have crossed the watched margin, if no speed doubles. If one does, the
+// node is found a little later.
 void Impact::watch(const Lattice& lattice, const State& state) {
   double fastest = 0.0, fastest_disc = 0.0;
   for (std::size_t k = 0; k < discs_.size(); ++k) {
@@ -110,14 +93,14 @@ void Impact::watch(const Lattice& lattice, const State& state) {
     fastest_disc = std::max(fastest_disc, state.discs[k].velocity.norm());
   }
   for_solid_nodes(lattice, [&](int i, int j) {
-    const Vec2 place = place_of(lattice.grid, state, i, j);
+    const Vec2 place = place_now(lattice.grid, state, i, j);
     fastest = std::max(fastest, state.v(i, j).norm());
     for (std::size_t k = 0; k < discs_.size(); ++k)
-      if (way_to_cell(place, state.discs[k].centre).norm() < discs_[k].radius + margin)
+      if (way_to_cell(place, state.discs[k].centre).norm() < discs_[k].radius + watched)
         discs_[k].near.push_back(lattice.grid.index(i, j));
   });
   const double approach = 2.0 * (fastest + fastest_disc);
-  const double steps = approach > 0.0 ? margin / approach : 1.0;
+  const double steps = approach > 0.0 ? watched / approach : 1.0;
   watch_again_ = state.step + static_cast<std::int64_t>(std::clamp(steps, 1.0, 64.0));
 }
 
@@ -128,25 +111,28 @@ bool Impact::update(const Surroundings& around, State& state) {
   if (state.step >= watch_again_) watch(lattice, state);
   forces_.clear();
   for (std::size_t k = 0; k < discs_.size(); ++k)
-    forces_ = sum_of(forces_, push(discs_[k], state.discs[k].centre, lattice, state), lattice.grid);
+    forces_ = sum_of(forces_, push(discs_[k], state.discs[k], lattice, state), lattice.grid);
   return touched || !forces_.empty();
 }
 
-std::vector<LoadedNode> Impact::push(RigidDisc& disc, const Vec2& centre, const Lattice& lattice,
+std::vector<LoadedNode> Impact::push(RigidDisc& disc, const Disc& place, const Lattice& lattice,
                                      const State& state) const {
   const Grid& grid = lattice.grid;
+  const Roughness roughness{disc.impactor.friction, disc.impactor.restitution};
   const double unit = grid.dx / (dt_ * dt_);
   std::vector<LoadedNode> pushed;
   OrderFreeSum back;
   for (const std::size_t node : disc.near) {
     const auto columns = static_cast<std::size_t>(grid.nx);
     const int i = static_cast<int>(node % columns), j = static_cast<int>(node / columns);
-    const Vec2 way = way_to_cell(place_of(grid, state, i, j), centre);
+    const Vec2 way = way_to_cell(place_now(grid, state, i, j), place.centre);
     const double r = way.norm();
     if (!(r < disc.radius && r > 0.0)) continue;
     const double strength = strength_ * lattice.micromodulus_at(i, j) / lattice.calibration.c;
-    const Vec2 force = (strength * (disc.radius - r) / r) * way;
     const double inertia = lattice.material_at(i, j).material.rho / lattice.rho;
+    Vec2 force = (strength * (disc.radius - r) / r) * way;
+    if (!roughness.is_smooth())
+      force += loss_of(roughness, force, state.v(i, j) - place.velocity, hold_of_body * inertia);
     pushed.push_back({i, j, force * (unit / inertia), inertia});
     back.subtract(force);
   }

@@ -46,7 +46,7 @@ class Impact final : public Term {
   void check_start(const RigidDisc& disc, const Disc& place, const Lattice& lattice,
                    const State& state) const;
   void watch(const Lattice& lattice, const State& state);
-  std::vector<LoadedNode> push(RigidDisc& disc, const Vec2& centre, const Lattice& lattice,
+  std::vector<LoadedNode> push(RigidDisc& disc, const Disc& place, const Lattice& lattice,
                                const State& state) const;
 
   std::vector<RigidDisc> discs_;
