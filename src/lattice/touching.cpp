@@ -28,10 +28,16 @@ double discs_at_a_node(const std::vector<Impactor>& discs, double dx) {
   return static_cast<double>(most);
 }
 
+// Returns how many rollers and platens may push one node at a time: any two.
+double led_at_a_node(const Loads& loads) {
+  return static_cast<double>(std::min<std::size_t>(2, loads.rollers.size() + loads.platens.size()));
+}
+
 bool rubs(const Plate& plate) {
   const auto rough = [](const auto& body) { return body.friction > 0.0; };
   const Loads& loads = plate.loads;
-  return (plate.contact && rough(*plate.contact)) || std::ranges::any_of(loads.impactors, rough);
+  return (plate.contact && rough(*plate.contact)) || std::ranges::any_of(loads.impactors, rough) ||
+         std::ranges::any_of(loads.rollers, rough) || std::ranges::any_of(loads.platens, rough);
 }
 
 }  // namespace
@@ -43,8 +49,8 @@ Touching touching_of(const Plate& plate, double dx) {
         std::max(recoil, std::min(1.0, 2.0 * disc.radius * dx * plate.material.rho / disc.mass));
   const double discs = discs_at_a_node(plate.loads.impactors, dx);
   return {plate.contact ? faces_bear : 1.0,
-          4.0 * contact_stiffness(plate) +
-              discs * (1.0 + recoil) * plate.contact.value_or(Contact{}).stiffness,
+          4.0 * contact_stiffness(plate) + (discs * (1.0 + recoil) + led_at_a_node(plate.loads)) *
+                                               plate.contact.value_or(Contact{}).stiffness,
           spring_stiffness(plate.loads),
           (plate.loads.absorbers.empty() ? 1.0 : left_by_absorber) *
               (rubs(plate) ? left_by_friction : 1.0),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "measure/field.hpp"
 
+#include <optional>
+
 namespace hackle {
 namespace {
 
@@ -73,12 +75,29 @@ Field velocity(const View& view) {
                       [&](int i, int j) { return velocities[grid.index(i, j)]; });
 }
 
+namespace {
+
+// Returns where a roller is; where its amplitude is a function, which a recording does not know,
+// nothing.
+std::optional<Vec2> place_of(const Roller& roller, double time) {
+  if (roller.amplitude.is_function()) return std::nullopt;
+  const double factor = roller.guide == Guide::displacement
+                            ? roller.amplitude.at(time)
+                            : time * roller.amplitude.mean(0.0, time);
+  return roller.centre + factor * roller.value;
+}
+
+}  // namespace
+
 std::vector<Circle> impactors(const View& view) {
   const Grid& grid = view.lattice().grid;
   std::vector<Circle> circles;
   for (std::size_t k = 0; k < view.state().discs.size(); ++k)
     circles.push_back({grid.centre + grid.dx * view.state().discs[k].centre,
                        view.plate().loads.impactors[k].radius});
+  for (const Roller& roller : view.plate().loads.rollers)
+    if (const std::optional<Vec2> centre = place_of(roller, view.time()))
+      circles.push_back({*centre, roller.radius});
   return circles;
 }
 

@@ -27,11 +27,12 @@ double damage_of(const View& view, int i, int j);
 Field displacement(const View& view);  // m, components x and y; 0 where void
 Field velocity(const View& view);      // m/s, components x and y
 
-// A rigid disc in flight, m.
+// A rigid disc, m.
 struct Circle {
   Vec2 centre{0, 0};
   double radius = 0.0;
 };
+// Returns the impactors in flight, and the rollers that are not led by a function of time.
 std::vector<Circle> impactors(const View& view);
 
 }  // namespace hackle

@@ -76,12 +76,24 @@ struct Stiffness {
 
 // A prescribed velocity sends out waves where it acts; if slow, without waves, it only strains the
 // plate.
-double stress_of(const Support& support, const Episode& episode, Sampler& sampler) {
+double stress_of_motion(double value, bool is_displacement, const Episode& episode,
+                        Sampler& sampler) {
   const Stiffness stiffness(sampler.plate);
-  const double value = sampler.largest(support.value) * sampler.largest(support.amplitude);
-  if (support.kind == Support::Kind::displacement) return stiffness.of_displacement(value);
+  if (is_displacement) return stiffness.of_displacement(value);
   const double led = stiffness.of_displacement(value * (episode.end - episode.since));
   return episode.slow ? led : std::max(stiffness.of_velocity(value), led);
+}
+
+double stress_of(const Support& support, const Episode& episode, Sampler& sampler) {
+  const double value = sampler.largest(support.value) * sampler.largest(support.amplitude);
+  return stress_of_motion(value, support.kind == Support::Kind::displacement, episode, sampler);
+}
+
+// Of a roller or platen that strikes at its speed, or presses as far as it goes.
+template <class Guided>
+double stress_of_guided(const Guided& guided, const Episode& episode, Sampler& sampler) {
+  const double value = guided.value.norm() * sampler.largest(guided.amplitude);
+  return stress_of_motion(value, guided.guide == Guide::displacement, episode, sampler);
 }
 
 // Returns the stress of the material that would expand most, if it were held.
@@ -107,6 +119,8 @@ double stress_of(const Loads& loads, const Episode& episode, Sampler& sampler) {
     sum += stress_of_heat(plate, sampler.largest(load.change) * sampler.largest(load.amplitude));
   for (const Impactor& impactor : loads.impactors)
     sum += Stiffness(plate).of_velocity(impactor.velocity.norm());
+  for (const Roller& roller : loads.rollers) sum += stress_of_guided(roller, episode, sampler);
+  for (const Platen& platen : loads.platens) sum += stress_of_guided(platen, episode, sampler);
   return sum;
 }
 

@@ -11,7 +11,9 @@
 #include "scene/loads/body_force.hpp"
 #include "scene/loads/foundation.hpp"
 #include "scene/loads/impactor.hpp"
+#include "scene/loads/platen.hpp"
 #include "scene/loads/pressure.hpp"
+#include "scene/loads/roller.hpp"
 #include "scene/loads/support.hpp"
 #include "scene/loads/thermal_load.hpp"
 #include "scene/loads/traction.hpp"
@@ -27,6 +29,8 @@ struct Loads {
   std::vector<Impactor> impactors;
   std::vector<Foundation> foundations;
   std::vector<Absorber> absorbers;
+  std::vector<Roller> rollers;
+  std::vector<Platen> platens;
   double damping = 0.0;            // 1/s: every velocity decays as exp(-damping t)
   double stiffness_damping = 0.0;  // s: a bond pulls by this times its rate of stretch more
 };
@@ -37,6 +41,7 @@ inline constexpr auto description_of<Loads> = describe_noun(
     member("body_forces", &Loads::body_forces), member("supports", &Loads::supports),
     member("temperatures", &Loads::thermal_loads), member("impactors", &Loads::impactors),
     member("foundations", &Loads::foundations), member("absorbers", &Loads::absorbers),
+    member("rollers", &Loads::rollers), member("platens", &Loads::platens),
     member("damping", &Loads::damping,
            {.unit = "1/s",
             .range = at_least(0.0),

@@ -19,6 +19,8 @@ namespace {
 // if there is none.
 std::string_view limits_more(const Loads& next, const Loads& before) {
   if (next.impactors.size() > before.impactors.size()) return "impactor";
+  if (next.rollers.size() > before.rollers.size()) return "roller";
+  if (next.platens.size() > before.platens.size()) return "platen";
   if (spring_stiffness(next) > spring_stiffness(before)) return "foundation";
   if (next.absorbers.size() > before.absorbers.size()) return "absorb";
   return next.stiffness_damping > before.stiffness_damping ? "damping" : "";

@@ -115,10 +115,15 @@ Loads every_load() {
                     {std::nullopt, Support::Kind::displacement, {1e-6, 2e-6}, false, true, {}}};
   loads.thermal_loads = {{Capsule{{{0.01, 0.011}, {0.012, 0.013}}, 1e-3}, 40.0, table},
                          {some_bitmap(), -50.0, {}}};
-  loads.impactors = {{{0.02, 0.06}, 2e-3, {3.0, -80.0}, 0.7}};
+  loads.impactors = {{{0.02, 0.06}, 2e-3, {3.0, -80.0}, 0.7, 0.2, 0.6}};
   loads.foundations = {{rectangle({0.01, 0.02}, {0.03, 0.04}), 3e13, Foundation::Along::y},
                        {std::nullopt, 4e12, Foundation::Along::both}};
+  loads.absorbers = {{Absorber::Where::top}, {Absorber::Where::all}};
+  loads.rollers = {{{0.02, 0.06}, 2e-3, Guide::velocity, {0.1, -0.2}, table, 0.3},
+                   {{0.03, -0.01}, 3e-3, Guide::displacement, {0.0, 0.0}, {}, 0.0}};
+  loads.platens = {{{0.02, 0.06}, {0.04, 0.07}, Guide::displacement, {0.1, -0.2}, table, 0.4}};
   loads.damping = 1234.5;
+  loads.stiffness_damping = 6.7e-9;
   return loads;
 }
 
@@ -140,7 +145,7 @@ Plate every_member() {
   plate.initial_conditions = {{Ellipse{{0.01, 0.01}, {1e-3, 1e-3}, 0.0}, {1e-6, 2e-6}, {3.0, 4.0}},
                               {std::nullopt, {5e-6, 6e-6}, {7.0, 8.0}}};
   plate.scatter = Scatter{Scatter::Kind::normal, 0.11, 1.3e-3, 99};
-  plate.contact = Contact{40.0, 0.8};
+  plate.contact = Contact{40.0, 0.8, 0.3, 0.5};
   plate.loads = every_load();
   return plate;
 }

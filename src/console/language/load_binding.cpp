@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "console/language/load_docs.hpp"
 #include "console/language/scripted_plate.hpp"
 #include "console/language/scripted_run.hpp"
@@ -36,6 +38,11 @@ void set_axes(const Arguments& arguments, Support& support) {
 template <class Load>
 void complete(Load& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
   if constexpr (requires { load.region; }) load.region = region_of(arguments, plate, doc.name);
+  if constexpr (requires { load.guide; })
+    if (arguments.has("displacement") && arguments.has("velocity"))
+      arguments.problems.add(
+          fmt::format("{}: both a displacement and a velocity are given", doc.name),
+          "give one of them");
 }
 
 // A clamp prescribes velocity 0: the nodes stay where they are, even in the middle of a run.

@@ -25,7 +25,7 @@ namespace {
 // With an outline, sizes follow from it. Its loads have functions of their own.
 constexpr auto plate_options = [] {
   auto options = joined(
-      without("damping", options_of<Plate>),
+      without("damping", without("stiffness_damping", options_of<Plate>)),
       std::array{Option{.name = "outline",
                         .type = OptionType::areas,
                         .read = read_areas,

@@ -126,7 +126,7 @@ class Sweep {
 };
 
 std::vector<double> half_micromoduli(const Lattice& lattice) {
-  if (lattice.material.empty()) return {};
+  if (lattice.material.empty() && lattice.surface.empty()) return {};
   const NodeLayout layout = lattice.grid.layout();
   std::vector<double> half(layout.size());
   for_nodes(lattice.grid, [&](int i, int j) {

@@ -375,6 +375,50 @@ TEST_F(Members, OfFoundations) {
   EXPECT_FALSE(found[3].region);
 }
 
+TEST_F(Members, OfAbsorbingEdges) {
+  const std::string edges = "p:absorb { edge = 'left' } p:absorb { edge = 'top' } p:absorb {}";
+  expect_all_named(plate_load_doc<Absorber>, edges);
+  const std::vector<Absorber>& found = plate_after(edges).loads.absorbers;
+  using Where = Absorber::Where;
+  const Where wanted[] = {Where::left, Where::top, Where::all};
+  ASSERT_EQ(found.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(found[k].edge, wanted[k]) << k;
+}
+
+TEST_F(Members, OfRollersAndPlatens) {
+  const std::string rollers =
+      "p:roller { centre = {50*mm, 46*mm}, radius = 5*mm, velocity = {1, -2}, friction = 0.3, time "
+      "= ramp(4*us) } p:roller { centre = {5*mm, -3*mm}, radius = 3*mm }\n";
+  const std::string platens =
+      "p:platen { from = {0, 41*mm}, to = {100*mm, 50*mm}, displacement = {0, -1e-5}, friction = "
+      "0.2, time = ramp(4*us) } p:platen { from = {0, -9*mm}, to = {100*mm, 0}, velocity = {0, 1} "
+      "}\n";
+  expect_all_named(plate_load_doc<Roller>, rollers +
+                                               "p:roller { centre = {5*mm, -3*mm}, radius = "
+                                               "3*mm, displacement = {0, 1e-5} }");
+  expect_all_named(plate_load_doc<Platen>, platens);
+  const Loads& loads = plate_after(rollers + platens).loads;
+  ASSERT_EQ(loads.rollers.size(), 2U);
+  ASSERT_EQ(loads.platens.size(), 2U);
+  const Roller& roller = loads.rollers[0];
+  EXPECT_NEAR((roller.centre - Vec2(50e-3, 46e-3)).norm(), 0.0, 1e-15);
+  EXPECT_EQ(roller.radius, 5e-3);
+  EXPECT_EQ(roller.guide, Guide::velocity);
+  EXPECT_EQ(roller.value, Vec2(1, -2));
+  EXPECT_EQ(roller.friction, 0.3);
+  EXPECT_EQ(roller.amplitude.at(1e-6), 0.25);
+  EXPECT_EQ(loads.rollers[1].guide, Guide::displacement);
+  EXPECT_EQ(loads.rollers[1].value, Vec2(0, 0));
+  const Platen& platen = loads.platens[0];
+  EXPECT_NEAR((platen.from - Vec2(0, 41e-3)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((platen.to - Vec2(100e-3, 50e-3)).norm(), 0.0, 1e-15);
+  EXPECT_EQ(platen.guide, Guide::displacement);
+  EXPECT_EQ(platen.value, Vec2(0, -1e-5));
+  EXPECT_EQ(platen.friction, 0.2);
+  EXPECT_EQ(platen.amplitude.at(1e-6), 0.25);
+  EXPECT_EQ(loads.platens[1].guide, Guide::velocity);
+}
+
 TEST_F(Members, OfSupports) {
   const std::string moves =
       "p:move { velocity = {1, 2}, edge = 'left', depth = 1*mm, axis = 'x', time = ramp(4*us) }\n"
@@ -407,13 +451,14 @@ TEST_F(Members, OfSupports) {
 
 TEST_F(Members, OfImpactorsDampingAndStarts) {
   const std::string impactors =
-      "p:impactor { centre = {-6*mm, 20*mm}, radius = 5*mm, velocity = {50, -3}, mass = 9 }\n"
+      "p:impactor { centre = {-6*mm, 20*mm}, radius = 5*mm, velocity = {50, -3}, mass = 9, "
+      "friction = 0.2, restitution = 0.7 }\n"
       "p:impactor { centre = {120*mm, 21*mm}, radius = 4*mm, velocity = {-7, 1}, density = 1000 }\n"
       "p:impactor { centre = {50*mm, 60*mm}, radius = 2*mm, velocity = {0, -1} }\n";
   expect_all_named(plate_impactor_doc, impactors);
   const Plate& plate = plate_after(
       impactors +
-      "p:damping { rate = 12345 }\n"
+      "p:damping { rate = 12345, stiffness = 2e-9 }\n"
       "p:initial { velocity = {1, 2}, displacement = {3e-6, 4e-6}, from = {1*mm, 1*mm}, to = "
       "{2*mm, 3*mm} }\n"
       "p:initial { velocity = function(x, y) return 10*x, 20*y end }");
@@ -423,9 +468,12 @@ TEST_F(Members, OfImpactorsDampingAndStarts) {
   EXPECT_EQ(one.radius, 5e-3);
   EXPECT_EQ(one.velocity, Vec2(50, -3));
   EXPECT_EQ(one.mass, 9.0);
+  EXPECT_EQ(one.friction, 0.2);
+  EXPECT_EQ(one.restitution, 0.7);
   EXPECT_NEAR(plate.loads.impactors[1].mass, pi * 16e-6 * 1000.0, 1e-12);
   EXPECT_NEAR(plate.loads.impactors[2].mass, pi * 4e-6 * 7850.0, 1e-12);
   EXPECT_EQ(plate.loads.damping, 12345.0);
+  EXPECT_EQ(plate.loads.stiffness_damping, 2e-9);
   ASSERT_EQ(plate.initial_conditions.size(), 2U);
   EXPECT_EQ(plate.initial_conditions[0].velocity.constant(), Vec2(1, 2));
   EXPECT_EQ(plate.initial_conditions[0].displacement.constant(), Vec2(3e-6, 4e-6));
@@ -438,7 +486,7 @@ TEST_F(Members, OfImpactorsDampingAndStarts) {
 TEST_F(Members, OfStrengthAndContact) {
   const Plate& plate = plate_after(
       "p:strength { modulus = 11, correlation = 2*mm, seed = 7 } p:contact { stiffness = 12, reach "
-      "= 0.8 }");
+      "= 0.8, friction = 0.3, restitution = 0.6 }");
   ASSERT_TRUE(plate.scatter && plate.contact);
   EXPECT_EQ(plate.scatter->kind, Scatter::Kind::weibull);
   EXPECT_EQ(plate.scatter->spread, 11.0);
@@ -446,6 +494,8 @@ TEST_F(Members, OfStrengthAndContact) {
   EXPECT_EQ(plate.scatter->seed, 7);
   EXPECT_EQ(plate.contact->stiffness, 12.0);
   EXPECT_EQ(plate.contact->reach, 0.8);
+  EXPECT_EQ(plate.contact->friction, 0.3);
+  EXPECT_EQ(plate.contact->restitution, 0.6);
   const Plate& other =
       plate_after("p:strength { distribution = 'normal', deviation = 0.1 } p:contact {}");
   EXPECT_EQ(other.scatter->kind, Scatter::Kind::normal);
@@ -453,6 +503,8 @@ TEST_F(Members, OfStrengthAndContact) {
   EXPECT_EQ(other.scatter->seed, 1);
   EXPECT_EQ(other.contact->stiffness, 15.0);
   EXPECT_EQ(other.contact->reach, 0.9);
+  EXPECT_EQ(other.contact->friction, 0.0);
+  EXPECT_EQ(other.contact->restitution, 1.0);
 }
 
 TEST_F(Members, OfNumerics) {

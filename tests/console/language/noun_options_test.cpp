@@ -167,6 +167,7 @@ constexpr Trip trip(const char* name) {
 }
 
 const Trip trips[] = {
+    trip<Absorber>("Absorber"),
     trip<BodyForce>("BodyForce"),
     trip<Bitmap>("Bitmap"),
     trip<Capsule>("Capsule"),
@@ -189,10 +190,12 @@ const Trip trips[] = {
     trip<OverlayOptions>("OverlayOptions"),
     trip<PictureOptions>("PictureOptions"),
     trip<Plate>("Plate"),
+    trip<Platen>("Platen"),
     trip<Polygon>("Polygon"),
     trip<Pressure>("Pressure"),
     trip<RecordOptions>("RecordOptions"),
     trip<Ring>("Ring"),
+    trip<Roller>("Roller"),
     trip<Scatter>("Scatter"),
     trip<Segment>("Segment"),
     trip<SheetOptions>("SheetOptions"),

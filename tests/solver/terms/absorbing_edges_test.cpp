@@ -24,8 +24,8 @@ Plate absorbing(Plate plate, Where edge = Where::all) {
 
 // A plane Gaussian pulse in displacement, `sigma` long, which travels along `way` with speed c and
 // moves along `motion`.
-InitialCondition pulse(const Vec2& from, const Vec2& way, const Vec2& motion, double c,
-                       double sigma) {
+InitialCondition plane_pulse(const Vec2& from, const Vec2& way, const Vec2& motion, double c,
+                             double sigma) {
   constexpr double size = 1e-7;
   const auto phase = [=](const Vec2& at) { return (at - from).dot(way) / sigma; };
   return {{},
@@ -51,7 +51,7 @@ double echo(bool shear, double sigma, double time) {
   const Moduli& moduli = lattice.calibration.moduli;
   const double c = std::sqrt((shear ? moduli.C12 : moduli.C11) / lattice.rho);
   plate.initial_conditions.push_back(
-      pulse({0.05, 0.0}, {1, 0}, shear ? Vec2(0, 1) : Vec2(1, 0), c, sigma));
+      plane_pulse({0.05, 0.0}, {1, 0}, shear ? Vec2(0, 1) : Vec2(1, 0), c, sigma));
   Simulation simulation(plate, test::numerics());
   const double before = energy_left(simulation);
   simulation.run(time);
