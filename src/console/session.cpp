@@ -95,19 +95,19 @@ std::shared_ptr<Run> Session::adopt(std::shared_ptr<Run> run) {
 std::shared_ptr<Recording> Session::open_recording(const fs::path& path) {
   std::erase_if(recordings_, [](const auto& recording) { return recording.expired(); });
   check_memory("recording", 0);
-  auto recording = std::make_shared<Recording>(path, settings.execution);
+  auto recording = std::make_shared<Recording>(path);
   recordings_.push_back(recording);
   return recording;
 }
 
 std::uint64_t Session::memory_left() const {
   std::uint64_t held = 0;
-  const auto add = [&held](const Simulation& simulation) {
-    held += simulation.bytes() + PlateMemory().grown(simulation.plate());
+  const auto add = [&held](const auto& solved_or_recorded) {
+    held += solved_or_recorded.bytes() + PlateMemory().grown(solved_or_recorded.plate());
   };
   for (const auto& run : open_runs()) add(run->simulation());
   for (const auto& recording : recordings_)
-    if (const auto open = recording.lock()) add(open->simulation());
+    if (const auto open = recording.lock()) add(*open);
   return std::min(memory_at_start_ - std::min(held, memory_at_start_), available_memory());
 }
 

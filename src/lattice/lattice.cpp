@@ -110,6 +110,12 @@ double Lattice::min_stretch() const {
   return least;
 }
 
+std::size_t Lattice::bytes() const {
+  const auto bytes_of = [](const auto& values) { return values.size() * sizeof(values.front()); };
+  return bytes_of(bonds.words()) + bytes_of(unbreakable.words()) + bytes_of(initial_neighbours) +
+         bytes_of(strength) + bytes_of(surface) + bytes_of(material);
+}
+
 std::int64_t Lattice::initial_bonds() const {
   return std::accumulate(initial_neighbours.begin(), initial_neighbours.end(), std::int64_t{0}) / 2;
 }

@@ -74,6 +74,7 @@ struct Lattice {
   bool has_history() const { return have_history(materials); }
   double min_stretch() const;  // smallest critical stretch of all materials
   std::int64_t initial_bonds() const;
+  std::size_t bytes() const;  // that grow with the plate
 };
 
 // Calls visit(const KeptBond&) for every bond that is in `all` but not in `left`.

@@ -73,7 +73,7 @@ MovingPlate::MovingPlate(Plate plate, const Numerics& numerics, const Execution&
       dt_(numerics_.step.value_or(default_step(plate_, lattice_, numerics_.safety))),
       terms_(plate_, lattice_, dt_),
       instruction_set_(execution.instruction_set),
-      threads_(execution.threads > 0 ? execution.threads : available_cores()),
+      threads_(execution.thread_count()),
       stepper_(make_stepper(numerics_.precision)) {
   set_in_motion(plate_.initial_conditions, lattice_, dt_, state_);
   throw_if_interrupted();
@@ -134,12 +134,6 @@ void MovingPlate::restore(State state) {
   prepare();
 }
 
-void MovingPlate::show(Snapshot snapshot) {
-  plate_.loads.impactors = std::move(snapshot.impactors);
-  shown_strain_ = std::move(snapshot.thermal_strain);
-  state_ = std::move(snapshot.state);
-}
-
 void MovingPlate::close_ledger() {
   const Ledger open = ledger();
   state_.external_work = open.external / energy_unit();
@@ -185,10 +179,7 @@ std::vector<Vec2> MovingPlate::velocities() const {
 }
 
 std::size_t MovingPlate::bytes() const {
-  return state_.bytes() + stepper_->bytes() + bytes_of(lattice_.bonds.words()) +
-         bytes_of(lattice_.unbreakable.words()) + bytes_of(lattice_.initial_neighbours) +
-         bytes_of(lattice_.strength) + bytes_of(lattice_.surface) + bytes_of(lattice_.material) +
-         terms_.bytes();
+  return state_.bytes() + stepper_->bytes() + lattice_.bytes() + terms_.bytes();
 }
 
 }  // namespace hackle

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/machine.hpp"
 #include "solver/cpu/instruction_set.hpp"
 #include "solver/terms.hpp"
 
@@ -15,14 +16,8 @@ namespace hackle {
 // The execution of a run; it changes no bit of the result.
 struct Execution {
   int threads = 0;  // 0: one per available core
+  int thread_count() const { return threads > 0 ? threads : available_cores(); }
   InstructionSet instruction_set = best_instruction_set();
-};
-
-// A former state with the data that a picture needs.
-struct Snapshot {
-  State state;                         // step == start: u and v belong to the same time
-  std::vector<double> thermal_strain;  // by Grid::index; empty if nothing was heated
-  std::vector<Impactor> impactors;     // one per disc of the state
 };
 
 class MovingPlate {
@@ -38,7 +33,6 @@ class MovingPlate {
   // Replaces all loads from now on, in a run that is to go on to `last_step`. See Simulation.
   void set_loads(Loads loads, std::int64_t last_step);
   void restore(State state);
-  void show(Snapshot snapshot);
 
   // Finds what acts at the time of the state; to be called when it is not the one that step() left.
   void prepare();
@@ -62,9 +56,7 @@ class MovingPlate {
   const Stepper& stepper() const { return *stepper_; }
   const Threads& threads() const { return threads_; }
   InstructionSet instruction_set() const { return instruction_set_; }
-  const std::vector<double>& thermal_strain() const {
-    return shown_strain_.empty() ? terms_.thermal_strain() : shown_strain_;
-  }
+  const std::vector<double>& thermal_strain() const { return terms_.thermal_strain(); }
   double dt() const { return dt_; }                                         // s
   double time() const { return state_.clock.time(state_.step, 0.0, dt_); }  // s
   std::optional<double> widened_at() const { return widened_at_; }          // s
@@ -96,7 +88,6 @@ class MovingPlate {
   double dt_;
   Terms terms_;
   std::vector<LoadedNode> borne_;
-  std::vector<double> shown_strain_;  // of show()
   std::optional<double> widened_at_;
 
   InstructionSet instruction_set_;

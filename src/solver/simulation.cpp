@@ -89,11 +89,6 @@ void Simulation::restore(State state) {
   begin_anew();
 }
 
-void Simulation::show(Snapshot snapshot) {
-  plate_.show(std::move(snapshot));
-  stop();
-}
-
 void Simulation::begin_anew() {
   stop();
   divergence_.begin(plate_.energy());

@@ -75,10 +75,6 @@ class Simulation {
   // one prepared by hand.
   void restore(State state);
 
-  // Shows a recorded state with its discs. Requires a simulation built without loads; step() must
-  // not be called afterwards.
-  void show(Snapshot snapshot);
-
   const Plate& plate() const { return plate_.plate(); }
   const Numerics& numerics() const { return plate_.numerics(); }
   const Lattice& lattice() const { return plate_.lattice(); }
@@ -91,7 +87,7 @@ class Simulation {
   InstructionSet instruction_set() const { return plate_.instruction_set(); }
 
   // What can be seen of it now; holds until the next step.
-  View view() const { return View(plate_); }
+  View view() const { return View(plate_, aim_.end_time); }
   operator View() const { return view(); }  // NOLINT: whatever takes a view takes a simulation
 
   double dt() const { return plate_.dt(); }                                                // s

@@ -9,7 +9,7 @@
 
 #include "solver/actions.hpp"
 #include "solver/broken_bond.hpp"
-#include "solver/cpu/tile_paths.hpp"
+#include "solver/path_counts.hpp"
 #include "solver/state.hpp"
 
 namespace hackle {

@@ -5,10 +5,11 @@
 
 namespace hackle {
 
-View::View(const MovingPlate& moving)
+View::View(const MovingPlate& moving, double until)
     : View(moving.plate(), moving.numerics(), moving.lattice(), moving.dt(), moving.state(),
            moving.thermal_strain()) {
   moving_ = &moving;
+  until_ = until;
 }
 
 double View::energy_unit() const {

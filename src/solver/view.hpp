@@ -3,6 +3,7 @@
 // recorded, which needs neither an engine nor what acts on the plate.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "lattice/lattice.hpp"
@@ -25,8 +26,8 @@ class View {
         dt_(dt),
         state_(&state),
         thermal_strain_(&thermal_strain) {}
-  // Of a plate that moves; holds until its next step.
-  explicit View(const MovingPlate& moving);
+  // Of a plate that moves, on its way to `until`, s; holds until its next step.
+  explicit View(const MovingPlate& moving, double until = 0.0);
 
   const Plate& plate() const { return *plate_; }
   const Numerics& numerics() const { return *numerics_; }
@@ -37,6 +38,8 @@ class View {
 
   double dt() const { return dt_; }                                           // s
   double time() const { return state_->clock.time(state_->step, 0.0, dt_); }  // s
+  // The time to which the plate is on its way, s; its own where nothing was asked for.
+  double until() const { return std::max(until_, time()); }
   double energy_unit() const;             // J/m, of the state's ledger: rho dx^4/dt^2
   Ledger ledger() const;                  // J/m
   double kinetic_energy() const;          // J/m
@@ -53,6 +56,7 @@ class View {
   const State* state_;
   const std::vector<double>* thermal_strain_;
   const MovingPlate* moving_ = nullptr;  // knows what acts
+  double until_ = 0.0;
 };
 
 }  // namespace hackle

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/machine.hpp"
 #include "lattice/check_numerics.hpp"
+#include "solver/default_step.hpp"
 #include "store/hdf5_reader.hpp"
 #include "store/inputs_reader.hpp"
 #include "store/lattice_hash.hpp"
@@ -67,12 +68,10 @@ void check_scene(const Hdf5Reader& file, Plate plate, const Numerics& numerics) 
   file.check_shape("nodes", {grid.nodes(), 3});
 }
 
-Simulation rebuilt(const Hdf5Reader& file, const Inputs& inputs, Execution execution) {
-  Plate plate = unloaded(inputs.plate);
-  const Numerics numerics = recorded(inputs.numerics);
+Lattice rebuilt(const Hdf5Reader& file, const Plate& plate, const Numerics& numerics) {
   check_scene(file, plate, numerics);
   try {
-    return {std::move(plate), numerics, execution};
+    return {plate, numerics};
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::files || error.kind() == ErrorKind::interrupted) throw;
     file.refuse("its lattice cannot be built");
@@ -116,13 +115,17 @@ void break_bonds(const std::vector<std::uint32_t>& broken, const Grid& grid, int
 }  // namespace
 
 struct Recording::Parts {
-  Parts(const std::filesystem::path& path_, Execution execution)
+  explicit Parts(const std::filesystem::path& path_)
       : path(path_),
         count(static_cast<hsize_t>(committed(opened(path_)))),
         file(opened(path_)),
         inputs(read_inputs(file.text("inputs"))),
-        simulation(rebuilt(file, inputs, execution)) {
-    check_lattice(file, simulation.lattice());
+        plate(unloaded(inputs.plate)),
+        numerics(recorded(inputs.numerics)),
+        lattice(rebuilt(file, plate, numerics)),
+        dt(numerics.step.value_or(default_step(plate, lattice, numerics.safety))),
+        state(lattice, Precision::f64) {
+    check_lattice(file, lattice);
     times = file.first_doubles("time", count);
     steps = file.first_integers("step", count);
     for (std::size_t k = 0; k < count; ++k)
@@ -138,40 +141,44 @@ struct Recording::Parts {
     return file;
   }
 
-  // Reads the group of a record.
-  Snapshot snapshot(const std::string& group, std::int64_t step, double time) const {
-    const Lattice& lattice = simulation.lattice();
+  // Shows the record in that group; nothing has changed if it throws.
+  void show(const std::string& group, std::int64_t step, double time) {
     const Grid& grid = lattice.grid;
-    Snapshot snapshot;
-    State& state = snapshot.state = State(lattice, Precision::f64);
-    state.step = state.start = step;
-    state.clock = {time, step};
+    State next(lattice, Precision::f64);
+    std::vector<double> strain;
+    std::vector<Impactor> discs;
+    next.step = next.start = step;
+    next.clock = {time, step};
     const std::vector<hsize_t> vectors{grid.nodes(), 3};
     put(file.doubles(group + "/displacement", vectors, 2), grid, grid.dx, "displacement", file,
-        [&](int i, int j, const Vec2& u) { state.set_u(i, j, u); });
-    put(file.doubles(group + "/velocity", vectors, 2), grid, grid.dx / simulation.dt(), "velocity",
-        file, [&](int i, int j, const Vec2& v) { state.set_v(i, j, v); });
+        [&](int i, int j, const Vec2& u) { next.set_u(i, j, u); });
+    put(file.doubles(group + "/velocity", vectors, 2), grid, grid.dx / dt, "velocity", file,
+        [&](int i, int j, const Vec2& v) { next.set_v(i, j, v); });
     const int words = lattice.family.words();
     break_bonds(file.words(group + "/broken", {grid.nodes(), static_cast<hsize_t>(words)}), grid,
-                words, state.bonds);
+                words, next.bonds);
     if (file.holds(group + "/thermal_strain"))
-      snapshot.thermal_strain = file.doubles(group + "/thermal_strain", {grid.nodes()}, 1);
-    if (file.holds(group + "/discs")) add_discs(group + "/discs", snapshot);
-    return snapshot;
+      strain = file.doubles(group + "/thermal_strain", {grid.nodes()}, 1);
+    if (file.holds(group + "/discs")) discs = read_discs(group + "/discs", next);
+    state = std::move(next);
+    thermal_strain = std::move(strain);
+    plate.loads.impactors = std::move(discs);
   }
 
-  void add_discs(const std::string& name, Snapshot& snapshot) const {
+  // Puts the discs of a record into its state, and returns what they are.
+  std::vector<Impactor> read_discs(const std::string& name, State& next) const {
     constexpr hsize_t columns = 5;
-    const Grid& grid = simulation.lattice().grid;
+    const Grid& grid = lattice.grid;
+    std::vector<Impactor> discs;
     const hsize_t count = inputs.plate.loads.impactors.size();
     const std::vector<double> values = file.doubles(name, {count, columns}, columns);
     for (std::size_t at = 0; at < values.size(); at += columns) {
       const double* value = values.data() + at;
       const Vec2 centre(value[0], value[1]), velocity(value[2], value[3]);
-      snapshot.state.discs.push_back(
-          {grid.from_centre(centre), simulation.dt() / grid.dx * velocity});
-      snapshot.impactors.push_back({centre, value[4], velocity});
+      next.discs.push_back({grid.from_centre(centre), dt / grid.dx * velocity});
+      discs.push_back({centre, value[4], velocity});
     }
+    return discs;
   }
 
   std::filesystem::path path;
@@ -181,15 +188,19 @@ struct Recording::Parts {
   hsize_t count;
   Hdf5Reader file;
   Inputs inputs;
-  Simulation simulation;
+  Plate plate;  // as it is shown: without loads but for the discs of the record
+  Numerics numerics;
+  Lattice lattice;
+  double dt;  // s
+  State state;
+  std::vector<double> thermal_strain;
   Origin origin;
   std::vector<double> times;
   std::vector<std::int64_t> steps;
   std::size_t shown = 0;
 };
 
-Recording::Recording(const std::filesystem::path& path, Execution execution)
-    : parts_(std::make_unique<Parts>(path, execution)) {
+Recording::Recording(const std::filesystem::path& path) : parts_(std::make_unique<Parts>(path)) {
   go_to(0);
 }
 
@@ -220,8 +231,7 @@ std::size_t Recording::nearest(double time) const {
 }
 
 void Recording::go_to(std::size_t record) {
-  parts_->simulation.show(
-      parts_->snapshot(record_group(record), parts_->steps.at(record), parts_->times.at(record)));
+  parts_->show(record_group(record), parts_->steps.at(record), parts_->times.at(record));
   parts_->shown = record;
 }
 
@@ -229,8 +239,13 @@ std::size_t Recording::shown() const {
   return parts_->shown;
 }
 
-const Simulation& Recording::simulation() const {
-  return parts_->simulation;
+View Recording::view() const {
+  return {parts_->plate, parts_->numerics, parts_->lattice,
+          parts_->dt,    parts_->state,    parts_->thermal_strain};
+}
+
+std::size_t Recording::bytes() const {
+  return parts_->state.bytes() + parts_->lattice.bytes();
 }
 
 }  // namespace hackle

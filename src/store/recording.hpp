@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A recorded run, shown in its recorded states: every query of a simulation works on it, without
-// computing.
+// A recorded run, shown in its recorded states: whatever looks at a view works on it. It has
+// neither a stepper nor what acts on the plate.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 #include "store/run_file.hpp"
 
 namespace hackle {
@@ -19,7 +19,7 @@ class Recording {
   // records. The lattice is rebuilt from the inputs in the file and must be identical to the bit.
   // Throws Error (files), with a remedy, for a file that is not a run file, is damaged, has no
   // record, or has another format version.
-  explicit Recording(const std::filesystem::path& path, Execution execution = {});
+  explicit Recording(const std::filesystem::path& path);
   ~Recording();
 
   const std::filesystem::path& path() const;
@@ -35,8 +35,11 @@ class Recording {
   void go_to(std::size_t record);
   std::size_t shown() const;
   // Returns the shown record. Damage, bonds, discs and time are exact; u, v and thermal strain have
-  // the single precision of the file. The external work is not recorded.
-  const Simulation& simulation() const;
+  // the single precision of the file. The external work is not recorded. The view holds until the
+  // next go_to().
+  View view() const;
+
+  std::size_t bytes() const;  // that grow with the plate
 
  private:
   struct Parts;

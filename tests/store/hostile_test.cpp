@@ -432,7 +432,7 @@ std::vector<Crafted> all_crafted() {
 // Returns the error of showing every record, "" if there is none.
 std::string complaint(const fs::path& path) {
   try {
-    Recording recording(path, {1});
+    Recording recording(path);
     for (std::size_t k = 0; k < recording.times().size(); ++k) recording.go_to(k);
     return "";
   } catch (const Error& error) {
@@ -510,7 +510,7 @@ TEST_F(Hostile, TurnedBytesDoNoHarm) {
 TEST_F(Hostile, ReadingEndsOnCtrlC) {
   request_interrupt();
   try {
-    const Recording recording(honest, {1});
+    const Recording recording(honest);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::interrupted);

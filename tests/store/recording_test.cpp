@@ -64,11 +64,11 @@ Scene scattered() {
   return {"scattered", plate, numerics};
 }
 
-// Returns the values of all picture fields of a simulation.
-std::vector<std::vector<float>> fields_of(const Simulation& simulation) {
+// Returns the values of all picture fields.
+std::vector<std::vector<float>> fields_of(const View& view) {
   std::vector<std::vector<float>> list;
   for (const Scalar& scalar : scalars())
-    list.push_back(scalar.name == fringes_name ? std::vector<float>() : scalar.values(simulation));
+    list.push_back(scalar.name == fringes_name ? std::vector<float>() : scalar.values(view));
   return list;
 }
 
@@ -144,18 +144,18 @@ TEST_P(EveryScene, ComesBackAsItWas) {
     discs = impactors(simulation);
     file.finish();
   }
-  Recording recording(folder.path / "a.h5", {1});
+  Recording recording(folder.path / "a.h5");
   EXPECT_EQ(recording.times(), times);
   EXPECT_EQ(recording.origin().script_name, "a.lua");
   EXPECT_EQ(recording.origin().script_text, "-- the script");
   for (const std::size_t k : {3U, 0U, 2U, 1U, 3U}) {  // in any order
     recording.go_to(k);
     EXPECT_EQ(recording.shown(), k);
-    EXPECT_EQ(recording.simulation().time(), times[k]);
-    expect_same(fields_of(recording.simulation()), wanted[k], simulation);
+    EXPECT_EQ(recording.view().time(), times[k]);
+    expect_same(fields_of(recording.view()), wanted[k], simulation);
   }
-  EXPECT_EQ(recording.simulation().state().bonds, simulation.state().bonds);
-  const std::vector<Circle> found = impactors(recording.simulation());
+  EXPECT_EQ(recording.view().state().bonds, simulation.state().bonds);
+  const std::vector<Circle> found = impactors(recording.view());
   ASSERT_EQ(found.size(), discs.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     EXPECT_LT((found[k].centre - discs[k].centre).norm(), 1e-15);
@@ -181,7 +181,7 @@ fs::path small_file(const fs::path& folder) {
 
 TEST(Recording, FindsTheRecordNearestInTime) {
   const test::Folder folder;
-  const Recording recording(small_file(folder.path), {1});
+  const Recording recording(small_file(folder.path));
   const std::vector<double>& times = recording.times();
   ASSERT_EQ(times.size(), 4U);
   EXPECT_EQ(recording.nearest(-1.0), 0U);
@@ -193,22 +193,22 @@ TEST(Recording, FindsTheRecordNearestInTime) {
 
 TEST(Recording, StaysWholeWhileItsFileIsWrittenAnew) {
   const test::Folder folder;
-  Recording recording(small_file(folder.path), {1});
-  const std::vector<float> before = displacement(recording.simulation()).values;
+  Recording recording(small_file(folder.path));
+  const std::vector<float> before = displacement(recording.view()).values;
   Simulation other(test::bare_plate(20, 10), test::numerics(), {1});
   RunFile file(folder.path / "small.h5", other, {});
   file.add(other);
   file.finish();
   recording.go_to(3);
   recording.go_to(0);
-  EXPECT_EQ(displacement(recording.simulation()).values, before);
-  EXPECT_EQ(Recording(folder.path / "small.h5", {1}).times().size(), 1U);
+  EXPECT_EQ(displacement(recording.view()).values, before);
+  EXPECT_EQ(Recording(folder.path / "small.h5").times().size(), 1U);
 }
 
 // Returns the error of opening the file and showing every record, "" if there is none.
 std::string complaint(const fs::path& path) {
   try {
-    Recording recording(path, {1});
+    Recording recording(path);
     for (std::size_t k = 0; k < recording.times().size(); ++k) recording.go_to(k);
     return "";
   } catch (const Error& error) {

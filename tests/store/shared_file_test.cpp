@@ -103,11 +103,11 @@ TEST(ARunFileBeingWritten, IsARecordingOfWhatIsThere) {
   file.add(simulation);
   simulation.step();
   file.add(simulation);
-  EXPECT_EQ(Recording(folder.path / "a.h5", {1}).times().size(), 2U);
+  EXPECT_EQ(Recording(folder.path / "a.h5").times().size(), 2U);
   simulation.step();
   file.add(simulation);  // as before
   file.finish();
-  EXPECT_EQ(Recording(folder.path / "a.h5", {1}).times().size(), 3U);
+  EXPECT_EQ(Recording(folder.path / "a.h5").times().size(), 3U);
 }
 
 // Runs a program that is killed after this many records.
@@ -137,7 +137,7 @@ TEST(ARunThatWasKilled, IsKeptWithASidecarOfItsOwn) {
   EXPECT_EQ(rescued->file, folder.path / "a.cut_off.h5");
   EXPECT_EQ(rescued->records, 7);
   EXPECT_FALSE(fs::exists(path));
-  EXPECT_EQ(Recording(rescued->file, {1}).times().size(), 7U);
+  EXPECT_EQ(Recording(rescued->file).times().size(), 7U);
   const std::string sidecar = read_text(folder.path / "a.cut_off.xdmf");
   for (int k = 0; k < 7; ++k)
     EXPECT_THAT(sidecar,

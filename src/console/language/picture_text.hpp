@@ -6,16 +6,15 @@
 
 #include "console/language/preview.hpp"
 #include "output/picture/picture.hpp"
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
 // Returns "damage at 22.5 us, 1 234 bonds broken, 20 mm wide".
-std::string caption(const Simulation& simulation, const PictureOptions& options);
+std::string caption(const View& view, const PictureOptions& options);
 
 // Returns the picture with its caption below, for write_picture. The options must have been
 // checked.
-std::string picture_text(const Simulation& simulation, const PictureOptions& options,
-                         const Terminal& terminal);
+std::string picture_text(const View& view, const PictureOptions& options, const Terminal& terminal);
 
 }  // namespace hackle

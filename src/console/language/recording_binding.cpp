@@ -46,12 +46,12 @@ int frame(lua_State* L) {
   arguments.problems.throw_if_any();
   Session& session = session_of(L);
   const auto options = noun_of<PictureOptions>(arguments);
-  check("frame", options, recording.simulation().lattice().grid);
+  check("frame", options, recording.view().lattice().grid);
   check_recorded("frame", options);
   check_alone("frame", options);
   session.write_picture("frame", arguments.text("file"), [&] {
     show_record(recording, noun_of<ShownRecord>(arguments));
-    return paint(recording.simulation(), options);
+    return paint(recording.view(), options);
   });
   return 0;
 }
@@ -82,7 +82,7 @@ int movie(lua_State* L) {
   if (session.settings.purpose != Purpose::results) return 0;
   make_claimed(*session.names, path, [&] {
     film(recording, path, noun_of<MovieOptions>(arguments), noun_of<Moments>(arguments),
-         session.settings.talk, session.names);
+         session.settings.execution.thread_count(), session.settings.talk, session.names);
   });
   return 0;
 }
@@ -99,7 +99,8 @@ int side_by_side(lua_State* L) {
     auto movie = noun_of<MovieOptions>(arguments);
     movie.picture.width = options.width;
     film_side_by_side(tiles, path, movie, noun_of<Moments>(arguments), options.columns,
-                      session.settings.talk, *session.names);
+                      session.settings.execution.thread_count(), session.settings.talk,
+                      *session.names);
   });
   return 0;
 }
@@ -115,7 +116,7 @@ int recording_to_text(lua_State* L) {
       fmt::format("{} records from {} to {}, {} nodes, {}",
                   grouped(static_cast<std::int64_t>(recording.times().size())),
                   quantity(recording.times().front(), "s"), quantity(recording.times().back(), "s"),
-                  grouped(static_cast<std::int64_t>(recording.simulation().lattice().grid.nodes())),
+                  grouped(static_cast<std::int64_t>(recording.view().lattice().grid.nodes())),
                   describe(recording.plate())));
   return 1;
 }
@@ -131,7 +132,7 @@ int push_times(lua_State* L) {
 }
 
 int push_recorded_nodes(lua_State* L) {
-  lua_pushinteger(L, static_cast<lua_Integer>(recording_of(L).simulation().lattice().grid.nodes()));
+  lua_pushinteger(L, static_cast<lua_Integer>(recording_of(L).view().lattice().grid.nodes()));
   return 1;
 }
 

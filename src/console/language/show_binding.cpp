@@ -69,9 +69,8 @@ void check_is_shown(lua_State* L, int index) {
               fmt::format("as in {}", show_doc.example));
 }
 
-// Returns the simulation to show: in its present state, or that of a recording at the requested
-// time.
-const Simulation& simulation_at(lua_State* L, int index, const Arguments& arguments) {
+// Returns what to show: a simulation in its present state, or a recording at the requested time.
+View view_at(lua_State* L, int index, const Arguments& arguments) {
   if (const ScriptedRun* scripted = object_at<ScriptedRun>(L, index)) {
     if (arguments.has("time"))
       throw Error(ErrorKind::refused, "show: time is for recordings",
@@ -80,13 +79,12 @@ const Simulation& simulation_at(lua_State* L, int index, const Arguments& argume
   }
   Recording& recording = *object_at<ScriptedRecording>(L, index)->recording;
   show_record(recording, noun_of<ShownRecord>(arguments));
-  return recording.simulation();
+  return recording.view();
 }
 
-void show_in_terminal(const Session& session, const Simulation& simulation,
-                      const PictureOptions& options) {
+void show_in_terminal(const Session& session, const View& view, const PictureOptions& options) {
   const Terminal terminal = terminal_of(STDOUT_FILENO);
-  std::string text = picture_text(simulation, options, terminal);
+  std::string text = picture_text(view, options, terminal);
   // During a run, the progress bar is on this line.
   if (session.settings.talk == Talk::animated) text.insert(0, "\r\033[K");
   flush(stdout);
@@ -94,16 +92,15 @@ void show_in_terminal(const Session& session, const Simulation& simulation,
 }
 
 // A run counts its pictures; a recording does not.
-void show_in_file(Session& session, Run* run, const Simulation& simulation,
-                  const PictureOptions& options) {
+void show_in_file(Session& session, Run* run, const View& view, const PictureOptions& options) {
   const std::string name = fmt::format("show_{}.png", ++session.pictures_shown);
   const auto path = session.output_path("show", name);
   if (run != nullptr)
     run->frame(path, options);
   else
-    session.write_picture("show", name, [&] { return paint(simulation, options); });
+    session.write_picture("show", name, [&] { return paint(view, options); });
   std::FILE* file = session.settings.print_to_stderr ? stderr : stdout;
-  write_to(file, fmt::format("{}: {}\n", caption(simulation, options), path.string()));
+  write_to(file, fmt::format("{}: {}\n", caption(view, options), path.string()));
   flush(file);
 }
 
@@ -117,16 +114,16 @@ int show(lua_State* L) {
   const Arguments arguments = Arguments::from_table(L, 2, show_doc);
   arguments.problems.throw_if_any();
   const PictureOptions options = noun_of<PictureOptions>(arguments);
-  const Simulation& simulation = simulation_at(L, 1, arguments);
-  check("show", options, simulation.lattice().grid);
+  const View view = view_at(L, 1, arguments);
+  check("show", options, view.lattice().grid);
   check_alone("show", options);
   if (object_at<ScriptedRecording>(L, 1) != nullptr) check_recorded("show", options);
   Session& session = session_of(L);
   const ScriptedRun* scripted = object_at<ScriptedRun>(L, 1);
   if (session.settings.show_in_terminal)
-    show_in_terminal(session, simulation, options);
+    show_in_terminal(session, view, options);
   else
-    show_in_file(session, scripted != nullptr ? &scripted->run() : nullptr, simulation, options);
+    show_in_file(session, scripted != nullptr ? &scripted->run() : nullptr, view, options);
   return 0;
 }
 

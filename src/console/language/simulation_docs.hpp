@@ -12,11 +12,12 @@
 
 namespace hackle {
 
+inline constexpr auto numerics_options = options_of<Numerics>;
 inline constexpr FunctionDoc simulate_doc{
     .name = "simulate",
     .leading = "p",
     .sentence = "Puts a copy of the plate on a lattice, ready to run.",
-    .options = options_of<Numerics>,
+    .options = numerics_options,
     .example = "s = simulate(p, { spacing = 0.5*mm, horizon = 2*mm })"};
 
 inline constexpr std::array run_options{

@@ -13,12 +13,12 @@ constexpr std::size_t waiting_shots = 4;
 }  // namespace
 
 MovieOutput::MovieOutput(const std::filesystem::path& path, const MovieOptions& options,
-                         const Simulation& simulation, const Origin& origin, Talk talk,
+                         const View& view, const Origin& origin, int threads, Talk talk,
                          std::shared_ptr<const OutputNames> names)
-    : options_(options),
-      style_(style_of(options.picture, simulation)),
-      schedule_("movie", options.every, simulation),
-      file_(path, options, origin, simulation.threads(), talk),
+    : Output(Schedule("movie", options.every, view)),
+      options_(options),
+      style_(style_of(options.picture, view)),
+      file_(path, options, origin, threads, talk),
       names_(std::move(names)) {
   style_.slow_motion = slow_motion_of(options);
 }
@@ -28,12 +28,16 @@ void MovieOutput::reserve() {
 }
 
 void MovieOutput::observe(const Simulation& simulation) {
+  schedule_.advance(simulation);
+  add(simulation);
+}
+
+void MovieOutput::add(const View& view) {
   if (!painting_) {
     reserve();
     painting_ = std::make_unique<Worker<Work>>(waiting_shots, [this](const Work& w) { paint(w); });
   }
-  schedule_.advance(simulation);
-  hand_over(shot_of(options_.picture, simulation));
+  hand_over(shot_of(options_.picture, view));
 }
 
 void MovieOutput::hand_over(Work work) {

@@ -12,25 +12,23 @@
 #include "output/files/movie_file.hpp"
 #include "output/files/output.hpp"
 #include "output/files/output_names.hpp"
-#include "output/files/schedule.hpp"
 #include "output/picture/painting.hpp"
 
 namespace hackle {
 
 class MovieOutput : public Output {
  public:
-  // Reports a fallback to another kind, unless it is quiet. Throws as Run::movie does.
-  MovieOutput(const std::filesystem::path& path, const MovieOptions& options,
-              const Simulation& simulation, const Origin& origin, Talk talk,
+  // Encodes on up to `threads` threads. Reports a fallback to another kind, unless it is quiet.
+  // Throws as Run::movie does.
+  MovieOutput(const std::filesystem::path& path, const MovieOptions& options, const View& view,
+              const Origin& origin, int threads, Talk talk,
               std::shared_ptr<const OutputNames> names);
 
   const std::filesystem::path& path() const { return file_.path(); }
 
-  std::int64_t next_due(const Simulation& simulation) override {
-    return schedule_.next_due(simulation);
-  }
-  bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override;
+  // Takes a frame now, whether it is due or not.
+  void add(const View& view);
   void reserve() override;
   void close() override;
   Expected expected(double until, std::int64_t max_looks) const override;
@@ -45,7 +43,6 @@ class MovieOutput : public Output {
 
   MovieOptions options_;
   PictureStyle style_;
-  Schedule schedule_;
   MovieFile file_;
   std::shared_ptr<const OutputNames> names_;
   bool failed_ = false;

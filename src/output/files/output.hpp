@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The interface of every output of a run.
+// What every output of a run has in common: it looks at the times of a schedule and leaves files.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <vector>
 
+#include "output/files/schedule.hpp"
 #include "output/report/summary.hpp"
 #include "solver/observer.hpp"
+#include "solver/simulation.hpp"
 
 namespace hackle {
 
@@ -20,6 +22,13 @@ struct Expected {
 
 class Output : public Observer {
  public:
+  explicit Output(const Schedule& schedule) : schedule_(schedule) {}
+
+  std::int64_t next_due(const Simulation& simulation) final {
+    return schedule_.next_due(simulation);
+  }
+  bool due(const Simulation& simulation) final { return schedule_.reached(simulation); }
+
   // Returns the size expected at time `until`, s, for a run with at most `max_looks` more calls.
   virtual Expected expected(double until, std::int64_t max_looks) const = 0;
   // Makes sure that nobody else writes its files and keeps the remains of a killed run; changes
@@ -32,6 +41,9 @@ class Output : public Observer {
   virtual std::vector<std::filesystem::path> files() const = 0;
   // Adds the wall time spent so far.
   virtual void add_seconds(StageSeconds& wall) const = 0;
+
+ protected:
+  Schedule schedule_;
 };
 
 }  // namespace hackle

@@ -18,8 +18,8 @@ namespace hackle {
 RecordOutput::RecordOutput(std::filesystem::path path, const RecordOptions& options,
                            const Simulation& simulation, Origin origin, Talk talk,
                            std::shared_ptr<const OutputNames> names)
-    : path_(std::move(path)),
-      schedule_("record", options.every, simulation),
+    : Output(Schedule("record", options.every, simulation)),
+      path_(std::move(path)),
       nodes_(simulation.lattice().grid.nodes()),
       origin_(std::move(origin)),
       talk_(talk),

@@ -9,7 +9,6 @@
 #include "output/files/output.hpp"
 #include "output/files/output_names.hpp"
 #include "output/files/record_options.hpp"
-#include "output/files/schedule.hpp"
 #include "store/run_file.hpp"
 
 namespace hackle {
@@ -20,10 +19,6 @@ class RecordOutput : public Output {
                const Simulation& simulation, Origin origin, Talk talk,
                std::shared_ptr<const OutputNames> names);
 
-  std::int64_t next_due(const Simulation& simulation) override {
-    return schedule_.next_due(simulation);
-  }
-  bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
   void observe(const Simulation& simulation) override;
   void reserve() override;
   void close() override;
@@ -33,7 +28,6 @@ class RecordOutput : public Output {
 
  private:
   std::filesystem::path path_;
-  Schedule schedule_;
   std::size_t nodes_;
   Origin origin_;
   Talk talk_;

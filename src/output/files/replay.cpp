@@ -45,8 +45,7 @@ double usual_every(const Tiles& tiles) {
     if (times.size() <= most) continue;
     most = times.size();
     const double span = times.back() - times.front();
-    every = span > 0.0 ? span / static_cast<double>(times.size() - 1)
-                       : tile.recording->simulation().dt();
+    every = span > 0.0 ? span / static_cast<double>(times.size() - 1) : tile.recording->view().dt();
   }
   return every;
 }
@@ -113,7 +112,7 @@ class Composition {
     layout_.font = title_size;
     layout_.titled = is_titled(tiles_);
     for (const Tile& tile : tiles_) {
-      PictureStyle style = style_of(options_, tile.recording->simulation());
+      PictureStyle style = style_of(options_, tile.recording->view());
       if (options.every > 0.0) style.slow_motion = slow_motion_of(options);
       painters_.emplace_back(std::move(style));
       layout_.height = std::max(layout_.height, painters_.back().height());
@@ -124,8 +123,8 @@ class Composition {
     std::vector<SheetImage> images;
     for (std::size_t k = 0; k < tiles_.size(); ++k) {
       show_at(*tiles_[k].recording, time);
-      images.push_back({painters_[k].paint(shot_of(options_, tiles_[k].recording->simulation())),
-                        tiles_[k].title});
+      images.push_back(
+          {painters_[k].paint(shot_of(options_, tiles_[k].recording->view())), tiles_[k].title});
     }
     return contact_sheet(images, layout_);
   }
@@ -138,7 +137,7 @@ class Composition {
 };
 
 void check_all(const char* who, const Tiles& tiles, const PictureOptions& options) {
-  for (const Tile& tile : tiles) check(who, options, tile.recording->simulation().lattice().grid);
+  for (const Tile& tile : tiles) check(who, options, tile.recording->view().lattice().grid);
   check_recorded(who, options);
   check_opaque(who, options);
 }
@@ -168,15 +167,15 @@ PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
                                  const std::vector<double>& times) {
   if (options.range) return options;
   AutomaticRange seen(options);
-  Ends widest = usual_ends(options, tiles.front().recording->simulation());
+  Ends widest = usual_ends(options, tiles.front().recording->view());
   for (const Tile& tile : tiles) {
-    const Ends usual = usual_ends(options, tile.recording->simulation());
+    const Ends usual = usual_ends(options, tile.recording->view());
     widest = {std::min(widest.least, usual.least), std::max(widest.most, usual.most)};
     if (!options.percentile) continue;
     for (const double time : times.empty() ? std::vector{the_end} : times) {
       throw_if_interrupted();
       show_at(*tile.recording, time);
-      seen.add(tile.recording->simulation());
+      seen.add(tile.recording->view());
     }
   }
   options.range = options.percentile ? seen.ends() : widest;
@@ -185,33 +184,35 @@ PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
 }
 
 void film(const std::shared_ptr<Recording>& recording, const fs::path& path, MovieOptions options,
-          const Moments& moments, Talk talk, std::shared_ptr<const OutputNames> names) {
+          const Moments& moments, int threads, Talk talk,
+          std::shared_ptr<const OutputNames> names) {
   const Tiles tiles{{recording, ""}};
   const std::vector<double> times = frame_times("movie", tiles, moments);
   check_all("movie", tiles, options.picture);
-  options.every = times.size() > 1 ? times[1] - times[0] : recording->simulation().dt();
-  options.every = std::max(options.every, recording->simulation().dt());
+  options.every = times.size() > 1 ? times[1] - times[0] : recording->view().dt();
+  options.every = std::max(options.every, recording->view().dt());
   options.picture = with_common_range(options.picture, tiles, times);
-  MovieOutput movie(path, options, recording->simulation(), recording->origin(), talk,
+  MovieOutput movie(path, options, recording->view(), recording->origin(), threads, talk,
                     std::move(names));
   make_all(
       times, talk,
       [&](double time) {
         show_at(*recording, time);
-        movie.observe(recording->simulation());
+        movie.add(recording->view());
       },
       [&] { movie.close(); });
 }
 
 void film_side_by_side(const Tiles& tiles, const fs::path& path, MovieOptions options,
-                       const Moments& moments, int columns, Talk talk, const OutputNames& names) {
+                       const Moments& moments, int columns, int threads, Talk talk,
+                       const OutputNames& names) {
   const std::vector<double> times = frame_times("side_by_side", tiles, moments);
   check_all("side_by_side", tiles, options.picture);
   options.every = times.size() > 1 ? times[1] - times[0] : 0.0;
   options.picture = with_common_range(options.picture, tiles, times);
   Composition composition(tiles, options, columns);
   const Recording& first = *tiles.front().recording;
-  MovieFile movie(path, options, first.origin(), first.simulation().threads(), talk);
+  MovieFile movie(path, options, first.origin(), threads, talk);
   movie.begin([&](const fs::path& other) { return names.is_claimed(other); });
   make_all(
       times, talk, [&](double time) { movie.add(composition.at(time)); }, [&] { movie.finish(); });
@@ -227,12 +228,12 @@ Image sheet_of(const Tiles& tiles, const std::vector<double>& times, PictureOpti
   layout.titled = is_titled(tiles);
   options = with_common_range(options, tiles, times);
   for (const Tile& tile : tiles) {
-    PlatePainter painter(style_of(options, tile.recording->simulation()));
+    PlatePainter painter(style_of(options, tile.recording->view()));
     layout.height = std::max(layout.height, painter.height() * layout.width / painter.width());
     for (const double time : times.empty() ? std::vector{the_end} : times) {
       throw_if_interrupted();
       show_at(*tile.recording, time);
-      images.push_back({painter.paint(shot_of(options, tile.recording->simulation())), tile.title});
+      images.push_back({painter.paint(shot_of(options, tile.recording->view())), tile.title});
     }
   }
   if (tiles.size() > 1 && times.size() > 1) layout.columns = static_cast<int>(times.size());

@@ -37,16 +37,18 @@ std::vector<double> frame_times(const char* who, const Tiles& tiles, const Momen
 PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
                                  const std::vector<double>& times);
 
-// Makes a movie of one run; ignores `options.every`. Throws Error (refused) for impossible options,
-// Error (interrupted) on Ctrl-C, where the movie then ends, and what MovieOutput throws.
+// Makes a movie of one run on up to `threads` threads; ignores `options.every`. Throws Error
+// (refused) for impossible options, Error (interrupted) on Ctrl-C, where the movie then ends, and
+// what MovieOutput throws.
 void film(const std::shared_ptr<Recording>& recording, const std::filesystem::path& path,
-          MovieOptions options, const Moments& moments, Talk talk,
+          MovieOptions options, const Moments& moments, int threads, Talk talk,
           std::shared_ptr<const OutputNames> names);
 
 // Makes a movie of several runs with a common clock and range, side by side in `columns` columns.
 // The width is that of each run. Throws the same.
 void film_side_by_side(const Tiles& tiles, const std::filesystem::path& path, MovieOptions options,
-                       const Moments& moments, int columns, Talk talk, const OutputNames& names);
+                       const Moments& moments, int columns, int threads, Talk talk,
+                       const OutputNames& names);
 
 // Paints each run at each time, with a common range: one row per run, one column per time; a single
 // run, or all runs at their end if no times are given, in the columns of the layout. Throws what

@@ -6,33 +6,35 @@
 
 #include <fmt/format.h>
 
+#include "base/error.hpp"
 #include "base/units.hpp"
+#include "solver/aim.hpp"
 
 namespace hackle {
 
-Schedule::Schedule(const char* output, double every, const Simulation& simulation)
-    : start_(simulation.time()), every_(every) {
-  if (every >= simulation.dt() && std::isfinite(every)) return;
+Schedule::Schedule(const char* output, double every, const View& view)
+    : start_(view.time()), every_(every) {
+  if (every >= view.dt() && std::isfinite(every)) return;
   throw Error(ErrorKind::refused,
               fmt::format("{}: every is {}, less than one time step of {}", output,
-                          quantity(every, "s"), quantity(simulation.dt(), "s")),
-              fmt::format("take {} or more", quantity(simulation.dt(), "s")));
+                          quantity(every, "s"), quantity(view.dt(), "s")),
+              fmt::format("take {} or more", quantity(view.dt(), "s")));
 }
 
-bool Schedule::reached(const Simulation& simulation) const {
+bool Schedule::reached(const View& view) const {
   const double moment = start_ + static_cast<double>(next_) * every_;
-  return simulation.time() + 0.5 * simulation.dt() > moment;
+  return view.time() + 0.5 * view.dt() > moment;
 }
 
-std::int64_t Schedule::next_due(const Simulation& simulation) const {
+std::int64_t Schedule::next_due(const View& view) const {
   constexpr double margin = 2.0;  // half a step, and rounding
   const double moment = start_ + static_cast<double>(next_) * every_;
-  const double steps = (moment - simulation.time()) / simulation.dt() - margin;
-  return simulation.state().step + static_cast<std::int64_t>(std::clamp(steps, 0.0, max_steps));
+  const double steps = (moment - view.time()) / view.dt() - margin;
+  return view.state().step + static_cast<std::int64_t>(std::clamp(steps, 0.0, max_steps));
 }
 
-void Schedule::advance(const Simulation& simulation) {
-  const double passed = (simulation.time() - 0.5 * simulation.dt() - start_) / every_;
+void Schedule::advance(const View& view) {
+  const double passed = (view.time() - 0.5 * view.dt() - start_) / every_;
   next_ = std::max(next_ + 1, static_cast<std::int64_t>(std::ceil(passed)));
 }
 

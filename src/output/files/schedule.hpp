@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -14,16 +14,16 @@ class Schedule {
  public:
   // Starts at the present time. Throws Error (refused) if `every`, in s, is less than a step;
   // `output` names the caller.
-  Schedule(const char* output, double every, const Simulation& simulation);
+  Schedule(const char* output, double every, const View& view);
 
-  bool reached(const Simulation& simulation) const;
+  bool reached(const View& view) const;
   // A step before which it is not reached.
-  std::int64_t next_due(const Simulation& simulation) const;
+  std::int64_t next_due(const View& view) const;
   // Returns how many times lie between the start and `until`, s; at most `max_more` of them to
   // come.
   std::int64_t moments(double until, std::int64_t max_more) const;
   // Advances to the next time that has not passed: quasi-static loading may pass several at once.
-  void advance(const Simulation& simulation);
+  void advance(const View& view);
 
  private:
   double start_;

@@ -39,10 +39,10 @@ AutomaticRange::AutomaticRange(const PictureOptions& options)
     : options_(options), counts_(bins), min_(std::numeric_limits<double>::infinity()), max_(-min_) {
 }
 
-void AutomaticRange::add(const Simulation& simulation) {
+void AutomaticRange::add(const View& view) {
   const bool positive = is_logarithmic(options_);
-  if (values_ == 0) usual_ = usual_ends(options_, simulation);
-  for (const float value : field_values(options_, simulation)) {
+  if (values_ == 0) usual_ = usual_ends(options_, view);
+  for (const float value : field_values(options_, view)) {
     if (!std::isfinite(value) || (positive && value <= 0.0F)) continue;
     ++counts_[rank_of(value) >> dropped_bits];
     ++values_;
@@ -82,9 +82,9 @@ Ends AutomaticRange::ends() const {
   return ends.least < ends.most ? ends : usual_;
 }
 
-Ends automatic_range(const PictureOptions& options, const Simulation& simulation) {
+Ends automatic_range(const PictureOptions& options, const View& view) {
   AutomaticRange range(options);
-  range.add(simulation);
+  range.add(view);
   return range.ends();
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "output/picture/picture.hpp"
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -21,7 +21,7 @@ class AutomaticRange {
   explicit AutomaticRange(const PictureOptions& options);
 
   // Throws what field_values throws.
-  void add(const Simulation& simulation);
+  void add(const View& view);
 
   // Returns the range. Diverging colours get a range about their middle value: 0, or that of the
   // field, 1 for strength. If all values are equal, the range is the field's default. Requires one
@@ -40,6 +40,6 @@ class AutomaticRange {
 };
 
 // Returns the range for one state.
-Ends automatic_range(const PictureOptions& options, const Simulation& simulation);
+Ends automatic_range(const PictureOptions& options, const View& view);
 
 }  // namespace hackle

@@ -70,18 +70,18 @@ void number_places(std::vector<LoadAmplitude>& loads) {
 
 }  // namespace
 
-Chart load_curve(const Simulation& simulation) {
-  std::vector<LoadAmplitude> amplitudes = amplitudes_of(simulation.plate().loads);
+Chart load_curve(const View& view) {
+  std::vector<LoadAmplitude> amplitudes = amplitudes_of(view.plate().loads);
   number_places(amplitudes);
-  const double now = simulation.time();
+  const double now = view.time();
   Chart chart;
   const bool stresses = std::ranges::all_of(
       amplitudes, [](const LoadAmplitude& one) { return one.stress.has_value(); });
   chart.heading = amplitudes.empty() ? "no loads" : stresses ? "load" : "load factor";
   if (stresses && !amplitudes.empty()) chart.unit = "Pa";
-  chart.until = std::max(simulation.end_time(), now);
+  chart.until = view.until();
   if (chart.until == 0.0) chart.until = 1.25 * last_moment(amplitudes);
-  if (chart.until == 0.0) chart.until = 100.0 * simulation.dt();
+  if (chart.until == 0.0) chart.until = 100.0 * view.dt();
   for (const LoadAmplitude& one : amplitudes)
     chart.curves.push_back(
         {one.kind, one.place,
@@ -89,12 +89,12 @@ Chart load_curve(const Simulation& simulation) {
   return chart;
 }
 
-Chart energy_chart(const Simulation& simulation) {
-  const Energy now = energy(simulation);
-  const double time = simulation.time();
+Chart energy_chart(const View& view) {
+  const Energy now = energy(view);
+  const double time = view.time();
   Chart chart{"energy",
               "J/m",
-              std::max(simulation.end_time(), time),
+              view.until(),
               {{"kinetic", "", {{time, now.kinetic}}},
                {"strain", "", {{time, now.strain}}},
                {"broken", "", {{time, now.broken}}}}};

@@ -16,18 +16,18 @@ FieldChoice second_field(const PictureOptions& options) {
   return {scalar, options.second_range, "", scalar.logarithmic, options.thickness};
 }
 
-Ends usual_ends(const FieldChoice& field, const Simulation& simulation) {
-  Ends ends = field.scalar.ends(simulation);
+Ends usual_ends(const FieldChoice& field, const View& view) {
+  Ends ends = field.scalar.ends(view);
   if (field.is_fringes()) ends.most *= field.thickness;
   if (field.logarithmic && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
   return ends;
 }
 
-std::vector<float> values_of(const FieldChoice& field, const Simulation& simulation) {
-  std::vector<float> values = field.scalar.values(simulation);
+std::vector<float> values_of(const FieldChoice& field, const View& view) {
+  std::vector<float> values = field.scalar.values(view);
   if (field.is_fringes())
     for (float& order : values) order *= static_cast<float>(field.thickness);
-  const std::vector<std::uint8_t>& material = simulation.lattice().material;
+  const std::vector<std::uint8_t>& material = view.lattice().material;
   for (std::size_t node = 0; node < material.size(); ++node)
     if (material[node] == Lattice::void_node)
       values[node] = std::numeric_limits<float>::quiet_NaN();
@@ -38,12 +38,12 @@ bool is_logarithmic(const PictureOptions& options) {
   return first_field(options).logarithmic;
 }
 
-Ends usual_ends(const PictureOptions& options, const Simulation& simulation) {
-  return usual_ends(first_field(options), simulation);
+Ends usual_ends(const PictureOptions& options, const View& view) {
+  return usual_ends(first_field(options), view);
 }
 
-std::vector<float> field_values(const PictureOptions& options, const Simulation& simulation) {
-  return values_of(first_field(options), simulation);
+std::vector<float> field_values(const PictureOptions& options, const View& view) {
+  return values_of(first_field(options), view);
 }
 
 }  // namespace hackle

@@ -8,7 +8,7 @@
 
 #include "measure/scalar.hpp"
 #include "output/picture/picture.hpp"
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -27,17 +27,17 @@ FieldChoice first_field(const PictureOptions& options);
 FieldChoice second_field(const PictureOptions& options);
 
 // Returns the field's own range, or four decades for a logarithmic scale if it has none.
-Ends usual_ends(const FieldChoice& field, const Simulation& simulation);
+Ends usual_ends(const FieldChoice& field, const View& view);
 // Returns values by Grid::index; nan without material, where pictures show the background.
-std::vector<float> values_of(const FieldChoice& field, const Simulation& simulation);
+std::vector<float> values_of(const FieldChoice& field, const View& view);
 
 // Returns whether the colour bar is logarithmic.
 bool is_logarithmic(const PictureOptions& options);
 // Returns the default range of the field, whatever the options request: it depends only on the
 // plate.
-Ends usual_ends(const PictureOptions& options, const Simulation& simulation);
+Ends usual_ends(const PictureOptions& options, const View& view);
 
 // Returns the values to paint, by Grid::index; nan without material.
-std::vector<float> field_values(const PictureOptions& options, const Simulation& simulation);
+std::vector<float> field_values(const PictureOptions& options, const View& view);
 
 }  // namespace hackle

@@ -13,14 +13,15 @@
 #include "output/picture/field_choice.hpp"
 #include "output/picture/view.hpp"
 #include "scene/check_members.hpp"
+#include "solver/divergence.hpp"
 
 namespace hackle {
 namespace {
 
-FieldStyle style_of(const FieldChoice& field, const Simulation& simulation) {
+FieldStyle style_of(const FieldChoice& field, const View& view) {
   FieldStyle style;
   style.colour_map = field.colours.empty() ? std::string(field.scalar.colours) : field.colours;
-  const Ends ends = field.range.value_or(usual_ends(field, simulation));
+  const Ends ends = field.range.value_or(usual_ends(field, view));
   style.least = ends.least;
   style.most = ends.most;
   style.logarithmic = field.logarithmic;
@@ -43,10 +44,10 @@ void check_range(const char* output, const char* option, const FieldChoice& fiel
 }
 
 // Includes bonds of outside nodes that reach into the window.
-std::vector<BondLine> bonds_in(const Window& window, const Simulation& simulation) {
-  const int reach = simulation.lattice().family.reach();
-  return bond_lines(simulation, {window.left - reach, window.left + window.nx - 1 + reach,
-                                 window.bottom - reach, window.bottom + window.ny - 1 + reach});
+std::vector<BondLine> bonds_in(const Window& window, const View& view) {
+  const int reach = view.lattice().family.reach();
+  return bond_lines(view, {window.left - reach, window.left + window.nx - 1 + reach,
+                           window.bottom - reach, window.bottom + window.ny - 1 + reach});
 }
 
 std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
@@ -73,9 +74,9 @@ void set_size(PictureStyle& style, const PictureOptions& options) {
                 "take fewer, or a zoom");
 }
 
-std::string title_of(const PictureOptions& options, const Simulation& simulation) {
+std::string title_of(const PictureOptions& options, const View& view) {
   if (options.overlay.title) return *options.overlay.title;
-  const std::string& name = simulation.plate().material.name;
+  const std::string& name = view.plate().material.name;
   if (!first_field(options).is_fringes()) return name;
   return fmt::format("{}, {} thick", name, quantity(options.thickness, "m"));
 }
@@ -111,40 +112,38 @@ void check(const char* output, const PictureOptions& options, const Grid& grid) 
   problems.throw_if_any();
 }
 
-PictureStyle style_of(const PictureOptions& options, const Simulation& simulation) {
+PictureStyle style_of(const PictureOptions& options, const View& view) {
   PictureStyle style;
-  style.grid = simulation.lattice().grid;
-  style.window = window_of(options, simulation);
+  style.grid = view.lattice().grid;
+  style.window = window_of(options, view);
   style.rotation = options.rotation;
-  style.magnification = magnification_of(options, simulation);
+  style.magnification = magnification_of(options, view);
   if (style.magnification > 0.0)
     style.note = fmt::format("displacements × {:.4g}", style.magnification);
   style.background = options.background;
   set_size(style, options);
   FieldChoice first = first_field(options);
-  if (options.percentile) first.range = automatic_range(options, simulation);
-  style.field = style_of(first, simulation);
-  if (options.second) style.second = style_of(second_field(options), simulation);
+  if (options.percentile) first.range = automatic_range(options, view);
+  style.field = style_of(first, view);
+  if (options.second) style.second = style_of(second_field(options), view);
   style.arrangement = options.arrangement;
   style.overlay = options.overlay;
-  style.title = title_of(options, simulation);
+  style.title = title_of(options, view);
   return style;
 }
 
-Image paint(const Simulation& simulation, const PictureOptions& options,
-            const std::optional<Extent>& bare) {
-  simulation.check_finite();
-  PictureStyle style = style_of(options, simulation);
+Image paint(const View& view, const PictureOptions& options, const std::optional<Extent>& bare) {
+  check_finite(view);
+  PictureStyle style = style_of(options, view);
   if (bare) {
     style.width = bare->width;
     style.bare_height = bare->height;
   }
-  return PlatePainter(style).paint(shot_of(options, simulation));
+  return PlatePainter(style).paint(shot_of(options, view));
 }
 
-int widest_picture(const PictureOptions& options, const Simulation& simulation,
-                   const Extent& most) {
-  PictureStyle style = style_of(options, simulation);
+int widest_picture(const PictureOptions& options, const View& view, const Extent& most) {
+  PictureStyle style = style_of(options, view);
   for (int width = std::min(most.width, max_picture_width) / 2 * 2; width >= min_picture_width;
        width -= 2) {
     style.width = width;
@@ -153,23 +152,23 @@ int widest_picture(const PictureOptions& options, const Simulation& simulation,
   return 0;
 }
 
-Shot shot_of(const PictureOptions& options, const Simulation& simulation) {
+Shot shot_of(const PictureOptions& options, const View& view) {
   Shot shot;
-  shot.values = field_values(options, simulation);
-  if (options.second) shot.second = values_of(second_field(options), simulation);
-  shot.time = simulation.time();
-  shot.discs = impactors(simulation);
+  shot.values = field_values(options, view);
+  if (options.second) shot.second = values_of(second_field(options), view);
+  shot.time = view.time();
+  shot.discs = impactors(view);
   if (options.cracks && options.field != "damage" && options.second != "damage")
-    shot.gaps = in_255ths(damage(simulation).values);
-  if (magnification_of(options, simulation) > 0.0) {
-    shot.displacement = displacement(simulation).values;
-    shot.links = links(simulation);
+    shot.gaps = in_255ths(damage(view).values);
+  if (magnification_of(options, view) > 0.0) {
+    shot.displacement = displacement(view).values;
+    shot.links = links(view);
   }
-  const Window window = followed(window_of(options, simulation), options, simulation);
+  const Window window = followed(window_of(options, view), options, view);
   if (options.follow) shot.window = window;
-  if (options.bonds) shot.bonds = bonds_in(window, simulation);
-  if (options.overlay.load_curve) shot.load_curve = load_curve(simulation);
-  if (options.overlay.energy) shot.energy = energy_chart(simulation);
+  if (options.bonds) shot.bonds = bonds_in(window, view);
+  if (options.overlay.load_curve) shot.load_curve = load_curve(view);
+  if (options.overlay.energy) shot.energy = energy_chart(view);
   return shot;
 }
 

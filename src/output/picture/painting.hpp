@@ -7,7 +7,7 @@
 
 #include "output/picture/picture.hpp"
 #include "render/plate_painter.hpp"
-#include "solver/simulation.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
@@ -25,7 +25,7 @@ void check_opaque(const char* output, const PictureOptions& options);
 
 // Returns the style. Without a range in the options, it is that of the present state, or the
 // field's default. Throws Error (refused) if the materials lack a value that the field needs.
-PictureStyle style_of(const PictureOptions& options, const Simulation& simulation);
+PictureStyle style_of(const PictureOptions& options, const View& view);
 
 // The size of a picture without texts and bars, stretched to fill these px.
 struct Extent {
@@ -34,14 +34,14 @@ struct Extent {
 
 // Paints the present state. The options must have been checked; `bare` overrides their width.
 // Throws Error (run_failed) if the state is not finite, and what PlatePainter throws.
-Image paint(const Simulation& simulation, const PictureOptions& options,
+Image paint(const View& view, const PictureOptions& options,
             const std::optional<Extent>& bare = {});
 
 // Returns the width in px of the largest picture with texts that fits into these px, at most
 // `most.width`; 0 if the smallest does not fit.
-int widest_picture(const PictureOptions& options, const Simulation& simulation, const Extent& most);
+int widest_picture(const PictureOptions& options, const View& view, const Extent& most);
 
 // Returns the content of a picture of the present state; nan without material.
-Shot shot_of(const PictureOptions& options, const Simulation& simulation);
+Shot shot_of(const PictureOptions& options, const View& view);
 
 }  // namespace hackle

@@ -66,17 +66,17 @@ Window moved(Window window, const Vec2& middle, const Grid& grid) {
 }
 
 // Returns the largest expected displacement of a breaking plate, m.
-double usual_displacement(const Simulation& simulation) {
-  return scalar_of("displacement").ends(simulation).most;
+double usual_displacement(const View& view) {
+  return scalar_of("displacement").ends(view).most;
 }
 
 // Returns the margin in cells for a displaced plate. Fragments keep moving: by 32 us the edges of
 // the paper's first plate have moved 11.5 times as far as usual.
-int margin_of(const PictureOptions& options, const Simulation& simulation) {
+int margin_of(const PictureOptions& options, const View& view) {
   constexpr double flight = 12.0;
-  const Grid& grid = simulation.lattice().grid;
+  const Grid& grid = view.lattice().grid;
   const double reach =
-      flight * magnification_of(options, simulation) * usual_displacement(simulation) / grid.dx;
+      flight * magnification_of(options, view) * usual_displacement(view) / grid.dx;
   return static_cast<int>(std::ceil(std::min(reach, 0.5 * std::min(grid.nx, grid.ny))));
 }
 
@@ -107,30 +107,29 @@ void check_view(const char* output, const PictureOptions& options, const Grid& g
                  "zoom = {x, y, half} says where to begin, and how much is seen");
 }
 
-double magnification_of(const PictureOptions& options, const Simulation& simulation) {
+double magnification_of(const PictureOptions& options, const View& view) {
   if (!options.deformed) return 0.0;
   if (options.magnification) return *options.magnification;
   constexpr double share = 0.01;
-  const Plate& plate = simulation.plate();
-  return neat_at_most(share * std::min(plate.width, plate.height) / usual_displacement(simulation));
+  const Plate& plate = view.plate();
+  return neat_at_most(share * std::min(plate.width, plate.height) / usual_displacement(view));
 }
 
-Window window_of(const PictureOptions& options, const Simulation& simulation) {
-  const Grid& grid = simulation.lattice().grid;
+Window window_of(const PictureOptions& options, const View& view) {
+  const Grid& grid = view.lattice().grid;
   if (options.zoom) return moved(window_of(*options.zoom, grid), options.zoom->centre, grid);
-  return whole_window(grid, options.rotation, margin_of(options, simulation));
+  return whole_window(grid, options.rotation, margin_of(options, view));
 }
 
-Window followed(Window window, const PictureOptions& options, const Simulation& simulation) {
+Window followed(Window window, const PictureOptions& options, const View& view) {
   if (!options.follow) return window;
-  const Grid& grid = simulation.lattice().grid;
-  const auto tip = foremost(damage(simulation), grid, direction_of(*options.follow));
+  const Grid& grid = view.lattice().grid;
+  const auto tip = foremost(damage(view), grid, direction_of(*options.follow));
   if (!tip) return window;
   const Vec2 node = grid.from_centre(*tip) + 0.5 * Vec2(grid.nx - 1, grid.ny - 1);
-  const Vec2 moved_by =
-      magnification_of(options, simulation) *
-      simulation.displacement(std::clamp(static_cast<int>(node.x()), 0, grid.nx - 1),
-                              std::clamp(static_cast<int>(node.y()), 0, grid.ny - 1));
+  const Vec2 moved_by = magnification_of(options, view) *
+                        view.displacement(std::clamp(static_cast<int>(node.x()), 0, grid.nx - 1),
+                                          std::clamp(static_cast<int>(node.y()), 0, grid.ny - 1));
   return moved(window, *tip + moved_by, grid);
 }
 

@@ -84,7 +84,8 @@ fs::path Run::movie(const fs::path& path, const MovieOptions& options) {
   check_opaque("movie", options.picture);
   parts_->loop.refuse_while_running();
   auto output = std::make_unique<MovieOutput>(path, options, parts_->simulation, parts_->origin,
-                                              parts_->talk, parts_->outputs.names());
+                                              parts_->simulation.threads(), parts_->talk,
+                                              parts_->outputs.names());
   fs::path made = output->path();
   parts_->outputs.add("movie", made, FileKind::movie, std::move(output));
   return made;

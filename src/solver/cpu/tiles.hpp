@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lattice/node_layout.hpp"
-#include "solver/cpu/tile_paths.hpp"
+#include "solver/path_counts.hpp"
 
 namespace hackle {
 

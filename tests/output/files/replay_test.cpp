@@ -30,7 +30,7 @@ std::shared_ptr<Recording> recorded(const fs::path& path, double stress, int rec
     if (k + 1 < records) simulation.run(1e-6);
   }
   file.finish();
-  return std::make_shared<Recording>(path, Execution{1});
+  return std::make_shared<Recording>(path);
 }
 
 class ReplayTest : public testing::Test {
@@ -99,7 +99,7 @@ TEST_F(ReplayTest, TheCommonRangeHoldsForEverythingThatIsSeen) {
   for (const auto& recording : {one, other})
     for (std::size_t k = 0; k < recording->times().size(); ++k) {
       recording->go_to(k);
-      for (const float value : shot_of(options, recording->simulation()).values)
+      for (const float value : shot_of(options, recording->view()).values)
         most = std::max(most, value);
     }
   EXPECT_FLOAT_EQ(static_cast<float>(found.range->most), most);
@@ -114,8 +114,7 @@ TEST_F(ReplayTest, WithoutAPercentileTheWidestRangeThatSuitsHolds) {
     file.add(tough);
     file.finish();
   }
-  const Tiles tiles{{a(1), ""},
-                    {std::make_shared<Recording>(folder_.path / "tough.h5", Execution{1}), ""}};
+  const Tiles tiles{{a(1), ""}, {std::make_shared<Recording>(folder_.path / "tough.h5"), ""}};
   PictureOptions options;
   options.field = "von_mises";
   const Ends usual = usual_ends(options, tough);
@@ -129,14 +128,14 @@ TEST_F(ReplayTest, FilmsOneRun) {
   options.picture.width = 320;
   options.picture.percentile = 99.0;
   options.picture.field = "speed";
-  film(a(), folder_.path / "a.mp4", options, {}, Talk::quiet, std::make_shared<OutputNames>());
+  film(a(), folder_.path / "a.mp4", options, {}, 1, Talk::quiet, std::make_shared<OutputNames>());
   EXPECT_GT(fs::file_size(folder_.path / "a.mp4"), 1000U);
 }
 
 TEST_F(ReplayTest, FilmsSeveralOfDifferentShapes) {
   MovieOptions options;
   options.picture.width = 320;
-  film_side_by_side({{a(), "one"}, {b(), "other"}}, folder_.path / "ab.mp4", options, {}, 2,
+  film_side_by_side({{a(), "one"}, {b(), "other"}}, folder_.path / "ab.mp4", options, {}, 2, 1,
                     Talk::quiet, OutputNames());
   EXPECT_GT(fs::file_size(folder_.path / "ab.mp4"), 1000U);
 }
@@ -151,7 +150,7 @@ TEST_F(ReplayTest, AnInterruptedMovieIsComplete) {
   options.picture.width = 320;
   const Interrupted now;
   try {
-    film(recording, folder_.path / "a.mp4", options, {}, Talk::quiet,
+    film(recording, folder_.path / "a.mp4", options, {}, 1, Talk::quiet,
          std::make_shared<OutputNames>());
     FAIL();
   } catch (const Error& error) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// How a stepper takes the tiles of a plate through a step, and how often it did so.
 #pragma once
 
 #include <array>
