@@ -23,7 +23,7 @@ ConsoleSettings settings_for(Purpose purpose, const RunRequest& request) {
 // An error of the script itself after its simulations may be due to missing results.
 std::optional<Error> failure_of_script(Console& console, const RunRequest& request) {
   try {
-    console.run_file(request.script, request.arguments);
+    run(console, request);
     return std::nullopt;
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::script || console.simulations().empty()) throw;
@@ -51,7 +51,7 @@ int command_check(const RunRequest& request) {
 
 std::string options_text(const RunRequest& request) {
   Console console(settings_for(Purpose::options, request));
-  console.run_file(request.script, request.arguments);
+  run(console, request);
   const std::string name = request.script.filename().string();
   if (console.options().empty()) return fmt::format("{} has no options for --set.\n", name);
   std::string text = fmt::format("Options of {}, for --set:\n", name);

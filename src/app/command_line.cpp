@@ -105,7 +105,11 @@ void describe_limits(CLI::App& command, Limits& limits) {
 }
 
 void describe_script(CLI::App& command, Request& request) {
-  command.add_option("FILE", request.run.script, "The script")->required();
+  CLI::Option* file =
+      command.add_option("FILE", request.run.script, "The script; - reads it from stdin");
+  command.add_option("-e", request.run.text, "Run this text in place of a script")
+      ->type_name("TEXT")
+      ->excludes(file);
   command
       .add_option("-o,--output", request.run.output_folder,
                   "Folder for output files (out/<name of the script>)")
@@ -135,6 +139,9 @@ void describe_run(CLI::App& app, Request& request) {
   describe_script(*run, request);
   run->add_flag("--json", request.run.json, "Print one JSON object with the results on stdout");
   run->add_flag("-q,--quiet", request.run.quiet, "Print only errors");
+  run->add_flag("-i,--interactive", request.run.interactive,
+                "Go on at the prompt after the script, with its variables and simulations")
+      ->excludes("--json");
   run->footer("Arguments after -- are passed to the script, in `arg` and `...`.");
 }
 
@@ -153,8 +160,8 @@ void describe_render(CLI::App& app, Request& request) {
   render->add_flag("-q,--quiet", request.render.quiet, "Print only errors");
   render->footer(
       "RUN.h5 alone tells what is recorded. Options are those of r:frame and r:movie for one run,\n"
-      "of contact_sheet and side_by_side for several or for times={...}:\n"
-      "hackle render run.h5 stress.png field=stress_1 time=20*us range={0,12*MPa}");
+      "of contact_sheet and side_by_side for several or for times=10us,20us:\n"
+      "hackle render run.h5 stress.png field=stress_1 time=20us range=0:12MPa");
 }
 
 void describe_bench(CLI::App& app, Request& request) {
@@ -217,6 +224,11 @@ int refuse(const CLI::App& app, const CLI::ParseError& error, const std::string&
 }
 
 int execute(const CLI::App& app, Request& request) {
+  if ((app.got_subcommand("run") || app.got_subcommand("check")) && request.run.script.empty() &&
+      request.run.text.empty()) {
+    tell(Error(ErrorKind::usage, "FILE is required", "name a script, - for stdin, or -e TEXT"));
+    return static_cast<int>(ErrorKind::usage);
+  }
   for (const std::string& setting : request.settings) {
     const std::size_t equals = setting.find('=');
     request.run.overrides[setting.substr(0, equals)] = setting.substr(equals + 1);
@@ -256,7 +268,8 @@ std::vector<std::string> with_command(std::vector<std::string> words) {
   if (words.empty() || is_command(words.front())) return words;
   const auto is_script = [](const std::string& word) {
     std::error_code ignored;
-    return word.ends_with(".lua") || std::filesystem::is_regular_file(word, ignored);
+    return word == "-" || word == "-e" || word.ends_with(".lua") ||
+           std::filesystem::is_regular_file(word, ignored);
   };
   if (std::ranges::any_of(words, is_script)) words.insert(words.begin(), "run");
   return words;

@@ -13,6 +13,7 @@
 #include "base/streams.hpp"
 #include "base/version.hpp"
 #include "console/prompt/line_reader.hpp"
+#include "console/prompt/pager.hpp"
 #include "console/prompt/prompt.hpp"
 
 namespace hackle {
@@ -42,6 +43,29 @@ void print_value(const std::string& value) {
 
 }  // namespace
 
+int ask(Console& console, int code) {
+  const InterruptHandler handler(InterruptHandler::Keyboard::left_alone);
+  const bool person = isatty(STDIN_FILENO) != 0;
+  const auto editor = person ? std::make_shared<LineEditor>(history_file()) : nullptr;
+  Prompt prompt(console, line_reader(editor), {print_value, tell, print_note});
+  if (editor)
+    editor->complete_with(
+        [&](const std::string& before) { return console.complete(prompt.begun() + before); });
+  if (person && stdout_is_terminal()) console.page_with(show_in_pages);
+  const int first_error = prompt.run();
+  // A person has seen the errors; a program that feeds lines needs the exit code.
+  if (!person && !asked_to_leave()) console.finish_work();
+  if (person) code = console.exit_code().value_or(0);
+  if (!person && code == 0) code = first_error;
+  if (asked_to_leave()) code = static_cast<int>(ErrorKind::interrupted);
+  const int closing = exit_code_of([&] {
+    console.close_all();
+    return 0;
+  });
+  tell_files(console.simulations());
+  return code != 0 ? code : closing;
+}
+
 int command_prompt(const Limits& limits) {
   return exit_code_of([&limits] {
     ConsoleSettings settings;
@@ -50,24 +74,7 @@ int command_prompt(const Limits& limits) {
     settings.show_in_terminal = stdout_is_terminal();
     limits.apply(settings);
     Console console(settings);
-    const InterruptHandler handler(InterruptHandler::Keyboard::left_alone);
-    const bool person = isatty(STDIN_FILENO) != 0;
-    const auto editor = person ? std::make_shared<LineEditor>(history_file()) : nullptr;
-    Prompt prompt(console, line_reader(editor), {print_value, tell, print_note});
-    if (editor)
-      editor->complete_with(
-          [&](const std::string& before) { return console.complete(prompt.begun() + before); });
-    const int first_error = prompt.run();
-    // A person has seen the errors; a program that feeds lines needs the exit code.
-    if (!person && !asked_to_leave()) console.finish_work();
-    int code = person ? console.exit_code().value_or(0) : first_error;
-    if (asked_to_leave()) code = static_cast<int>(ErrorKind::interrupted);
-    const int closing = exit_code_of([&] {
-      console.close_all();
-      return 0;
-    });
-    tell_files(console.simulations());
-    return code != 0 ? code : closing;
+    return ask(console);
   });
 }
 

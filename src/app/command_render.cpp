@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "console/console.hpp"
 #include "console/reference/vocabulary.hpp"
+#include "console/schema/shell_value.hpp"
 #include "movie/movie_kind.hpp"
 
 namespace hackle {
@@ -84,7 +85,8 @@ bool is_quoted(const std::string& value) {
 std::string value_text(const Option& option, const std::string& value) {
   const bool text = option.type == OptionType::text || option.type == OptionType::caption ||
                     option.type == OptionType::choice;
-  return text && !is_quoted(value) ? quoted(value) : value;
+  if (!text) return shell_expression(value);
+  return is_quoted(value) ? value : quoted(value);
 }
 
 [[noreturn]] void refuse_name(const FunctionDoc& doc, const std::string& name) {

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/command_prompt.hpp"
 #include "app/exit_code.hpp"
 #include "app/voice.hpp"
+#include "base/files.hpp"
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
 #include "base/streams.hpp"
@@ -16,6 +18,9 @@ namespace hackle {
 ConsoleSettings settings_of(const RunRequest& request) {
   ConsoleSettings settings;
   settings.output_folder = request.output_folder;
+  if (request.output_folder.empty() && !request.text.empty())
+    settings.output_folder = "out/command";
+  if (request.output_folder.empty() && request.script == "-") settings.output_folder = "out/stdin";
   settings.overrides = request.overrides;
   settings.execution = request.execution;
   settings.talk = talk(request.quiet);
@@ -23,6 +28,16 @@ ConsoleSettings settings_of(const RunRequest& request) {
   settings.show_in_terminal = stdout_is_terminal() && !request.json;
   request.limits.apply(settings);
   return settings;
+}
+
+void run(Console& console, const RunRequest& request) {
+  const Ending ending = request.interactive ? Ending::go_on : Ending::close;
+  if (!request.text.empty())
+    console.run_text(request.text, "-e", request.arguments, ending);
+  else if (request.script == "-")
+    console.run_text(read_text("/dev/stdin"), "stdin", request.arguments, ending);
+  else
+    console.run_file(request.script, request.arguments, ending);
 }
 
 namespace {
@@ -34,13 +49,14 @@ void print_json(const Console& console, const RunRequest& request) {
 }  // namespace
 
 int command_run(const RunRequest& request) {
-  const InterruptHandler handler;
   return exit_code_of([&] {
     Console console(settings_of(request));
     const int code = exit_code_of([&] {
-      console.run_file(request.script, request.arguments);
+      const InterruptHandler handler;
+      run(console, request);
       return console.exit_code().value_or(0);
     });
+    if (request.interactive) return ask(console, code);
     if (!request.quiet) tell_files(console.simulations());
     const bool ended = code == 0 || code == static_cast<int>(ErrorKind::interrupted);
     if (request.json && ended) print_json(console, request);

@@ -10,12 +10,13 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/limits.hpp"
-#include "console/session.hpp"
+#include "console/console.hpp"
 
 namespace hackle {
 
 struct RunRequest {
-  std::filesystem::path script;
+  std::filesystem::path script;                  // "-": from stdin
+  std::string text;                              // of -e, in place of a script
   std::filesystem::path output_folder;           // "": out/<name of the script>
   std::map<std::string, std::string> overrides;  // --set key=value
   std::vector<std::string> arguments;            // after --
@@ -23,9 +24,12 @@ struct RunRequest {
   Limits limits;
   bool json = false;
   bool quiet = false;
+  bool interactive = false;  // the prompt goes on after it
 };
 
 ConsoleSettings settings_of(const RunRequest& request);
+// Runs the script, stdin or the text of the request. Throws what Console::run_file throws.
+void run(Console& console, const RunRequest& request);
 
 // Returns the exit code. Stdout gets the output of the script; with --json only the one object, and
 // only if the script ended normally or was interrupted.

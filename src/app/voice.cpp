@@ -9,9 +9,11 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "base/machine.hpp"
 #include "base/streams.hpp"
+#include "base/terminal.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
 
@@ -37,22 +39,31 @@ std::string size_text(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string error_text(const Error& error, bool colour) {
+std::string error_text(const Error& error, bool colour, std::size_t columns) {
+  constexpr std::size_t indent = 7;  // of what follows "error: "
+  const auto broken = [&](const std::string& line) {
+    return columns == 0 ? line : hanging(line, indent, std::max(columns, 2 * indent));
+  };
   std::string text;
   for (const Problem& problem : error.problems()) {
     std::istringstream lines(problem.what);
-    for (std::string line; std::getline(lines, line);)
+    std::size_t used = 0;
+    for (std::string line; std::getline(lines, line); used = indent + line.size())
       text += fmt::format("{}{} {}", text.empty() ? "" : "\n", painted("error:", red, colour),
-                          painted(line, bold, colour));
-    if (!problem.remedy.empty())
-      text += fmt::format(" {}", painted(fmt::format("({})", problem.remedy), faint, colour));
+                          painted(broken(line), bold, colour));
+    if (problem.remedy.empty()) continue;
+    const std::string remedy = fmt::format("({})", problem.remedy);
+    const bool beside = columns == 0 || used + 1 + remedy.size() <= columns;
+    text += beside ? " " : fmt::format("\n{:{}}", "", indent);
+    text += painted(broken(remedy), faint, colour);
   }
   return text + "\n";
 }
 
 void tell(const Error& error) {
   flush(stdout);
-  say("{}", error_text(error, in_colour()));
+  const std::size_t columns = stderr_is_terminal() ? terminal_columns(STDERR_FILENO) : 0;
+  say("{}", error_text(error, in_colour(), columns));
 }
 
 void tell_file(const std::filesystem::path& file) {

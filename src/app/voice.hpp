@@ -13,8 +13,9 @@
 namespace hackle {
 
 // Returns "error: what (remedy)" for each problem, with "error:" on every line. In colour "error:"
-// is red, the problem bold and the remedy faint.
-std::string error_text(const Error& error, bool colour);
+// is red, the problem bold and the remedy faint. Lines longer than `columns` are broken at blanks,
+// with the remedy on a line of its own; 0 breaks none.
+std::string error_text(const Error& error, bool colour, std::size_t columns = 0);
 
 // Prints the same on stderr, in colour on a terminal unless NO_COLOR is set.
 void tell(const Error& error);

@@ -6,8 +6,10 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "base/streams.hpp"
+#include "base/terminal.hpp"
 
 namespace hackle {
 namespace {
@@ -16,7 +18,7 @@ constexpr double first_shown_after = 0.5;     // seconds; shorter work needs no 
 constexpr double redraw_every = 0.1;          // seconds, on a terminal
 constexpr double plain_line_after = 1.0;      // seconds before the first plain line
 constexpr double plain_line_at_least = 30.0;  // largest interval between plain lines, s
-constexpr int bar_width = 24;
+constexpr std::size_t bar_width = 24;
 
 std::string remaining_text(double seconds) {
   if (seconds < 100.0) return fmt::format("{:.0f} s left", seconds);
@@ -24,14 +26,34 @@ std::string remaining_text(double seconds) {
   return fmt::format("{:.1f} h left", seconds / 3600.0);
 }
 
-std::string bar(double fraction) {
-  const int full = static_cast<int>(std::lround(fraction * bar_width));
+std::string bar(double fraction, std::size_t width) {
+  const auto full = static_cast<std::size_t>(std::lround(fraction * static_cast<double>(width)));
   std::string text;
-  for (int i = 0; i < bar_width; ++i) text += i < full ? "━" : "╌";
+  for (std::size_t i = 0; i < width; ++i) text += i < full ? "━" : "╌";
+  return text;
+}
+
+// Returns the beginning of the text that fits, up to a blank.
+std::string_view beginning(std::string_view text, std::size_t width) {
+  if (text.size() <= width) return text;
+  const std::size_t blank = text.rfind(' ', width);
+  text = text.substr(0, blank == std::string_view::npos ? 0 : blank);
+  while (text.ends_with(' ')) text.remove_suffix(1);
   return text;
 }
 
 }  // namespace
+
+std::string progress_line(double fraction, std::string_view detail, std::string_view left,
+                          std::size_t columns) {
+  constexpr std::size_t smallest_bar = 4;
+  const std::string percent = fmt::format("{:3d} %", static_cast<int>(fraction * 100.0));
+  const std::size_t texts = percent.size() + left.size() + 4;  // with blanks around detail and bar
+  const std::size_t room = columns - std::min(columns, texts + smallest_bar + 1);
+  const std::string_view shown = beginning(detail, room);
+  const std::size_t width = smallest_bar + std::min(bar_width - smallest_bar, room - shown.size());
+  return fmt::format("{} {}  {}  {}", bar(fraction, width), percent, shown, left);
+}
 
 Progress::Progress(Talk talk) : talk_(talk), start_(Clock::now()), last_(start_) {
 }
@@ -58,13 +80,13 @@ void Progress::show(double fraction, const std::string& detail) {
   tenths_shown_ = static_cast<int>(fraction * 10.0);
   const double done = std::max(fraction - fraction_at_start_, 1e-9);
   const std::string left = remaining_text(elapsed() * (1.0 - fraction) / done);
-  const int percent = static_cast<int>(fraction * 100.0);
   if (talk_ == Talk::animated) {
-    say("\r\033[K{} {:3d} %  {}  {}", bar(fraction), percent, detail, left);
+    const std::size_t columns = terminal_columns(STDERR_FILENO) - 1;  // the last one may wrap
+    say("\r\033[K{}", progress_line(fraction, detail, left, columns));
     flush(stderr);
     bar_is_drawn_ = true;
   } else {
-    say("{:3d} %  {}  {}\n", percent, detail, left);
+    say("{:3d} %  {}  {}\n", static_cast<int>(fraction * 100.0), detail, left);
   }
 }
 

@@ -3,12 +3,19 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace hackle {
 
 // How much a program reports on stderr while it works.
 enum class Talk { quiet, plain, animated };
+
+// Returns the line of a bar of so many columns at most: "━━━╌ 62 %  step 9 000 of 14 000  3 s
+// left". The bar is 24 columns wide, less where they are few, and the detail is cut at a blank.
+std::string progress_line(double fraction, std::string_view detail, std::string_view left,
+                          std::size_t columns);
 
 class Progress {
  public:

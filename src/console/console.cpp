@@ -25,6 +25,7 @@
 #include "console/lua/process_binding.hpp"
 #include "console/lua/standard_library.hpp"
 #include "console/lua/value_text.hpp"
+#include "console/prompt/kept_locals.hpp"
 #include "console/reference/help.hpp"
 #include "console/reference/vocabulary.hpp"
 #include "console/schema/object_type.hpp"
@@ -47,7 +48,7 @@ bool load(lua_State* L, std::string_view text, const std::string& chunk) {
 // `=x` shows the same values as `x`, as in lua.
 Transcript::Chunk chunk_of(std::string_view text) {
   if (text.starts_with('=')) text.remove_prefix(1);
-  return {.text = std::string(text)};
+  return {.text = with_locals_kept(text)};
 }
 
 // [-0, +1] Compiles the text as an expression if possible, else as statements. Returns false with
@@ -201,17 +202,31 @@ struct Console::Parts {
     session.end_line(chunk, has_value ? Outcome::value : Outcome::nothing);
   }
 
-  void run_chunk(const std::string& text, const std::string& chunk,
+  void run_chunk(std::string_view text, const std::string& chunk,
                  const std::vector<std::string>& arguments) {
     lua_settop(L, 0);
-    if (!load(L, without_shebang(text), chunk)) throw take_error(L);
+    if (!load(L, text, chunk)) throw take_error(L);
     session.arguments = arguments;
     protect(L, [&](lua_State* l) { set_arguments(l, session.origin.script_name, arguments); });
     luaL_checkstack(L, static_cast<int>(arguments.size()) + 2, "too many arguments");
     for (const std::string& argument : arguments) push_text(L, argument);
     call(static_cast<int>(arguments.size()), 0);
     if (!session.exit_code) session.check_overrides_used();
+  }
+
+  void run_to_the_end(const std::string& text, const std::string& chunk,
+                      const std::vector<std::string>& arguments) {
+    run_chunk(without_shebang(text), chunk, arguments);
     if (!session.exit_code) session.finish_work();
+  }
+
+  void run_before_the_prompt(const std::string& text, const std::string& chunk,
+                             const std::vector<std::string>& arguments) {
+    const std::string kept = with_locals_kept(without_shebang(text));
+    const auto failure = failure_of([&] { run_chunk(kept, chunk, arguments); });
+    using Outcome = Transcript::Outcome;
+    session.end_line({.text = kept}, failure ? Outcome::failed : Outcome::nothing);
+    if (failure) throw Error(*failure);
   }
 
   Session session;
@@ -223,22 +238,27 @@ Console::Console(ConsoleSettings settings) : parts_(std::make_unique<Parts>(std:
 
 Console::~Console() = default;
 
-void Console::run_file(const std::filesystem::path& path,
-                       const std::vector<std::string>& arguments) {
+void Console::run_file(const std::filesystem::path& path, const std::vector<std::string>& arguments,
+                       Ending ending) {
   const std::string text = read_text(path);
   protect(parts_->L, [&](lua_State* L) { look_for_modules_in(L, path.parent_path()); });
   ConsoleSettings& settings = parts_->session.settings;
   if (settings.output_folder.empty())
     settings.output_folder = default_output_folder(path, settings.trust);
   parts_->session.origin = {path.string(), text};
-  run_text(text, path.string(), arguments);
+  run_text(text, path.string(), arguments, ending);
 }
 
 void Console::run_text(const std::string& text, const std::string& name,
-                       const std::vector<std::string>& arguments) {
+                       const std::vector<std::string>& arguments, Ending ending) {
   parts_->session.origin = {name, text};
-  const auto failure = failure_of([&] { parts_->run_chunk(text, "@" + name, arguments); });
+  if (ending == Ending::go_on) return parts_->run_before_the_prompt(text, "@" + name, arguments);
+  const auto failure = failure_of([&] { parts_->run_to_the_end(text, "@" + name, arguments); });
   throw_both(failure, failure_of([this] { close_all(); }));
+}
+
+void Console::page_with(std::function<void(const std::string&)> page) {
+  parts_->session.settings.page = std::move(page);
 }
 
 bool Console::is_incomplete(const std::string& text) const {
@@ -267,6 +287,7 @@ std::vector<std::string> Console::evaluate(const std::string& text) {
   Transcript::Chunk chunk = chunk_of(text);
   if (!load_line(L, chunk)) throw take_error(L);
   parts_->carry_out(chunk);
+  if (lua_gettop(L) == 1 && is_exit(L, 1)) parts_->call(0, 0);
   const int count = lua_gettop(L);
   if (count > 0 && !lua_isnil(L, 1)) keep_last_value(L);
   lua_pushcfunction(L, to_texts);

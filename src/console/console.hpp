@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,21 +16,28 @@
 
 namespace hackle {
 
+// What becomes of the simulations of a script at its end. Where the prompt goes on with them, it
+// goes on with the locals at the top of the script too (see kept_locals.hpp).
+enum class Ending { close, go_on };
+
 class Console {
  public:
   explicit Console(ConsoleSettings settings);
   ~Console();
 
   // Runs a script with `arguments` in `arg` and `...`. However it ends, every simulation it made is
-  // closed, so that its files are complete. Throws Error: files (it cannot be read), script (syntax
-  // or run-time error of Lua), or the kind of the error that a bound function threw; problems of
-  // closing are added to it.
-  void run_file(const std::filesystem::path& path, const std::vector<std::string>& arguments = {});
+  // closed, so that its files are complete, unless the prompt goes on with them. Throws Error:
+  // files (it cannot be read), script (syntax or run-time error of Lua), or the kind of the error
+  // that a bound function threw; problems of closing are added to it.
+  void run_file(const std::filesystem::path& path, const std::vector<std::string>& arguments = {},
+                Ending ending = Ending::close);
   // Runs the text of a script likewise.
   void run_text(const std::string& text, const std::string& name,
-                const std::vector<std::string>& arguments = {});
+                const std::vector<std::string>& arguments = {}, Ending ending = Ending::close);
 
-  // For the prompt: returns whether the text needs more lines to be complete.
+  // For the prompt: shows long texts to a person in pages.
+  void page_with(std::function<void(const std::string&)> page);
+  // Returns whether the text needs more lines to be complete.
   bool is_incomplete(const std::string& text) const;
   // Completes the text, see completion.hpp. Runs nothing of the script. Throws Error.
   Completion complete(const std::string& text) const;

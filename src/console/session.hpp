@@ -40,6 +40,8 @@ struct ConsoleSettings {
   std::map<std::string, std::string> overrides;  // --set key=value
   Execution execution;
   Talk talk = Talk::plain;
+  // Shows a long text to a person; empty: it is printed.
+  std::function<void(const std::string&)> page;
   bool print_to_stderr = false;   // output of the script: stdout serves another purpose
   bool show_in_terminal = false;  // output of show(s): stdout is a terminal; else to files
   bool trust = false;             // all of Lua's library, files everywhere

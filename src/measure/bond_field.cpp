@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "base/union_find.hpp"
 #include "solver/bond_visit.hpp"
@@ -26,18 +27,34 @@ std::vector<std::size_t> first_nodes(const View& view) {
   return fragments.firsts();
 }
 
-// Adds zz of a plate that cannot strain across its thickness.
-void add_stress_across(const View& view, std::vector<Stress>& stresses) {
+double unit_of_stress(const Grid& grid) {
+  return 0.5 * std::pow(grid.dx, 3);  // from 1/2 |xi| V
+}
+double unit_of_energy(const Grid& grid) {
+  return 0.25 * std::pow(grid.dx, 3);  // from 1/2 c s^2/2 |xi| V
+}
+
+// Sets zz of a node of a plate that cannot strain across its thickness.
+void set_stress_across(const View& view, int i, int j, Stress& stress) {
   const Lattice& lattice = view.lattice();
+  if (view.plate().plane != Plane::strain || lattice.is_void(i, j)) return;
   const std::vector<double>& heat = view.thermal_strain();
-  for (int j = 0; j < lattice.grid.ny; ++j)
-    for (int i = 0; i < lattice.grid.nx; ++i) {
-      if (lattice.is_void(i, j)) continue;
-      const std::size_t node = lattice.grid.index(i, j);
-      const Moduli& moduli = lattice.material_at(i, j).calibration.moduli;
-      Stress& own = stresses[node];
-      own.zz = moduli.nu * (own.xx + own.yy) - moduli.E * (heat.empty() ? 0.0 : heat[node]);
-    }
+  const Moduli& moduli = lattice.material_at(i, j).calibration.moduli;
+  const double strain = heat.empty() ? 0.0 : heat[lattice.grid.index(i, j)];
+  stress.zz = moduli.nu * (stress.xx + stress.yy) - moduli.E * strain;
+}
+
+// Adds the share of a bond that holds to the stress of one of its ends.
+void add_stress(const VisitedBond& bond, double unit, Stress& stress) {
+  const double pull = unit * bond.c * bond.weight * bond.s / bond.length;
+  stress.xx += pull * bond.xi.x() * bond.xi.x();
+  stress.yy += pull * bond.xi.y() * bond.xi.y();
+  stress.xy += pull * bond.xi.x() * bond.xi.y();
+}
+
+// Returns the energy of a bond at each of its ends, J/m3.
+double energy_density(const VisitedBond& bond, double unit) {
+  return unit * bond.c * bond.weight * bond.length * bond.s * bond.s;
 }
 
 }  // namespace
@@ -59,29 +76,24 @@ double Stress::von_mises() const {
 std::vector<Stress> stresses(const View& view) {
   const Grid& grid = view.lattice().grid;
   std::vector<Stress> stresses(grid.nodes());
-  const double unit = 0.5 * std::pow(grid.dx, 3);  // from 1/2 |xi| V
+  const double unit = unit_of_stress(grid);
   visit_bonds(view, [&](const VisitedBond& bond) {
     if (!bond.holds) return;
-    const double pull = unit * bond.c * bond.weight * bond.s / bond.length;
-    const Vec2 along = pull * bond.xi;
-    for (const std::size_t node : {bond.one, bond.other}) {
-      stresses[node].xx += along.x() * bond.xi.x();
-      stresses[node].yy += along.y() * bond.xi.y();
-      stresses[node].xy += along.x() * bond.xi.y();
-    }
+    for (const std::size_t node : {bond.one, bond.other}) add_stress(bond, unit, stresses[node]);
   });
-  if (view.plate().plane == Plane::strain) add_stress_across(view, stresses);
+  if (view.plate().plane == Plane::strain)
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i) set_stress_across(view, i, j, stresses[grid.index(i, j)]);
   return stresses;
 }
 
 std::vector<double> energy_densities(const View& view) {
   const Grid& grid = view.lattice().grid;
   std::vector<double> densities(grid.nodes());
-  const double unit = 0.25 * std::pow(grid.dx, 3);  // from 1/2 c s^2/2 |xi| V
+  const double unit = unit_of_energy(grid);
   visit_bonds(view, [&](const VisitedBond& bond) {
-    const double density = unit * bond.c * bond.weight * bond.length * bond.s * bond.s;
-    densities[bond.one] += density;
-    densities[bond.other] += density;
+    for (const std::size_t node : {bond.one, bond.other})
+      densities[node] += energy_density(bond, unit);
   });
   return densities;
 }
@@ -96,6 +108,23 @@ std::vector<double> closest_to_breaking(const View& view) {
   });
   std::ranges::replace(shares, none, 0.0);
   return shares;
+}
+
+BondsOfNode bonds_of_node(const View& view, int i, int j) {
+  const Grid& grid = view.lattice().grid;
+  const double stress = unit_of_stress(grid), energy = unit_of_energy(grid);
+  BondsOfNode found;
+  std::optional<double> closest;
+  visit_bonds_of(i, j, view.lattice(), view.state(), view.thermal_strain(),
+                 [&](const VisitedBond& bond) {
+                   if (!bond.holds) return;
+                   add_stress(bond, stress, found.stress);
+                   found.energy += energy_density(bond, energy);
+                   closest = std::max(closest.value_or(bond.s / bond.s0), bond.s / bond.s0);
+                 });
+  set_stress_across(view, i, j, found.stress);
+  found.closeness = closest.value_or(0.0);
+  return found;
 }
 
 std::vector<int> fragment_numbers(const View& view) {

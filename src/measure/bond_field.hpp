@@ -33,6 +33,14 @@ std::vector<double> energy_densities(const View& view);
 // Computes the largest s/s0 of the intact bonds; below 0 where all are compressed.
 std::vector<double> closest_to_breaking(const View& view);
 
+// What the bonds of one node say, as above, without looking at any other bond.
+struct BondsOfNode {
+  Stress stress;
+  double energy = 0.0;     // J/m3
+  double closeness = 0.0;  // largest s/s0
+};
+BondsOfNode bonds_of_node(const View& view, int i, int j);
+
 // Returns the number of the fragment of each node: 1 for the fragment with the most nodes, and so
 // on; 0 for nodes without intact bonds. Of equal fragments, the one that begins nearer to the lower
 // left corner comes first.

@@ -61,6 +61,14 @@ double damage_of(const View& view, int i, int j) {
              : static_cast<double>(initial_neighbours - left) / initial_neighbours;
 }
 
+double temperature_of(const View& view, int i, int j) {
+  const std::vector<double>& strain = view.thermal_strain();
+  const Lattice& lattice = view.lattice();
+  if (strain.empty() || lattice.is_void(i, j)) return 0.0;
+  const double alphaT = lattice.material_at(i, j).material.alphaT;
+  return alphaT == 0.0 ? 0.0 : strain[lattice.grid.index(i, j)] / alphaT;
+}
+
 Field displacement(const View& view) {
   return vector_field(view, "displacement", "m", [&](int i, int j) -> Vec2 {
     if (view.lattice().is_void(i, j)) return {0, 0};

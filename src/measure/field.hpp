@@ -24,6 +24,8 @@ Field damage(const View& view);
 Field damage_at_start(const View& view);
 // Returns the damage of one node.
 double damage_of(const View& view, int i, int j);
+// Returns the change of temperature of one node, K; 0 where the material does not expand.
+double temperature_of(const View& view, int i, int j);
 Field displacement(const View& view);  // m, components x and y; 0 where void
 Field velocity(const View& view);      // m/s, components x and y
 

@@ -11,6 +11,7 @@
 #include "base/machine.hpp"
 #include "lattice/check_numerics.hpp"
 #include "solver/bond_energy.hpp"
+#include "solver/bond_visit.hpp"
 #include "solver/cpu/engine.hpp"
 #include "solver/default_step.hpp"
 #include "solver/f32_range.hpp"
@@ -46,6 +47,19 @@ Lattice with_strength(Lattice lattice, std::vector<float> strength) {
   problems.throw_if_any();
   if (!strength.empty()) lattice.strength = std::move(strength);
   return lattice;
+}
+
+// Returns the entry of a node in a list by index, or nullptr.
+template <class Entry>
+const Entry* entry_of(const std::vector<Entry>& list, int i, int j, const Grid& grid) {
+  const auto index = [&](const Entry& entry) { return grid.index(entry.i, entry.j); };
+  const auto found = std::ranges::lower_bound(list, grid.index(i, j), {}, index);
+  return found != list.end() && index(*found) == grid.index(i, j) ? &*found : nullptr;
+}
+
+// The components along which a node is prescribed are those of `prescribed`, the others free.
+Vec2 led(const PrescribedNode& node, const Vec2& prescribed, const Vec2& free) {
+  return {node.along_x ? prescribed.x() : free.x(), node.along_y ? prescribed.y() : free.y()};
 }
 
 double motion_of(const Lattice& lattice, const State& state) {
@@ -158,24 +172,49 @@ double MovingPlate::energy() const {
 }
 
 // v is half a step old, except at the start; prescribed components need no correction.
+// The half kick that v is behind u, for the acceleration of a step, both in lattice units.
+Vec2 MovingPlate::caught_up(const Vec2& v, const Vec2& acceleration) const {
+  if (state_.is_start()) return grid_speed() * v;
+  const Damping half(0.5 * plate_.loads.damping * dt_);
+  return grid_speed() * (half.keep * v + 0.5 * half.yield * acceleration);
+}
+
 std::vector<Vec2> MovingPlate::velocities() const {
   const Grid& grid = lattice_.grid;
-  const Damping half(0.5 * plate_.loads.damping * dt_);
-  const bool starts = state_.is_start();
-  const double unit = grid.dx / dt_, keep = starts ? 1.0 : half.keep;
-  std::vector<Vec2> result = starts ? std::vector<Vec2>(grid.nodes(), Vec2(0, 0))
-                                    : stepper_->accelerations(lattice_, state_);
+  std::vector<Vec2> result = state_.is_start() ? std::vector<Vec2>(grid.nodes(), Vec2(0, 0))
+                                               : stepper_->accelerations(lattice_, state_);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       Vec2& v = result[grid.index(i, j)];
-      v = unit * (keep * state_.v(i, j) + 0.5 * half.yield * v);
+      v = caught_up(state_.v(i, j), v);
     }
   for (const PrescribedNode& node : terms_.actions().prescribed) {
-    const Vec2 prescribed = unit * state_.v(node.i, node.j);
     Vec2& v = result[grid.index(node.i, node.j)];
-    v = {node.along_x ? prescribed.x() : v.x(), node.along_y ? prescribed.y() : v.y()};
+    v = led(node, grid_speed() * state_.v(node.i, node.j), v);
   }
   return result;
+}
+
+Vec2 MovingPlate::velocity(int i, int j) const {
+  const Vec2 free = caught_up(state_.v(i, j), acceleration(i, j));
+  const PrescribedNode* node = entry_of(terms_.actions().prescribed, i, j, lattice_.grid);
+  return node == nullptr ? free : led(*node, grid_speed() * state_.v(i, j), free);
+}
+
+// Of one node, in lattice units: by its bonds (src/solver/README.md 2.2) and by what else acts.
+Vec2 MovingPlate::acceleration(int i, int j) const {
+  if (lattice_.is_void(i, j)) return {0, 0};
+  const double rho = lattice_.material_at(i, j).material.rho;
+  const std::size_t own = lattice_.grid.index(i, j);
+  Vec2 sum(0, 0);
+  visit_bonds_of(i, j, lattice_, state_, thermal_strain(), [&](const VisitedBond& bond) {
+    const double K = bond.c * bond.weight * lattice_.grid.dx * dt_ * dt_ / (rho * bond.length);
+    const Vec2 pull = K * bond.s / (1.0 + bond.s) * (bond.xi + bond.h);
+    sum += bond.one == own ? pull : Vec2(-pull);
+  });
+  const LoadedNode* load = entry_of(terms_.actions().forces, i, j, lattice_.grid);
+  if (load != nullptr) sum += dt_ * dt_ / lattice_.grid.dx * load->acceleration;
+  return sum;
 }
 
 std::size_t MovingPlate::bytes() const {

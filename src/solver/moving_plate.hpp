@@ -66,7 +66,10 @@ class MovingPlate {
   // Of motion, bonds and contacts, as if u and v belonged to the same time; in energy_unit().
   double energy() const;
   std::vector<Vec2> velocities() const;  // m/s, now, by Grid::index
-  std::size_t bytes() const;             // that grow with the plate
+  // The same of one node, to rounding. Forces are not linearised (fidelity), and a bond that the
+  // next step breaks still pulls.
+  Vec2 velocity(int i, int j) const;
+  std::size_t bytes() const;  // that grow with the plate
 
  private:
   Surroundings around() const { return around(terms_); }
@@ -75,6 +78,9 @@ class MovingPlate {
   }
   Cloned<Stepper> make_stepper(Precision precision) const;
   Terms terms_for(const Plate& plate, std::int64_t last_step);
+  double grid_speed() const { return lattice_.grid.dx / dt_; }  // m/s, of a spacing per step
+  Vec2 caught_up(const Vec2& v, const Vec2& acceleration) const;
+  Vec2 acceleration(int i, int j) const;
   double heat_work_of_change(const Terms& next) const;
   double work_of_half_step() const;  // in energy_unit(), here as below
   double lost_in_half_step() const;

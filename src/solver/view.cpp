@@ -47,6 +47,11 @@ std::vector<Vec2> View::velocities() const {
   return result;
 }
 
+Vec2 View::velocity(int i, int j) const {
+  if (moving_ != nullptr) return moving_->velocity(i, j);
+  return lattice_->grid.dx / dt_ * state_->v(i, j);
+}
+
 bool View::holds(int i, int j, int column, int row) const {
   return hackle::holds(lattice_->grid, lattice_->family, state_->bonds, i, j, column, row);
 }

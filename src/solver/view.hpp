@@ -45,6 +45,8 @@ class View {
   double kinetic_energy() const;          // J/m
   Vec2 displacement(int i, int j) const;  // m
   std::vector<Vec2> velocities() const;   // m/s, by Grid::index
+  // Returns the same of one node, m/s, without a look at any other node's bonds.
+  Vec2 velocity(int i, int j) const;
   // Returns whether the bond of node (i, j) to (i + column, j + row) is intact.
   bool holds(int i, int j, int column, int row) const;
 

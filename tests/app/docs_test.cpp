@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference that hackle docs writes.
 #include <cstdlib>
+#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -116,6 +117,20 @@ TEST(Voice, ErrorsAreRedBoldAndFaint) {
   EXPECT_EQ(error_text(error, true),
             "\033[1;31merror:\033[0m \033[1ma.lua:2: width is -1 m\033[0m "
             "\033[2m(above 0 m)\033[0m\n\033[1;31merror:\033[0m \033[1mb\033[0m\n");
+}
+
+TEST(Voice, ErrorsFitTheTerminal) {
+  const Error error(
+      ErrorKind::refused,
+      {{"crack.lua:12: crack: the crack from (0, 20 mm) to (50 mm, 20 mm) leaves the plate",
+        "cracks lie within 40 mm x 10 mm, or end with ends = \"cut\" at its edges"}});
+  for (std::size_t columns = 40; columns <= 200; ++columns) {
+    std::istringstream lines(error_text(error, false, columns));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), columns) << line;
+  }
+  EXPECT_EQ(error_text(error, false, 400), error_text(error, false));
+  EXPECT_THAT(error_text(error, false, 80),
+              HasSubstr("leaves the\n       plate\n       (cracks lie"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -44,6 +45,54 @@ TEST_F(ProgramTest, ExitCodesTellWhatWentWrong) {
   EXPECT_EQ(run("plate { width = -1 }").code, 4);
   EXPECT_EQ(program_.run({"run", "missing.lua"}).code, 5);
   EXPECT_EQ(run("os.exit(42)").code, 42);
+}
+
+TEST_F(ProgramTest, RunsATextFromTheCommandLine) {
+  const auto ended = program_.run({"-e", "print(2*MPa, ...)", "--", "x"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "2000000.0\tx\n");
+  EXPECT_EQ(program_.run({"run", "-e", "error 'x'"}).code, 3);
+  EXPECT_EQ(program_.run({"run", "-e", "print(1)", "a.lua"}).code, 2);
+  EXPECT_EQ(program_.run({"check", "-e", "print(1)"}).code, 0);
+  EXPECT_EQ(program_.run({"run"}).code, 2);
+}
+
+TEST_F(ProgramTest, RunsAScriptFromStdin) {
+  program_.input = "local x = 3\nprint(x + 1)\n";
+  EXPECT_EQ(program_.run({"-"}).out, "4\n");
+  EXPECT_EQ(program_.run({"run", "-", "-q"}).out, "4\n");
+  program_.input = "error 'x'";
+  EXPECT_THAT(program_.run({"run", "-"}).err, HasSubstr("stdin:1: x"));
+}
+
+// Locals and simulations of the script are there at the prompt; files are complete at its end.
+TEST_F(ProgramTest, GoesOnAtThePromptAfterAScript) {
+  program_.input = "s.steps, load\ns:step(2)\ns.steps\n";
+  const auto ended = run(test::scene +
+                             "local load <const> = 7\ns:step(3)\n"
+                             "s:movie { 'a.mp4', every = 1*us, width = 320 }",
+                         {"-i"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "3\n7\n5\n");
+  EXPECT_TRUE(fs::exists(folder_.path / "out/a/a.mp4")) << ended.err;
+}
+
+TEST_F(ProgramTest, GoesOnAtThePromptAfterAnErrorToo) {
+  program_.input = "x\n";
+  const auto ended = run("local x = 5\nerror 'no'", {"-i"});
+  EXPECT_EQ(ended.out, "5\n");
+  EXPECT_EQ(ended.code, 3);
+}
+
+TEST_F(ProgramTest, ABareWordLeavesThePrompt) {
+  for (const char* word : {"quit", "exit", "quit()", "exit()", "os.exit()"}) {
+    program_.input = fmt::format("1\n{}\n2\n", word);
+    const auto ended = program_.run({});
+    EXPECT_EQ(ended.out, "1\n") << word;
+    EXPECT_EQ(ended.code, 0);
+  }
+  program_.input = "exit(4)\n";
+  EXPECT_EQ(program_.run({}).code, 4);
 }
 
 TEST_F(ProgramTest, ABlownUpRunIsAFailedRun) {

@@ -13,6 +13,7 @@
 
 #include "measure/bond_field.hpp"
 #include "measure/energy.hpp"
+#include "measure/field.hpp"
 #include "measure/scalar.hpp"
 #include "support/composite.hpp"
 #include "support/states.hpp"
@@ -233,6 +234,29 @@ TEST_P(MixedPlate, HasEveryFieldAtEveryNode) {
                     2e-7 * most)
             << name << " at " << i << ", " << j;
   }
+}
+
+// What is asked of one node is what the fields of the whole plate have there.
+TEST_P(MixedPlate, OneNodeSaysTheSameAsTheWholePlate) {
+  const Simulation simulation = mixed(GetParam());
+  const std::vector<Stress> stress = stresses(simulation);
+  const std::vector<double> energy = energy_densities(simulation);
+  const std::vector<double> closest = closest_to_breaking(simulation);
+  const std::vector<float> damages = damage(simulation).values;
+  const std::vector<float> temperatures = scalar_of("temperature").values(simulation);
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const std::size_t at = simulation.lattice().grid.index(i, j);
+      const BondsOfNode own = bonds_of_node(simulation, i, j);
+      EXPECT_DOUBLE_EQ(own.stress.xx, stress[at].xx) << i << " " << j;
+      EXPECT_DOUBLE_EQ(own.stress.yy, stress[at].yy);
+      EXPECT_DOUBLE_EQ(own.stress.xy, stress[at].xy);
+      EXPECT_DOUBLE_EQ(own.stress.zz, stress[at].zz);
+      EXPECT_DOUBLE_EQ(own.energy, energy[at]);
+      EXPECT_DOUBLE_EQ(own.closeness, closest[at]);
+      EXPECT_FLOAT_EQ(static_cast<float>(damage_of(simulation, i, j)), damages[at]);
+      EXPECT_FLOAT_EQ(static_cast<float>(temperature_of(simulation, i, j)), temperatures[at]);
+    }
 }
 
 TEST_P(MixedPlate, HasItsEnergies) {

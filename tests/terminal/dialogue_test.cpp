@@ -41,7 +41,8 @@ TEST_F(Dialogue, ValuesAreShownAndRemembered) {
   terminal.say("_ + 1");
   terminal.expect("\n43\n>");
   terminal.say("local a = 1");
-  terminal.expect("leave out 'local' to keep it");
+  terminal.say("a + 1");
+  terminal.expect("\n2\n>");
 }
 
 TEST_F(Dialogue, TheUpKeyBringsLinesBack) {

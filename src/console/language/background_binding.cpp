@@ -11,6 +11,7 @@
 #include "console/language/scripted_run.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
+#include "console/schema/result_table.hpp"
 
 namespace hackle {
 namespace {
@@ -151,6 +152,9 @@ int start(lua_State* L) {
   return 0;
 }
 
+constexpr auto status_names =
+    std::to_array<std::string_view>({"state", "time", "until", "steps", "broken_bonds"});
+
 const char* state_word(const Run& run) {
   if (!run.under_way()) return "idle";
   return run.paused() ? "paused" : "running";
@@ -159,7 +163,8 @@ const char* state_word(const Run& run) {
 int status(lua_State* L) {
   const Run& run = checked_run<status_doc>(L);
   const Simulation& simulation = run.simulation();
-  lua_createtable(L, 0, 5);
+  lua_createtable(L, 0, status_names.size());
+  close_names(L, "s:status()", status_names);
   push_text(L, state_word(run));
   lua_setfield(L, -2, "state");
   set_number(L, "time", simulation.time());

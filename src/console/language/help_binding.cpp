@@ -10,15 +10,21 @@
 namespace hackle {
 namespace {
 
-constexpr FunctionDoc help_doc{
-    .name = "help",
-    .leading = "what",
-    .call = Call::free,
-    .sentence = "Explains a function, an option, an object or a word; without one it gives a tour.",
-    .example = "help \"crack\""};
+constexpr FunctionDoc help_doc{.name = "help",
+                               .leading = "what",
+                               .call = Call::free,
+                               .sentence =
+                                   "Explains a function, an option, an object or a word, and "
+                                   "searches for any other words; without one it gives a tour.",
+                               .example = "help \"crack\""};
 
 int help(lua_State* L) {
   const std::string text = session_of(L).help_on(L);
+  const auto& page = session_of(L).settings.page;
+  if (page) {
+    page(text);
+    return 0;
+  }
   lua_getglobal(L, "print");
   push_text(L, text);
   lua_call(L, 1, 0);

@@ -9,6 +9,8 @@
 #include "console/language/scripted_run.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
+#include "console/schema/result_table.hpp"
+#include "measure/bond_field.hpp"
 #include "measure/cracks.hpp"
 
 namespace hackle {
@@ -55,12 +57,22 @@ constexpr FunctionDoc at_doc{
     .name = "at",
     .owner = "s",
     .call = Call::values,
-    .sentence = "Returns the state of one node: x, y (initial position), ux, uy (m), damage.",
+    .sentence =
+        "Returns the state of one node: x, y (initial position), ux, uy (m), vx, vy (m/s), damage, "
+        "stress_xx, stress_yy, stress_xy (Pa), energy (J/m3), stretch (the largest of its bonds, "
+        "over s0), temperature (its change, K). Costs the same on any plate.",
     .options = at_options,
     .example = "print(s:at({50*mm, 30*mm}).uy)"};
 
+constexpr auto cracks_names =
+    std::to_array<std::string_view>({"nodes", "bands", "fork", "left", "right", "bottom", "top"});
+constexpr auto node_names =
+    std::to_array<std::string_view>({"x", "y", "ux", "uy", "vx", "vy", "damage", "stress_xx",
+                                     "stress_yy", "stress_xy", "energy", "stretch", "temperature"});
+
 void push_cracks(lua_State* L, const Cracks& found) {
   lua_createtable(L, 0, 7);
+  close_names(L, "s:cracks()", cracks_names);
   set_integer(L, "nodes", found.nodes);
   set_integer(L, "bands", found.bands);
   if (found.fork) set_number(L, "fork", *found.fork);
@@ -112,6 +124,11 @@ int nearest(double x, int count, const char* axis) {
   return std::min(static_cast<int>(x), count - 1);
 }
 
+void set_point(lua_State* L, const char* x, const char* y, const Vec2& point) {
+  set_number(L, x, point.x());
+  set_number(L, y, point.y());
+}
+
 int at(lua_State* L) {
   const Simulation& simulation = self<ScriptedRun>(L, at_doc).results();
   const Arguments arguments = Arguments::from_values(L, 2, at_doc);
@@ -120,13 +137,20 @@ int at(lua_State* L) {
   const Vec2 place = grid.from_centre(arguments.point("place"));
   const int i = nearest(place.x() + 0.5 * grid.nx, grid.nx, "x");
   const int j = nearest(place.y() + 0.5 * grid.ny, grid.ny, "y");
-  const Vec2 x = grid.position(i, j), u = simulation.displacement(i, j);
-  lua_createtable(L, 0, 5);
-  set_number(L, "x", x.x());
-  set_number(L, "y", x.y());
-  set_number(L, "ux", u.x());
-  set_number(L, "uy", u.y());
-  set_number(L, "damage", static_cast<double>(damage(simulation).values[grid.index(i, j)]));
+  const View view = simulation.view();
+  const BondsOfNode bonds = bonds_of_node(view, i, j);
+  lua_createtable(L, 0, node_names.size());
+  close_names(L, "s:at()", node_names);
+  set_point(L, "x", "y", grid.position(i, j));
+  set_point(L, "ux", "uy", view.displacement(i, j));
+  set_point(L, "vx", "vy", view.velocity(i, j));
+  set_number(L, "damage", damage_of(view, i, j));
+  set_number(L, "stress_xx", bonds.stress.xx);
+  set_number(L, "stress_yy", bonds.stress.yy);
+  set_number(L, "stress_xy", bonds.stress.xy);
+  set_number(L, "energy", bonds.energy);
+  set_number(L, "stretch", bonds.closeness);
+  set_number(L, "temperature", temperature_of(view, i, j));
   return 1;
 }
 

@@ -10,11 +10,13 @@
 
 #include <fmt/format.h>
 
+#include "base/streams.hpp"
 #include "base/text.hpp"
 #include "console/language/units_binding.hpp"
 #include "console/lua/description.hpp"
 #include "console/lua/value_text.hpp"
 #include "console/schema/arguments.hpp"
+#include "console/schema/shell_value.hpp"
 #include "console/session.hpp"
 
 namespace hackle {
@@ -84,6 +86,21 @@ std::optional<double> evaluate(lua_State* L, const std::string& expression) {
   return std::nullopt;
 }
 
+// A value has the dimension of its default, as far as both are known: a length for a stress is
+// refused, a number without a unit is taken as SI, with a note.
+void check_dimension(const Session& session, const std::string& key, const std::string& text,
+                     Problems& problems) {
+  const std::string fallback = option_expression(session.origin.script_text, key);
+  const auto wanted = dimension_of(fallback), given = dimension_of(shell_expression(text));
+  if (!wanted || !given || *wanted == no_dimension || *given == *wanted) return;
+  if (*given != no_dimension)
+    return problems.add(
+        fmt::format("--set {}={}: its dimension is {}, that of the default {} is {}", key, text,
+                    dimension_name(*given), fallback, dimension_name(*wanted)));
+  if (session.settings.talk != Talk::quiet)
+    say("note: --set {}={} is taken in SI units; the default is {}\n", key, text, fallback);
+}
+
 // [-0, +1] Pushes the override as a value of the type of the default at -1; nil if it cannot be
 // one.
 void push_override(lua_State* L, const std::string& key, const std::string& text,
@@ -94,10 +111,10 @@ void push_override(lua_State* L, const std::string& key, const std::string& text
   if (type == LUA_TBOOLEAN && (text == "true" || text == "false"))
     return lua_pushboolean(L, text == "true");
   const std::optional<double> value =
-      type == LUA_TNUMBER ? evaluate(L, text) : std::optional<double>();
+      type == LUA_TNUMBER ? evaluate(L, shell_expression(text)) : std::optional<double>();
   if (!value) {
     problems.add(given + (type == LUA_TNUMBER ? "not a finite number" : "not true or false"),
-                 type == LUA_TNUMBER ? "units may be used, as in " + key + "=0.5*mm" : "");
+                 type == LUA_TNUMBER ? "units may be used, as in " + key + "=0.5mm" : "");
     return lua_pushnil(L);
   }
   // An integer stays an integer, so that a loop up to it counts in integers.
@@ -125,7 +142,10 @@ int options(lua_State* L) {
     lua_pushlstring(L, name.data(), name.size());
     lua_rawget(L, 1);
     const auto given = session.settings.overrides.find(name);
-    if (given != session.settings.overrides.end()) push_override(L, name, given->second, problems);
+    if (given != session.settings.overrides.end()) {
+      if (lua_type(L, -1) == LUA_TNUMBER) check_dimension(session, name, given->second, problems);
+      push_override(L, name, given->second, problems);
+    }
     lua_setfield(L, result, name.c_str());
     lua_settop(L, result);
   }

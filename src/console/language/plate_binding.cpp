@@ -109,9 +109,15 @@ int push_value(lua_State* L) {
   return 1;
 }
 
+int push_material(lua_State* L) {
+  push_object(L, Material(object_at<Plate>(L, 1)->material));
+  return 1;
+}
+
 constexpr std::array plate_fields{
     Property{"width", "m", "Size along x.", push_value<&Plate::width>},
     Property{"height", "m", "Size along y.", push_value<&Plate::height>},
+    Property{"material", "", "Its own material.", push_material},
 };
 
 // Collects the methods from all files that bind some.

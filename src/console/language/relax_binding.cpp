@@ -7,6 +7,7 @@
 #include "console/language/scripted_run.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
+#include "console/schema/result_table.hpp"
 
 namespace hackle {
 namespace {
@@ -59,12 +60,18 @@ constexpr FunctionDoc quasistatic_doc{
         "1*mm }) "
         "s:quasistatic { duration = 1*us }"};
 
+constexpr auto relax_names =
+    std::to_array<std::string_view>({"steps", "residual", "most", "beyond"});
+constexpr auto quasistatic_names =
+    std::to_array<std::string_view>({"passes", "steps", "broken", "bears"});
+
 int relax(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, relax_doc);
   const Arguments arguments = Arguments::from_table(L, 2, relax_doc);
   arguments.problems.throw_if_any();
   const RelaxResult result = scripted.run().relax(arguments.number("tolerance", 1e-8));
   lua_createtable(L, 0, 4);
+  close_names(L, "s:relax()", relax_names);
   set_integer(L, "steps", result.iterations);
   set_number(L, "residual", result.residual);
   set_number(L, "most", result.most);
@@ -80,7 +87,8 @@ int quasistatic(lua_State* L) {
   const QuasistaticResult result = scripted.run().load_slowly(
       arguments.number("duration"), static_cast<int>(arguments.integer("increments", 10)),
       arguments.number("tolerance", 1e-6));
-  lua_createtable(L, 0, 5);
+  lua_createtable(L, 0, 4);
+  close_names(L, "s:quasistatic()", quasistatic_names);
   lua_createtable(L, static_cast<int>(result.passes.size()), 0);
   for (std::size_t k = 0; k < result.passes.size(); ++k) {
     lua_pushinteger(L, result.passes[k]);

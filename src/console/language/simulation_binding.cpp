@@ -4,10 +4,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include "base/terminal.hpp"
+#include "base/text.hpp"
 #include "base/units.hpp"
 #include "console/language/background_binding.hpp"
 #include "console/language/load_binding.hpp"
@@ -21,8 +26,10 @@
 #include "console/lua/description.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
+#include "console/schema/result_table.hpp"
 #include "lattice/check_numerics.hpp"
 #include "lattice/needs.hpp"
+#include "scene/waves.hpp"
 
 namespace hackle {
 namespace {
@@ -106,10 +113,25 @@ int record(lua_State* L) {
   return 0;
 }
 
+// Breaks lines of a report at blanks; what continues stands below what began beside its label.
+std::string table_in_columns(const std::string& text, std::size_t columns) {
+  constexpr std::size_t label = 11;
+  std::istringstream lines(text);
+  std::string fitted;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t head = line.starts_with("  ") ? std::min(label, line.size()) : 0;
+    fitted += fmt::format("{}{}{}", fitted.empty() ? "" : "\n", line.substr(0, head),
+                          hanging(line.substr(head), head, std::max(columns, 2 * label)));
+  }
+  return fitted;
+}
+
 int report(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, report_doc);
   Arguments::from_values(L, 2, report_doc).problems.throw_if_any();
-  push_text(L, scripted.run().report());
+  const std::string text = scripted.run().report();
+  const bool seen = session_of(L).settings.show_in_terminal;
+  push_text(L, seen ? table_in_columns(text, terminal_columns(STDOUT_FILENO)) : text);
   return 1;
 }
 
@@ -160,6 +182,48 @@ const Simulation& results_of(lua_State* L) {
   return object_at<ScriptedRun>(L, 1)->results();
 }
 
+// What the report says of the plate's own material on the lattice.
+double spacing_of(const Simulation& simulation) {
+  return simulation.numerics().spacing;
+}
+double horizon_of(const Simulation& simulation) {
+  return simulation.numerics().horizon_or_default();
+}
+double m_of(const Simulation& simulation) {
+  return simulation.numerics().m();
+}
+double E_of(const Simulation& simulation) {
+  return simulation.lattice().calibration.moduli.E;
+}
+double nu_of(const Simulation& simulation) {
+  return simulation.lattice().calibration.moduli.nu;
+}
+double G0_of(const Simulation& simulation) {
+  return simulation.lattice().calibration.G0;
+}
+double s0_of(const Simulation& simulation) {
+  return simulation.lattice().calibration.s0;
+}
+WaveSpeeds waves_of(const Simulation& simulation) {
+  return wave_speeds(E_of(simulation), nu_of(simulation), simulation.lattice().rho,
+                     simulation.plate().plane);
+}
+double c_L_of(const Simulation& simulation) {
+  return waves_of(simulation).longitudinal;
+}
+double c_S_of(const Simulation& simulation) {
+  return waves_of(simulation).shear;
+}
+double c_R_of(const Simulation& simulation) {
+  return waves_of(simulation).rayleigh;
+}
+
+template <auto value_of>
+int push_number(lua_State* L) {
+  lua_pushnumber(L, value_of(simulation_of(L)));
+  return 1;
+}
+
 int push_time(lua_State* L) {
   lua_pushnumber(L, simulation_of(L).time());
   return 1;
@@ -195,9 +259,14 @@ int push_hash(lua_State* L) {
   return 1;
 }
 
+constexpr auto energy_keys = std::to_array<std::string_view>(
+    {"kinetic", "strain", "broken", "damped", "released", "contact", "external", "residual"});
+constexpr auto damage_keys = std::to_array<std::string_view>({"broken_bonds", "most"});
+
 int push_energy(lua_State* L) {
   const Energy ledger = energy(results_of(L));
-  lua_createtable(L, 0, 8);
+  lua_createtable(L, 0, energy_keys.size());
+  close_names(L, "s.energy", energy_keys);
   set_number(L, "kinetic", ledger.kinetic);
   set_number(L, "strain", ledger.strain);
   set_number(L, "broken", ledger.broken);
@@ -211,21 +280,29 @@ int push_energy(lua_State* L) {
 
 int push_damage(lua_State* L) {
   const DamageCount count = count_damage(results_of(L));
-  lua_createtable(L, 0, 2);
+  lua_createtable(L, 0, damage_keys.size());
+  close_names(L, "s.damage", damage_keys);
   set_integer(L, "broken_bonds", count.broken_bonds);
   set_number(L, "most", count.most);
   return 1;
 }
-
-constexpr auto energy_keys = std::to_array<std::string_view>(
-    {"kinetic", "strain", "broken", "damped", "released", "contact", "external", "residual"});
-constexpr auto damage_keys = std::to_array<std::string_view>({"broken_bonds", "most"});
 
 constexpr std::array simulation_fields{
     Property{"time", "s", "Simulated time so far.", push_time},
     Property{"steps", "", "Steps taken so far.", push_steps},
     Property{"dt", "s", "The time step.", push_dt},
     Property{"dt_limit", "s", "Largest stable time step.", push_dt_limit},
+    Property{"spacing", "m", "Distance between neighbouring nodes.", push_number<spacing_of>},
+    Property{"horizon", "m", "Horizon of the bonds.", push_number<horizon_of>},
+    Property{"m", "", "The horizon in spacings.", push_number<m_of>},
+    Property{"E", "Pa", "Young's modulus of the lattice along its axes.", push_number<E_of>},
+    Property{"nu", "", "Poisson's ratio of the lattice along its axes.", push_number<nu_of>},
+    Property{"G0", "J/m2", "Fracture energy of the lattice along its axes.", push_number<G0_of>},
+    Property{"s0", "", "Critical stretch of a bond.", push_number<s0_of>},
+    Property{"c_L", "m/s", "Speed of longitudinal waves.", push_number<c_L_of>},
+    Property{"c_S", "m/s", "Speed of shear waves.", push_number<c_S_of>},
+    Property{"c_R", "m/s", "Speed of Rayleigh waves, the limit of a crack's speed.",
+             push_number<c_R_of>},
     Property{"nodes", "", "Number of nodes of the lattice.", push_nodes},
     Property{"bonds", "", "Number of initial bonds of the plate.", push_bonds},
     Property{"energy", "J/m",

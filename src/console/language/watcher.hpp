@@ -9,6 +9,8 @@
 #include "console/lua/lua_function.hpp"
 #include "output/files/schedule.hpp"
 #include "scene/loads.hpp"
+#include "solver/observer.hpp"
+#include "solver/simulation.hpp"
 
 namespace hackle {
 

@@ -47,6 +47,14 @@ void open_exit(lua_State* L) {
   lua_pushcfunction(L, guarded<exit_script>);
   lua_setfield(L, -2, "exit");
   lua_pop(L, 1);
+  for (const char* name : {"exit", "quit"}) {
+    lua_pushcfunction(L, guarded<exit_script>);
+    lua_setglobal(L, name);
+  }
+}
+
+bool is_exit(lua_State* L, int index) {
+  return lua_tocfunction(L, index) == &guarded<exit_script>;
 }
 
 void open_print(lua_State* L) {

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "console/lua/lua_tokens.hpp"
 #include "console/prompt/cursor.hpp"
 #include "console/prompt/file_names.hpp"
-#include "console/prompt/lua_tokens.hpp"
 #include "console/reference/raw_value.hpp"
 #include "console/reference/reference.hpp"
 #include "console/reference/vocabulary.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "console/prompt/lua_tokens.hpp"
+#include "console/lua/lua_tokens.hpp"
 
 namespace hackle {
 namespace {

@@ -17,16 +17,13 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "base/terminal.hpp"
+
 namespace hackle {
 namespace {
 
 constexpr int longest_history = 2000;
 constexpr std::size_t longest_list = 100;  // candidates
-
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
 
 // Returns whether text is being pasted: it arrives faster than a person presses Tab twice.
 bool is_pasted() {
@@ -158,7 +155,9 @@ struct LineEditor::Parts {
     if (!added.empty()) return el_insertstr(editor, added.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
     if (!again || completion.candidates.size() < 2) return CC_ERROR;
     std::fputc('\n', stdout);
-    std::fputs(in_columns(completion.candidates, terminal_width(), longest_list).c_str(), stdout);
+    std::fputs(
+        in_columns(completion.candidates, terminal_columns(STDOUT_FILENO), longest_list).c_str(),
+        stdout);
     return CC_REDISPLAY;
   }
 

@@ -49,7 +49,6 @@ void Prompt::evaluate(const std::string& chunk) {
   clear_interrupt();
   try {
     for (const std::string& value : console_.evaluate(chunk)) voice_.value(value);
-    explain_local(chunk);
   } catch (const Error& error) {
     tell(error);
   }
@@ -80,13 +79,6 @@ void Prompt::pause_work() {
   if (!console_.is_working()) return;
   console_.pause_work();
   voice_.note("paused; s:resume() continues");
-}
-
-// Explains that a local ends with its line, a common surprise when lines of a script are pasted.
-void Prompt::explain_local(const std::string& chunk) {
-  if (local_is_explained_ || !chunk.starts_with("local ")) return;
-  local_is_explained_ = true;
-  voice_.note("a local ends with its line; leave out 'local' to keep it");
 }
 
 }  // namespace hackle

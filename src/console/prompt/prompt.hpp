@@ -37,14 +37,12 @@ class Prompt {
   bool work(const MakeRoom& make_room);
   void pause_work();
   void tell(const Error& error);
-  void explain_local(const std::string& chunk);
 
   Console& console_;
   Reader reader_;
   Voice voice_;
   std::string begun_;
   int first_code_ = 0;
-  bool local_is_explained_ = false;
 };
 
 }  // namespace hackle

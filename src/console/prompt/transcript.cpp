@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "console/prompt/transcript.hpp"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "console/prompt/kept_locals.hpp"
 
 namespace hackle {
 namespace {
-
-// Returns whether the chunk may have a word whose effect ends with its line at the prompt, but
-// would not in a script.
-bool needs_a_scope(std::string_view text) {
-  constexpr std::array words{"local", "return", "goto"};
-  return std::ranges::any_of(words, [&](const char* w) { return text.find(w) != text.npos; });
-}
 
 // Separates a line that begins with a bracket, which would otherwise call the value of the line
 // before.

@@ -9,6 +9,7 @@
 #include "console/lua/description.hpp"
 #include "console/reference/raw_value.hpp"
 #include "console/reference/reference.hpp"
+#include "console/reference/search.hpp"
 #include "console/reference/tour.hpp"
 #include "console/reference/vocabulary.hpp"
 #include "console/session.hpp"
@@ -38,8 +39,14 @@ std::string list_of_materials(const Materials& materials) {
 }
 
 std::string help_on_word(lua_State* L, std::string_view word) {
-  const bool materials = word == "materials";
-  return materials ? list_of_materials(session_of(L).materials()) : reference_of(word);
+  if (word == "materials") return list_of_materials(session_of(L).materials());
+  try {
+    return reference_of(word);
+  } catch (const Error&) {
+    const std::string found = search_reference(word);
+    if (found.empty()) throw;
+    return fmt::format("'{}' is found in\n{}", word.substr(0, 40), found);
+  }
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "console/reference/raw_value.hpp"
 
-#include "console/prompt/lua_tokens.hpp"
+#include "console/lua/lua_tokens.hpp"
 #include "console/reference/vocabulary.hpp"
 #include "console/schema/object_type.hpp"
 

@@ -39,11 +39,6 @@ std::string function_lines(std::span<const Function> functions) {
   return text;
 }
 
-// Returns the name of an object of the type in examples: "p".
-std::string_view object_name(const TypeDoc& type) {
-  return type.methods.empty() ? type.name : type.methods.front().doc->owner;
-}
-
 std::string field_line(const TypeDoc& type, const Property& field, std::size_t column) {
   const std::string unit = field.unit.empty() ? "" : fmt::format("[{}] ", field.unit);
   return entry(fmt::format("{}.{}", object_name(type), field.name), column,
@@ -193,6 +188,10 @@ std::string page_of_scalar(std::string_view name) {
 }
 
 }  // namespace
+
+std::string_view object_name(const TypeDoc& type) {
+  return type.methods.empty() ? type.name : type.methods.front().doc->owner;
+}
 
 std::string list_of_functions() {
   std::string text = function_lines(all_functions());

@@ -14,6 +14,9 @@ namespace hackle {
 // The width of terminal for which texts are laid out.
 inline constexpr std::size_t reference_width = 80;
 
+// Returns the name of an object of the type in examples: "p".
+std::string_view object_name(const TypeDoc& type);
+
 // Lists functions and methods with a sentence each.
 std::string list_of_functions();
 // Lists the unit constants by dimension.

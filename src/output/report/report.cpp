@@ -121,6 +121,10 @@ std::vector<std::string> remarks(const Simulation& simulation) {
     list.push_back(
         fmt::format("the lattice is {} x {}: the plate is not a whole number of spacings",
                     quantity(width, "m"), quantity(height, "m")));
+  constexpr double unlikely = 10.0;  // m, for a thin brittle plate
+  if (const double size = std::max(plate.width, plate.height); size >= unlikely)
+    list.push_back(fmt::format("the plate is {} long: lengths are in metres, as in {}*mm",
+                               quantity(size, "m"), size));
   if (simulation.widened_at())
     list.push_back(fmt::format(
         "from {} on it was solved in f64: displacements of {:.2g} spacings are too large for f32",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "console/scripts.hpp"
@@ -41,6 +42,64 @@ TEST(MeasureBinding, CountsFragmentsTheLargestFirst) {
     p:crack { from = {20*mm, 0}, to = {20*mm, 40*mm} }
     local list = simulate(p, { spacing = 2*mm }):fragments()
     assert(#list == 3 and list[1] == 800 and list[2] == 100 and list[3] == 100)
+  )"),
+            "");
+}
+
+// Under a uniform strain a bond along x is stretched by it, inside the plate all stresses follow
+// from the moduli of the lattice, and the energy density is half their product.
+TEST(MeasureBinding, TellsWhatTheBondsOfANodeSay) {
+  EXPECT_EQ(test::message_of(R"(
+    local warm = material { like = "duran50", alphaT = 4e-6 }
+    local p = plate { width = 40*mm, height = 40*mm, material = warm }
+    p:initial { velocity = {3, -2} }
+    p:temperature { change = 50 }
+    local s = simulate(p, { spacing = 1*mm })
+    local inside = s:at({20*mm, 20*mm})
+    assert(inside.vx == 3 and inside.vy == -2)
+    assert(math.abs(inside.temperature - 50) < 1e-9)
+    local cold = plate { width = 40*mm, height = 40*mm, material = "duran50" }
+    cold:initial { displacement = function(x, y) return 1e-6*x, 0 end }
+    s = simulate(cold, { spacing = 1*mm })
+    inside = s:at({20*mm, 20*mm})
+    local E, nu = s.E, s.nu
+    local C11 = E / (1 - nu^2)
+    assert(math.abs(inside.stress_xx / (C11 * 1e-6) - 1) < 1e-5)
+    assert(math.abs(inside.stress_yy / (nu * C11 * 1e-6) - 1) < 1e-5)
+    assert(math.abs(inside.stress_xy) < 1e-5 * inside.stress_xx)
+    assert(math.abs(inside.energy / (0.5 * inside.stress_xx * 1e-6) - 1) < 1e-5)
+    assert(math.abs(inside.stretch / (1e-6 / s.s0) - 1) < 1e-5)
+  )"),
+            "");
+}
+
+TEST(MeasureBinding, AMemberThatIsMissingIsAnErrorWithTheNearest) {
+  const auto told = [](const char* expression) {
+    return test::message_of(test::scene + fmt::format("local x = {}", expression));
+  };
+  EXPECT_THAT(told("s.energy.kinetc"),
+              HasSubstr("s.energy has no 'kinetc' (did you mean 'kinetic'?)"));
+  EXPECT_THAT(told("s.damage.broken"), HasSubstr("s.damage has no 'broken'"));
+  EXPECT_THAT(told("s:cracks().tip"), HasSubstr("it has nodes, bands, fork, left"));
+  EXPECT_THAT(told("s:at({0, 0}).u"), HasSubstr("s:at() has no 'u'"));
+  EXPECT_THAT(told("s:at({0, 0})[1]"), HasSubstr("s:at() has no '1'"));
+  EXPECT_THAT(told("s:status().tme"), HasSubstr("(did you mean 'time'?)"));
+  EXPECT_THAT(told("s:relax().step"), HasSubstr("(did you mean 'steps'?)"));
+  EXPECT_EQ(told("s:cracks().fork"), "");
+}
+
+// What the report prints of lattice and model can be computed with.
+TEST(MeasureBinding, TheModelIsKnownToTheScript) {
+  EXPECT_EQ(test::message_of(R"(
+    local p = plate { width = 20*mm, height = 20*mm, material = "duran50" }
+    local s = simulate(p, { spacing = 0.5*mm, horizon = 1.5*mm })
+    assert(s.spacing == 0.5*mm and s.horizon == 1.5*mm and s.m == 3)
+    assert(math.abs(s.E / p.material.E - 1) < 1e-9 and math.abs(s.nu - 1/3) < 0.02)
+    assert(math.abs(s.G0 / p.material.G0 - 1) < 1e-9)
+    assert(math.abs(s.c_L / math.sqrt(s.E / (p.material.rho * (1 - s.nu^2))) - 1) < 1e-12)
+    assert(math.abs(s.c_S / math.sqrt(s.E / (2 * p.material.rho * (1 + s.nu))) - 1) < 1e-12)
+    assert(s.c_R > 0.9 * s.c_S and s.c_R < s.c_S and s.s0 > 0)
+    assert(p.material.name == "Duran 50 glass")
   )"),
             "");
 }

@@ -27,6 +27,19 @@ TEST(Options, NumbersAreExpressionsWithUnits) {
   EXPECT_EQ(run({{"load", "math.pi"}}, declare + "assert(o.load == math.pi)"), "");
 }
 
+TEST(Options, UnitsNeedNoStar) {
+  EXPECT_EQ(run({{"load", "24MPa"}}, declare + "assert(o.load == 24e6)"), "");
+  EXPECT_EQ(run({{"load", "24e6"}}, declare + "assert(o.load == 24e6)"), "");
+}
+
+TEST(Options, ADimensionIsThatOfTheDefault) {
+  EXPECT_THAT(
+      run({{"load", "24mm"}}, declare),
+      HasSubstr(
+          "--set load=24mm: its dimension is length, that of the default 12 * MPa is stress"));
+  EXPECT_EQ(run({{"n", "4mm"}}, declare + "assert(o.n == 4e-3)"), "");
+}
+
 TEST(Options, WholeNumbersStayWhole) {
   EXPECT_EQ(run({{"n", "5"}}, declare + "assert(math.type(o.n) == 'integer' and o.n == 5)"), "");
   EXPECT_EQ(run({{"n", "2.5"}}, declare + "assert(o.n == 2.5)"), "");

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "console/reference/vocabulary.hpp"
@@ -46,7 +47,7 @@ return table.concat(found, "\n")
 // Returns the names of all reachable functions, one per line.
 std::string reached() {
   Console console(test::quiet());
-  std::string names = console.evaluate(walk).at(0) + "\n";
+  std::string names = console.evaluate(fmt::format("(function() {} end)()", walk)).at(0) + "\n";
   for (const TypeDoc* type : all_types())
     for (const Function& method : type->methods)
       names += std::string(type->name) + ":" + std::string(method.doc->name) + "\n";

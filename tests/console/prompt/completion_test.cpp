@@ -96,7 +96,7 @@ TEST_F(CompletionTest, WhatIsCertainIsAdded) {
            {"plate {\n  width = 100*mm,\n  he", "plate {\n  width = 100*mm,\n  height = "},
            {"local f = function()\n  p:cra", "local f = function()\n  p:crack { "},
            {"local q = plate {}\nq:nofa", "local q = plate {}\nq:nofail { "},
-           {"local quick = 1 print(qui", "local quick = 1 print(quick"},
+           {"local grade = 1 print(gra", "local grade = 1 print(grade"},
            {"p:crack { from = {0, 0} }:nof", "p:crack { from = {0, 0} }:nofail { "},
            {"p:clamp { edge = \"left\" }:move { vel",
             "p:clamp { edge = \"left\" }:move { velocity = "},

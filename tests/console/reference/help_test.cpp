@@ -115,6 +115,22 @@ TEST(Help, ListsUnitsAndMaterials) {
   EXPECT_THAT(printed("help 'materials'"), testing::ContainsRegex("duran50 +Duran 50 glass"));
 }
 
+TEST(Help, SearchesForWordsThatAreNoNames) {
+  EXPECT_THAT(printed("help 'restart'"), HasSubstr("\n  s:rewind "));
+  EXPECT_THAT(printed("help 'csv'"), HasSubstr("\n  s:record "));
+  EXPECT_THAT(printed("help 'Rayleigh SPEED'"), HasSubstr("\n  s.c_R "));
+  EXPECT_THAT(printed("help 'critical stretch'"), HasSubstr("\n  s.s0 "));
+  EXPECT_THAT(test::message_of("help 'rayleigh zebra'"), HasSubstr("nothing is known of"));
+  EXPECT_THAT(test::message_of("help ''"), HasSubstr("nothing is known of"));
+  EXPECT_THAT(test::message_of("help '%'"), HasSubstr("nothing is known of"));
+}
+
+// A name that has gone must not stay in the list of other words.
+TEST(Help, SearchFindsNothingThatIsUnknown) {
+  std::istringstream lines(printed("help 'a'"));
+  EXPECT_THAT(lines.str(), HasSubstr("more"));
+}
+
 TEST(Help, OnSomethingUnknownSuggests) {
   EXPECT_THAT(test::message_of("help 'crak'"), HasSubstr("(did you mean 'crack'?)"));
   EXPECT_THAT(test::message_of("help 'horzon'"), HasSubstr("(did you mean 'horizon'?)"));

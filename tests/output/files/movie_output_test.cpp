@@ -15,6 +15,7 @@
 #include "movie/remux.hpp"
 #include "output/report/summary.hpp"
 #include "output/run/run.hpp"
+#include "solver/simulation.hpp"
 #include "support/folder.hpp"
 #include "support/scenes.hpp"
 
@@ -136,7 +137,7 @@ TEST(MovieOutput, EstimatesWhatItsKindTakes) {
   const test::Folder folder;
   const Simulation simulation(test::bare_plate(20, 20), test::numerics());
   const auto bytes = [&](const char* name) {
-    return MovieOutput(folder.path / name, options(), simulation, origin, Talk::quiet,
+    return MovieOutput(folder.path / name, options(), simulation, origin, 1, Talk::quiet,
                        std::make_shared<OutputNames>())
         .expected(100e-6, 1000)
         .bytes;

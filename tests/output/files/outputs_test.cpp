@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "solver/simulation.hpp"
 #include "support/folder.hpp"
 #include "support/scenes.hpp"
 
@@ -17,8 +18,8 @@ using testing::HasSubstr;
 // An output that cannot complete its file.
 class Hopeless : public Output {
  public:
-  explicit Hopeless(std::string name) : name_(std::move(name)) {}
-  bool due(const Simulation&) override { return false; }
+  Hopeless(std::string name, const View& view)
+      : Output(Schedule("hopeless", 1.0, view)), name_(std::move(name)) {}
   void observe(const Simulation&) override {}
   Expected expected(double, std::int64_t max_looks) const override {
     return {name_, max_looks, 6e8};
@@ -31,6 +32,12 @@ class Hopeless : public Output {
   std::string name_;
 };
 
+// A plate of which a view can be taken.
+const Simulation& plate() {
+  static const Simulation simulation(test::bare_plate(20, 20), test::numerics());
+  return simulation;
+}
+
 std::string failure_of(const std::function<void()>& work) {
   try {
     work();
@@ -42,8 +49,10 @@ std::string failure_of(const std::function<void()>& work) {
 
 Outputs two(const test::Folder& folder) {
   Outputs outputs(1e9);
-  outputs.add("movie", folder.path / "a", FileKind::movie, std::make_unique<Hopeless>("a"));
-  outputs.add("record", folder.path / "b", FileKind::run_file, std::make_unique<Hopeless>("b"));
+  outputs.add("movie", folder.path / "a", FileKind::movie,
+              std::make_unique<Hopeless>("a", plate()));
+  outputs.add("record", folder.path / "b", FileKind::run_file,
+              std::make_unique<Hopeless>("b", plate()));
   return outputs;
 }
 
@@ -70,7 +79,8 @@ TEST(Outputs, OneFileIsWrittenByOneOfThem) {
   const test::Folder folder;
   Outputs outputs = two(folder);
   const auto add = [&] {
-    outputs.add("movie", folder.path / "a", FileKind::movie, std::make_unique<Hopeless>("a"));
+    outputs.add("movie", folder.path / "a", FileKind::movie,
+                std::make_unique<Hopeless>("a", plate()));
   };
   EXPECT_THAT(failure_of(add), HasSubstr("already written by movie"));
 }

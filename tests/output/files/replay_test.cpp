@@ -9,6 +9,7 @@
 #include "base/interrupt.hpp"
 #include "output/picture/field_choice.hpp"
 #include "output/picture/painting.hpp"
+#include "solver/simulation.hpp"
 #include "store/run_file.hpp"
 #include "support/folder.hpp"
 #include "support/scenes.hpp"

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "output/picture/field_choice.hpp"
 #include "output/picture/painting.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 #include "support/states.hpp"
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "measure/energy.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

@@ -10,6 +10,7 @@
 
 #include "output/picture/painting.hpp"
 #include "render/colour_map.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 #include "support/states.hpp"
 

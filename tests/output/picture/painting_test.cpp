@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "output/picture/field_choice.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

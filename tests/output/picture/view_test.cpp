@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "output/picture/painting.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 #include "support/states.hpp"
 

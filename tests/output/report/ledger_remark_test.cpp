@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "base/units.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

@@ -10,6 +10,7 @@
 #include "output/report/features.hpp"
 #include "output/report/summary.hpp"
 #include "output/run/run.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
@@ -79,6 +80,15 @@ TEST(Remarks, TellOfAPlateThatIsNoWholeNumberOfSpacings) {
   plate.width += 0.1e-3;
   EXPECT_THAT(remarks(Simulation(plate, test::numerics())),
               testing::Contains(HasSubstr("the lattice is 10 mm x 5 mm")));
+}
+
+TEST(Remarks, QuestionAPlateOfAHundredMetres) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.width = 100.0;
+  plate.height = 50.0;
+  EXPECT_THAT(
+      remarks(Simulation(plate, test::numerics(5.0, 15.0))),
+      ElementsAre(HasSubstr("the plate is 100 m long: lengths are in metres, as in 100*mm")));
 }
 
 TEST(Remarks, TellWhatThePapersConstantsAmountTo) {

@@ -10,6 +10,7 @@
 #include "output/files/record_options.hpp"
 #include "output/picture/picture.hpp"
 #include "output/run/run.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "output/run/rehearsal.hpp"
+#include "solver/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "console/prompt/lua_tokens.hpp"
+#include "console/lua/lua_tokens.hpp"
 
 #include <algorithm>
 #include <array>
@@ -109,7 +109,7 @@ class Reader {
   }
 
   void read_long(int level) {
-    const std::string close = "]" + std::string(level, '=') + "]";
+    const std::string close = fmt::format("]{:=>{}}]", "", level);
     const std::size_t at = rest_.find(close);
     if (at == std::string_view::npos)
       found_.end = SourceEnd::silence;
