@@ -11,6 +11,8 @@
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
 #include "base/streams.hpp"
+#include "base/terminal.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "console/prompt/line_reader.hpp"
 #include "console/prompt/pager.hpp"
@@ -37,7 +39,7 @@ void print_note(const std::string& note) {
 }
 
 void print_value(const std::string& value) {
-  print_out("{}\n", value);
+  print_out("{}\n", stdout_is_terminal() ? fitted(value, terminal_columns(STDOUT_FILENO)) : value);
   flush(stdout);
 }
 

@@ -69,6 +69,23 @@ std::string hanging(std::string_view line, std::size_t indent, std::size_t width
   return text;
 }
 
+std::string fitted(std::string_view text, std::size_t width) {
+  std::string result;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+    const bool fits = line.size() <= width || 2 * indent > width;
+    result +=
+        fits ? std::string(line)
+             : std::string(line.substr(0, indent)) + hanging(line.substr(indent), indent, width);
+    text.remove_prefix(line.size());
+    if (text.empty()) break;
+    result += '\n';
+    text.remove_prefix(1);
+  }
+  return result;
+}
+
 std::string shell_word(std::string_view word) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";

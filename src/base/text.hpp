@@ -25,6 +25,10 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
 // written.
 std::string hanging(std::string_view line, std::size_t indent, std::size_t width);
 
+// Breaks every line of a text that is wider than `width` at blanks; what continues is indented as
+// its line is.
+std::string fitted(std::string_view text, std::size_t width);
+
 // Returns the word as a shell reads it: quoted if necessary.
 std::string shell_word(std::string_view word);
 

@@ -105,7 +105,7 @@ TEST_F(CheckTest, HelpOnAScriptListsItsOptions) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("--threads"));
   EXPECT_THAT(ended.out,
-              HasSubstr("Options of a.lua, for --set:\n  film = true\n  load = 12000000.0"));
+              HasSubstr("Options of a.lua, for --set:\n  film = true\n  load = 12*MPa"));
   EXPECT_THAT(run("run", test::scene + "s:run(1)", {"-h"}).out, HasSubstr("a.lua has no options"));
 }
 

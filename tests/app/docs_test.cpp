@@ -130,7 +130,7 @@ TEST(Voice, ErrorsFitTheTerminal) {
   }
   EXPECT_EQ(error_text(error, false, 400), error_text(error, false));
   EXPECT_THAT(error_text(error, false, 80),
-              HasSubstr("leaves the\n       plate\n       (cracks lie"));
+              HasSubstr("leaves\n       the plate\n       (cracks lie"));
 }
 
 }  // namespace

@@ -45,6 +45,14 @@ TEST(Hanging, BreaksAtBlanksAndIndents) {
   EXPECT_EQ(hanging("", 2, 8), "");
 }
 
+TEST(Fitted, BreaksWideLinesAndKeepsTheOthers) {
+  EXPECT_EQ(fitted("a\n  one two three\n\nb\n", 9), "a\n  one two\n  three\n\nb\n");
+  EXPECT_EQ(fitted("one two three", 80), "one two three");
+  EXPECT_EQ(fitted("", 9), "");
+  EXPECT_EQ(fitted("\n\n", 9), "\n\n");
+  EXPECT_EQ(fitted("         deep", 10), "         deep");
+}
+
 TEST(ShellWord, IsQuotedWhereAShellWouldTakeItApart) {
   EXPECT_EQ(shell_word("out/edge_crack.h5"), "out/edge_crack.h5");
   EXPECT_EQ(shell_word("my run.h5"), "'my run.h5'");

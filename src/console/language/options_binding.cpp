@@ -49,7 +49,9 @@ std::set<std::string> declare(lua_State* L, Session& session) {
   std::set<std::string> names;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     names.emplace(lua_tostring(L, -2));
-    session.declared_options.emplace(lua_tostring(L, -2), value_text(L, -1));
+    const std::string written = option_expression(session.origin.script_text, lua_tostring(L, -2));
+    session.declared_options.emplace(lua_tostring(L, -2),
+                                     dimension_of(written) ? written : value_text(L, -1));
   }
   return names;
 }

@@ -13,6 +13,7 @@
 
 #include "base/streams.hpp"
 #include "base/terminal.hpp"
+#include "base/text.hpp"
 
 namespace hackle {
 namespace {
@@ -72,10 +73,10 @@ std::size_t rows_of(const std::string& line, std::size_t columns) {
 }  // namespace
 
 void show_in_pages(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream source(text);
-  for (std::string line; std::getline(source, line);) lines.push_back(line);
   const std::size_t columns = terminal_columns(STDOUT_FILENO), room = terminal_rows() - 2;
+  std::vector<std::string> lines;
+  std::istringstream source(fitted(text, columns));
+  for (std::string line; std::getline(source, line);) lines.push_back(line);
   std::size_t rows = 0;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (rows + rows_of(lines[k], columns) > room && !is_typed_ahead()) {

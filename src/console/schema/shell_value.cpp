@@ -2,7 +2,6 @@
 #include "console/schema/shell_value.hpp"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -179,10 +178,8 @@ std::string option_expression(std::string_view script, std::string_view name) {
   const std::vector<Token> tokens = tokens_of(script).list;
   for (const std::vector<Token>& entry : entries_of(tokens)) {
     if (entry.size() < 3 || !entry[0].is(name) || !entry[1].is("=")) continue;
-    std::string expression;
-    for (const Token& token : std::span(entry).subspan(2)) expression.append(token.word) += ' ';
-    expression.pop_back();
-    return expression;
+    const std::string_view last = entry.back().word;
+    return {entry[2].word.data(), last.data() + last.size()};
   }
   return "";
 }

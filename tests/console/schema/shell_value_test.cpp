@@ -45,8 +45,8 @@ TEST(ShellValue, FindsTheDefaultOfAnOption) {
   const char* script =
       "-- options { a = 1 }\nlocal o = options { load = 12*MPa, at = { 1, 2 };\n"
       "f = g(1, 2), name = 'load = 3' }\noptions { load = 7 }";
-  EXPECT_EQ(option_expression(script, "load"), "12 * MPa");
-  EXPECT_EQ(option_expression(script, "f"), "g ( 1 , 2 )");
+  EXPECT_EQ(option_expression(script, "load"), "12*MPa");
+  EXPECT_EQ(option_expression(script, "f"), "g(1, 2)");
   EXPECT_EQ(option_expression(script, "name"), "'load = 3'");
   EXPECT_EQ(option_expression(script, "b"), "");
   EXPECT_EQ(option_expression("", "b"), "");
