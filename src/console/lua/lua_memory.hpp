@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace hackle {
 
@@ -20,6 +21,8 @@ class LuaMemory {
 
   std::size_t limit() const { return limit_; }
   std::size_t used() const { return used_; }
+  // Forgets the limit: finalizers that have no memory for their call would never be called.
+  void lift_limit() { limit_ = std::numeric_limits<std::size_t>::max(); }
 
   // Counts memory outside of Lua that an object in Lua takes and releases when it is collected.
   // Returns false if there is no room for it.

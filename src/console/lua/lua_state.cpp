@@ -45,6 +45,7 @@ LuaState::LuaState(std::size_t max_memory)
 }
 
 LuaState::~LuaState() {
+  memory_.lift_limit();
   lua_close(state_);
 }
 

@@ -64,6 +64,18 @@ TEST(LuaMemory, WhatIsHeldOutsideOfLuaCounts) {
   EXPECT_TRUE(memory.hold(1000));
 }
 
+TEST(LuaMemory, HasNoLimitWhenAStateIsClosed) {
+  LuaMemory memory(1000);
+  EXPECT_TRUE(memory.hold(1000));
+  void* block = LuaMemory::allocate(&memory, nullptr, 0, 1);
+  EXPECT_EQ(block, nullptr);
+  memory.lift_limit();
+  block = LuaMemory::allocate(&memory, nullptr, 0, 1);
+  EXPECT_NE(block, nullptr);
+  LuaMemory::allocate(&memory, block, 1, 0);
+  EXPECT_EQ(memory.used(), 1000U);
+}
+
 // A hundred thousand cracks take some 8 MB, all of it outside of Lua.
 constexpr const char* cracked =
     "local function cracked(seed)\n"
