@@ -88,7 +88,7 @@ TEST(Remarks, QuestionAPlateOfAHundredMetres) {
   plate.height = 50.0;
   EXPECT_THAT(
       remarks(Simulation(plate, test::numerics(5.0, 15.0))),
-      ElementsAre(HasSubstr("the plate is 100 m long: lengths are in metres, as in 100*mm")));
+      testing::Contains(HasSubstr("the plate is 100 m long: lengths are in metres, as in 100*mm")));
 }
 
 TEST(Remarks, TellWhatThePapersConstantsAmountTo) {
