@@ -13,8 +13,8 @@ namespace {
 
 // Separates a line that begins with a bracket, which would otherwise call the value of the line
 // before.
-std::string apart(std::string text) {
-  return (text.starts_with('(') ? ";" : "") + std::move(text);
+std::string apart(const std::string& text) {
+  return fmt::format("{}{}", text.starts_with('(') ? ";" : "", text);
 }
 
 std::string as_function(const Transcript::Chunk& chunk) {
@@ -23,17 +23,18 @@ std::string as_function(const Transcript::Chunk& chunk) {
 
 std::string as_statement(const Transcript::Chunk& chunk) {
   if (chunk.is_statement && !needs_a_scope(chunk.text)) return apart(chunk.text);
-  return ";(" + as_function(chunk) + ")(...)";
+  return fmt::format(";({})(...)", as_function(chunk));
 }
 
 std::string as_value(const Transcript::Chunk& chunk) {
-  return "_ = " + (chunk.is_expression ? chunk.text : "(" + as_function(chunk) + ")(...)");
+  return chunk.is_expression ? fmt::format("_ = {}", chunk.text)
+                             : fmt::format("_ = ({})(...)", as_function(chunk));
 }
 
 std::string commented(std::string text) {
   for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
     text.insert(at + 1, "--   ");
-  return "--   " + text;
+  return fmt::format("--   {}", text);
 }
 
 }  // namespace
@@ -43,8 +44,8 @@ void Transcript::typed(const Chunk& chunk, Outcome outcome) {
   if (outcome == Outcome::value) return add(as_value(chunk));
   if (outcome == Outcome::nothing) return add(as_statement(chunk));
   if (outcome == Outcome::interrupted && !run_is_interrupted)
-    return add("-- interrupted, and left out:\n" + commented(chunk.text));
-  add("pcall(" + as_function(chunk) + ", ...)");
+    return add(fmt::format("-- interrupted, and left out:\n{}", commented(chunk.text)));
+  add(fmt::format("pcall({}, ...)", as_function(chunk)));
 }
 
 void Transcript::went_on(int number, std::int64_t step, double time, bool failed) {

@@ -242,8 +242,8 @@ std::string reference_of(const FunctionDoc& doc) {
 
 std::string reference_of(const TypeDoc& type) {
   std::string text = fmt::format("{}: {}\n", type.name, type.sentence);
-  if (!type.methods.empty()) text += "\n" + function_lines(type.methods);
-  if (!type.fields.empty()) text += "\n" + field_lines(type);
+  if (!type.methods.empty()) text.append("\n").append(function_lines(type.methods));
+  if (!type.fields.empty()) text.append("\n").append(field_lines(type));
   text.pop_back();
   return text;
 }

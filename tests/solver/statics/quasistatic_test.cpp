@@ -31,7 +31,7 @@ Plate opened(double shift, int columns = 40, int rows = 30) {
   return plate;
 }
 
-class Clock : public Observer {
+class Timekeeper : public Observer {
  public:
   bool due(const Simulation&) override { return true; }
   void observe(const Simulation& simulation) override {
@@ -44,7 +44,7 @@ class Clock : public Observer {
 
 TEST(Quasistatic, TimeGoesOnByIncrements) {
   Simulation simulation(opened(1e-6), test::numerics(), {1});
-  Clock clock;
+  Timekeeper clock;
   Observer* observers[] = {&clock};
   const QuasistaticResult result = simulation.load_slowly({duration, 4}, observers);
   EXPECT_THAT(result.passes, testing::ElementsAre(1, 1, 1, 1));
@@ -102,7 +102,7 @@ TEST(Quasistatic, SaysThatThePlateComesApart) {
 
 TEST(Quasistatic, AnInterruptLeavesTheLastIncrement) {
   Simulation simulation(opened(1e-6), test::numerics(), {1});
-  Clock clock;
+  Timekeeper clock;
   clock.interrupt_after = 3;
   Observer* observers[] = {&clock};
   try {
