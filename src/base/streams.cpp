@@ -17,9 +17,13 @@ namespace {
 
 std::atomic<int> first_failure{0};  // errno of stdout
 
+// The signal reaches the thread that writes.
+thread_local volatile std::sig_atomic_t writes_messages = 0;
+
+// Messages that nobody reads are no reason to stop, even if nobody reads the output either.
 void on_broken_pipe(int) {
   const int before = errno;
-  if (output_is_unread()) request_interrupt();
+  if (writes_messages == 0 && output_is_unread()) request_interrupt();
   errno = before;
 }
 
@@ -53,7 +57,10 @@ void hold_standard_streams() {
 }
 
 void write_to(std::FILE* stream, std::string_view text) noexcept {
+  const std::sig_atomic_t before = writes_messages;
+  writes_messages = stream == stderr ? 1 : 0;
   if (std::fwrite(text.data(), 1, text.size(), stream) != text.size()) remember_failure(stream);
+  writes_messages = before;
 }
 
 void flush(std::FILE* stream) noexcept {
