@@ -104,8 +104,7 @@ TEST_F(CheckTest, HelpOnAScriptListsItsOptions) {
       run("run", "local o = options { load = 12*MPa, film = true } error 'not run'", {"--help"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("--threads"));
-  EXPECT_THAT(ended.out,
-              HasSubstr("Options of a.lua, for --set:\n  film = true\n  load = 12*MPa"));
+  EXPECT_THAT(ended.out, HasSubstr("Options of a.lua, for --set:\n  film = true\n  load = 12*MPa"));
   EXPECT_THAT(run("run", test::scene + "s:run(1)", {"-h"}).out, HasSubstr("a.lua has no options"));
 }
 

@@ -35,8 +35,7 @@ TEST(Options, UnitsNeedNoStar) {
 TEST(Options, ADimensionIsThatOfTheDefault) {
   EXPECT_THAT(
       run({{"load", "24mm"}}, declare),
-      HasSubstr(
-          "--set load=24mm: its dimension is length, that of the default 12*MPa is stress"));
+      HasSubstr("--set load=24mm: its dimension is length, that of the default 12*MPa is stress"));
   EXPECT_EQ(run({{"n", "4mm"}}, declare + "assert(o.n == 4e-3)"), "");
 }
 
