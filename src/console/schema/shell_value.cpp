@@ -116,7 +116,7 @@ std::optional<std::string> list(std::string_view text, char separator) {
 std::vector<std::vector<Token>> entries_of(const std::vector<Token>& tokens) {
   constexpr auto call = std::to_array<std::string_view>({"options", "{"});
   const auto same = [](const Token& token, std::string_view word) { return token.is(word); };
-  auto token = std::ranges::search(tokens, call, same).begin();
+  auto token = std::search(tokens.begin(), tokens.end(), call.begin(), call.end(), same);
   std::vector<std::vector<Token>> entries;
   int depth = 0;
   for (; token != tokens.end(); ++token) {

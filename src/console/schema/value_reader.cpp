@@ -5,9 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -19,6 +17,7 @@
 #include "base/units.hpp"
 #include "console/lua/description.hpp"
 #include "console/lua/lua_function.hpp"
+#include "console/schema/given_function.hpp"
 #include "console/schema/point_file.hpp"
 #include "console/session.hpp"
 #include "scene/amplitude.hpp"
@@ -27,10 +26,6 @@
 
 namespace hackle {
 namespace {
-
-std::string at_place(const Vec2& place) {
-  return fmt::format("at x = {}, y = {}", quantity(place.x(), "m"), quantity(place.y(), "m"));
-}
 
 // Reads {{a, b}, {c, d}, ...}; returns nothing for any other value.
 std::optional<std::vector<Vec2>> points_at(lua_State* L, int index) {
@@ -239,30 +234,6 @@ std::any read_choice(const GivenValue& given) {
   return Choice{static_cast<std::size_t>(found - option.choices.begin())};
 }
 
-template <class T>
-T called(const LuaFunction& function, std::span<const double> arguments, const std::string& where) {
-  T value{};
-  if constexpr (std::is_same_v<T, double>)
-    function.call(arguments, {&value, 1}, where);
-  else
-    function.call(arguments, {value.data(), 2}, where);
-  return value;
-}
-
-// A function with a third parameter is one of place and time.
-template <class T>
-FieldOfPlace<T> field_of(const LuaFunction& function) {
-  if (function.parameters() < 3)
-    return FieldOfPlace<T>(std::function<T(const Vec2&)>([function](const Vec2& place) {
-      return called<T>(function, {place.data(), 2}, at_place(place));
-    }));
-  return FieldOfPlace<T>(
-      std::function<T(const Vec2&, double)>([function](const Vec2& place, double t) {
-        return called<T>(function, std::array{place.x(), place.y(), t},
-                         fmt::format("{}, t = {}", at_place(place), quantity(t, "s")));
-      }));
-}
-
 std::any read_vector_field(const GivenValue& given) {
   if (lua_type(given.L, given.index) != LUA_TFUNCTION) {
     const std::any point = read_point(given);
@@ -282,16 +253,6 @@ std::any read_scalar_field(const GivenValue& given) {
 std::any read_function(const GivenValue& given) {
   if (lua_type(given.L, given.index) != LUA_TFUNCTION) return given.wrong_type();
   return LuaFunction(given.L, given.index, given.name());
-}
-
-Amplitude amplitude_of(const LuaFunction& function) {
-  return Amplitude(
-      [function](double t) {
-        double factor = 0.0;
-        function.call({&t, 1}, {&factor, 1}, fmt::format("at t = {}", quantity(t, "s")));
-        return factor;
-      },
-      function.text());
 }
 
 std::any read_amplitude(const GivenValue& given) {

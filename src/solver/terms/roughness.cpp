@@ -13,7 +13,7 @@ Vec2 loss_of(const Roughness& roughness, const Vec2& force, const Vec2& velocity
   const double left = apart > 0.0 ? e * e : 1.0;
   const Vec2 slip = velocity - apart * outward;
   const double speed = slip.norm();
-  const Vec2 loss = (left - 1.0) * force;
+  Vec2 loss = (left - 1.0) * force;
   if (!(speed > 0.0)) return loss;
   return loss - std::min(roughness.friction * left * size / speed, hold) * slip;
 }

@@ -31,7 +31,7 @@ struct Offset {
 // along: sums that mirrors only commute.
 using Group = std::vector<Offset>;
 
-Offset opposite(Offset offset) {
+Offset opposite(const Offset& offset) {
   return {-offset.a, -offset.b, -offset.xi, offset.per_length2, offset.strength, offset.bit, false};
 }
 
