@@ -17,15 +17,15 @@ std::string with_unit(double value, std::string_view unit) {
 }  // namespace
 
 std::string range_text(const Range& range, std::string_view unit) {
-  const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
-  const std::string most = high ? with_unit(range.most, unit) : "";
+  const bool low = std::isfinite(range.min), high = std::isfinite(range.max);
+  const std::string max = high ? with_unit(range.max, unit) : "";
   if (low && high && range.min_inclusive && range.max_inclusive)
-    return fmt::format("between {} and {}", shortest(range.least), most);
+    return fmt::format("between {} and {}", shortest(range.min), max);
   const std::string above = range.min_inclusive ? "at least " : "above ";
   const std::string below = range.max_inclusive ? "at most " : "below ";
-  if (low && high) return above + shortest(range.least) + " and " + below + most;
-  if (high) return below + most;
-  return low ? above + with_unit(range.least, unit) : "";
+  if (low && high) return above + shortest(range.min) + " and " + below + max;
+  if (high) return below + max;
+  return low ? above + with_unit(range.min, unit) : "";
 }
 
 std::optional<std::string> objection(std::string_view who, std::string_view name, double value,

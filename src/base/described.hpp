@@ -21,34 +21,34 @@ namespace hackle {
 
 // A range of numbers; each end is included or excluded.
 struct Range {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
   bool min_inclusive = true;
   bool max_inclusive = true;
 
   constexpr bool holds(double value) const {
-    return (min_inclusive ? value >= least : value > least) &&
-           (max_inclusive ? value <= most : value < most);
+    return (min_inclusive ? value >= min : value > min) &&
+           (max_inclusive ? value <= max : value < max);
   }
 };
 
-constexpr Range above(double least) {
-  return {.least = least, .min_inclusive = false};
+constexpr Range above(double min) {
+  return {.min = min, .min_inclusive = false};
 }
-constexpr Range at_least(double least) {
-  return {.least = least};
+constexpr Range at_least(double min) {
+  return {.min = min};
 }
-constexpr Range between(double least, double most) {
-  return {.least = least, .most = most};
+constexpr Range between(double min, double max) {
+  return {.min = min, .max = max};
 }
-constexpr Range above_up_to(double least, double most) {
-  return {.least = least, .most = most, .min_inclusive = false};
+constexpr Range above_up_to(double min, double max) {
+  return {.min = min, .max = max, .min_inclusive = false};
 }
-constexpr Range from_to_below(double least, double most) {
-  return {.least = least, .most = most, .max_inclusive = false};
+constexpr Range from_to_below(double min, double max) {
+  return {.min = min, .max = max, .max_inclusive = false};
 }
-constexpr Range strictly_between(double least, double most) {
-  return {.least = least, .most = most, .min_inclusive = false, .max_inclusive = false};
+constexpr Range strictly_between(double min, double max) {
+  return {.min = min, .max = max, .min_inclusive = false, .max_inclusive = false};
 }
 
 // Returns "between 320 and 7680 px", "above 0 m", "at least 0 and below 1", or "" for an unlimited

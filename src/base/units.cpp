@@ -44,8 +44,8 @@ constexpr std::array prefixes{Prefix{1e12, "T"}, Prefix{1e9, "G"},  Prefix{1e6, 
 // The largest and smallest prefix in customary use with a unit.
 struct Habit {
   std::string_view unit;
-  double most;
-  double least;
+  double max;
+  double min;
 };
 
 constexpr std::array habits{Habit{"m", 1.0, 1e-9},  Habit{"s", 1.0, 1e-12},  Habit{"Pa", 1e9, 1.0},
@@ -67,7 +67,7 @@ double min_number(std::string_view unit, const Prefix& prefix) {
 const Prefix& prefix_for(double size, const Habit& habit) {
   const Prefix* chosen = &prefixes.back();
   for (const Prefix& prefix : prefixes) {
-    if (prefix.factor > habit.most * 1.5 || prefix.factor < habit.least / 1.5) continue;
+    if (prefix.factor > habit.max * 1.5 || prefix.factor < habit.min / 1.5) continue;
     chosen = &prefix;
     // Rounding to four digits must not turn 999.99 ns into 1000 ns.
     if (size >= min_number(habit.unit, prefix) * prefix.factor * 0.99995) break;

@@ -10,7 +10,7 @@ namespace hackle {
 
 bool is_utf8(std::string_view text) {
   // The smallest code point per length; a shorter sequence cannot encode it.
-  constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::array<std::uint32_t, 5> min{0, 0, 0x80, 0x800, 0x10000};
   for (std::size_t at = 0; at < text.size();) {
     const auto first = static_cast<unsigned char>(text[at]);
     const auto length = static_cast<std::size_t>(std::countl_one(first));
@@ -23,7 +23,7 @@ bool is_utf8(std::string_view text) {
       code = code << 6U | (next & 0x3FU);
     }
     const bool is_surrogate = code >= 0xD800 && code < 0xE000;
-    if (length > 0 && (code < least.at(length) || code > 0x10FFFF || is_surrogate)) return false;
+    if (length > 0 && (code < min.at(length) || code > 0x10FFFF || is_surrogate)) return false;
     at += std::max<std::size_t>(length, 1);
   }
   return true;

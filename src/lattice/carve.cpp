@@ -9,14 +9,14 @@
 namespace hackle {
 
 NodeRange nodes_near(const Box& box, const Grid& grid, int margin) {
-  const auto range = [margin](double least, double most, int n) {
+  const auto range = [margin](double min, double max, int n) {
     const double middle = 0.5 * (n - 1), last = n - 1;
-    const double from = std::floor(std::clamp(least + middle, -1.0, last + 1.0)) - margin;
-    const double to = std::ceil(std::clamp(most + middle, -1.0, last + 1.0)) + margin;
+    const double from = std::floor(std::clamp(min + middle, -1.0, last + 1.0)) - margin;
+    const double to = std::ceil(std::clamp(max + middle, -1.0, last + 1.0)) + margin;
     return std::pair{static_cast<int>(std::max(from, 0.0)), static_cast<int>(std::min(to, last))};
   };
-  const auto [first_i, last_i] = range(box.least.x(), box.most.x(), grid.nx);
-  const auto [first_j, last_j] = range(box.least.y(), box.most.y(), grid.ny);
+  const auto [first_i, last_i] = range(box.min.x(), box.max.x(), grid.nx);
+  const auto [first_j, last_j] = range(box.min.y(), box.max.y(), grid.ny);
   return {first_i, last_i, first_j, last_j};
 }
 

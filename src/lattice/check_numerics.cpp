@@ -52,10 +52,9 @@ bool constants_apply(const Plate& plate, const Numerics& numerics) {
 }
 
 double max_alpha(const Plate& plate) {
-  double most = plate.material.alpha;
-  for (const Inclusion& inclusion : plate.inclusions)
-    most = std::max(most, inclusion.material.alpha);
-  return most;
+  double max = plate.material.alpha;
+  for (const Inclusion& inclusion : plate.inclusions) max = std::max(max, inclusion.material.alpha);
+  return max;
 }
 
 // Checks for incompatible choices.

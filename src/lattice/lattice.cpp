@@ -105,9 +105,9 @@ double Lattice::critical_stretch_at(int i, int j) const {
 }
 
 double Lattice::min_stretch() const {
-  double least = calibration.s0;
-  for (const MaterialOnLattice& entry : materials) least = std::min(least, entry.calibration.s0);
-  return least;
+  double min = calibration.s0;
+  for (const MaterialOnLattice& entry : materials) min = std::min(min, entry.calibration.s0);
+  return min;
 }
 
 std::size_t Lattice::bytes() const {

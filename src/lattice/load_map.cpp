@@ -106,9 +106,9 @@ std::pair<int, int> node_at(const Grid& grid, Edge edge, int k, int depth) {
 FieldNodes nodes_at(Edge edge, double depth, const Lattice& lattice) {
   const Grid& grid = lattice.grid;
   const bool along_x = edge == Edge::top || edge == Edge::bottom;
-  const int most = along_x ? grid.ny : grid.nx;
+  const int max = along_x ? grid.ny : grid.nx;
   const int layers =
-      std::clamp(static_cast<int>(std::min(std::round(depth / grid.dx), 1e9)), 1, most);
+      std::clamp(static_cast<int>(std::min(std::round(depth / grid.dx), 1e9)), 1, max);
   FieldNodes nodes;
   for (int k = 0; k < (along_x ? grid.nx : grid.ny); ++k) {
     int filled = 0;

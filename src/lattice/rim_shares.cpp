@@ -36,8 +36,8 @@ class Solid {
   bool is_at(const Vec2& point) const {
     if ((point.cwiseAbs() - half_).maxCoeff() > 0.0) return false;
     for (std::size_t k = 0; k < voids_.size(); ++k)
-      if ((point - boxes_[k].least).minCoeff() >= 0.0 &&
-          (boxes_[k].most - point).minCoeff() >= 0.0 && is_inside(voids_[k], point, 0.0))
+      if ((point - boxes_[k].min).minCoeff() >= 0.0 && (boxes_[k].max - point).minCoeff() >= 0.0 &&
+          is_inside(voids_[k], point, 0.0))
         return false;
     return std::ranges::all_of(outlines_,
                                [&](const Outline& outline) { return covers(outline, point, 0.0); });
@@ -154,14 +154,14 @@ class RimCollector {
     const int column = static_cast<int>(std::floor(point.x() + 0.5 * grid.nx));
     const int row = static_cast<int>(std::floor(point.y() + 0.5 * grid.ny));
     Nearest found;
-    double least = nearby;
+    double min = nearby;
     for (int j = row - nearby; j <= row + nearby; ++j)
       for (int i = column - nearby; i <= column + nearby; ++i) {
         if (!may_bear(i, j)) continue;
         const Vec2 apart = grid.from_centre(i, j) - point;
-        if (apart.dot(normal) <= beyond || apart.norm() > least + tie) continue;
-        if (apart.norm() < least - tie) found.nodes.clear();
-        least = std::min(least, apart.norm());
+        if (apart.dot(normal) <= beyond || apart.norm() > min + tie) continue;
+        if (apart.norm() < min - tie) found.nodes.clear();
+        min = std::min(min, apart.norm());
         found.nodes.emplace_back(i, j);
       }
     return found;
@@ -193,7 +193,7 @@ class RimCollector {
 };
 
 Vec2 middle_of(const Box& box) {
-  return 0.5 * (box.least + box.most);
+  return 0.5 * (box.min + box.max);
 }
 
 }  // namespace
@@ -222,7 +222,7 @@ std::vector<RimShare> shares_of_cracks(const Plate& plate, const Lattice& lattic
     Chain chain;
     for (const Vec2& point : crack.points) chain.push_back(lattice.grid.from_centre(point));
     Box box{chain.front(), chain.front()};
-    for (const Vec2& point : chain) box = {box.least.cwiseMin(point), box.most.cwiseMax(point)};
+    for (const Vec2& point : chain) box = {box.min.cwiseMin(point), box.max.cwiseMax(point)};
     collector.add_crack(chain, middle_of(box), angles);
   }
   return collector.shares();

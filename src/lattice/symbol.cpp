@@ -20,7 +20,7 @@ struct Cell {
 };
 
 Cell cell_at(const Family& family, const Vec2& centre) {
-  return {centre, symbol(family, 1.0, 1.0, centre).most};
+  return {centre, symbol(family, 1.0, 1.0, centre).max};
 }
 
 // Returns the quarters of the cells, except those beyond the diagonal: exchanging x and y changes

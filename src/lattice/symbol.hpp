@@ -11,8 +11,8 @@ namespace hackle {
 // directed bonds, o the offset of the neighbour (src/lattice/README.md 4.1). `k` in rad per dx.
 // least <= most.
 struct Branches {
-  double least = 0.0;
-  double most = 0.0;
+  double min = 0.0;
+  double max = 0.0;
 };
 Branches symbol(const Family& family, double c, double dx, const Vec2& k);
 

@@ -20,12 +20,12 @@ double closest_distance(const Impactor& one, const Impactor& other) {
 // Returns how many discs may push one node at a time: those that come near each other, and any two,
 // because the plate may throw them together.
 double discs_at_a_node(const std::vector<Impactor>& discs, double dx) {
-  std::ptrdiff_t most = std::min<std::ptrdiff_t>(2, std::ssize(discs));
+  std::ptrdiff_t max = std::min<std::ptrdiff_t>(2, std::ssize(discs));
   for (const Impactor& one : discs)
-    most = std::max(most, std::ranges::count_if(discs, [&](const Impactor& other) {
-                      return closest_distance(one, other) < one.radius + other.radius + 2.0 * dx;
-                    }));
-  return static_cast<double>(most);
+    max = std::max(max, std::ranges::count_if(discs, [&](const Impactor& other) {
+                     return closest_distance(one, other) < one.radius + other.radius + 2.0 * dx;
+                   }));
+  return static_cast<double>(max);
 }
 
 // Returns how many rollers and platens may push one node at a time: any two.

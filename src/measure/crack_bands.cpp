@@ -68,9 +68,9 @@ int bands(const Nodes& nodes, const Grid& grid, int column) {
 }
 
 int max_bands(const Nodes& nodes, const Grid& grid) {
-  int most = 0;
-  for (int i = 0; i < grid.nx; ++i) most = std::max(most, bands(nodes, grid, i));
-  return most;
+  int max = 0;
+  for (int i = 0; i < grid.nx; ++i) max = std::max(max, bands(nodes, grid, i));
+  return max;
 }
 
 double tip_place(const Nodes& nodes, const Grid& grid) {

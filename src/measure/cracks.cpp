@@ -12,12 +12,12 @@ namespace hackle {
 namespace {
 
 bool holds(const Box& box, const Vec2& point) {
-  return (point.array() >= box.least.array()).all() && (point.array() <= box.most.array()).all();
+  return (point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all();
 }
 
 void widen(Cracks& found, const Vec2& place) {
   if (found.nodes++ == 0) found.box = {place, place};
-  found.box = {found.box.least.cwiseMin(place), found.box.most.cwiseMax(place)};
+  found.box = {found.box.min.cwiseMin(place), found.box.max.cwiseMax(place)};
 }
 
 }  // namespace
@@ -51,20 +51,20 @@ Cracks cracks(Nodes nodes, Nodes at_start, const Grid& grid, double m, const Box
 }
 
 std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& direction) {
-  double most = -std::numeric_limits<double>::infinity();
+  double max = -std::numeric_limits<double>::infinity();
   Box box{};
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       if (damage.values[grid.index(i, j)] <= on_crack) continue;
       const Vec2 place = grid.from_centre(i, j);
       const double along = direction.dot(place);
-      if (along < most - 0.5) continue;
-      box = along > most + 0.5 ? Box{place, place}
-                               : Box{box.least.cwiseMin(place), box.most.cwiseMax(place)};
-      most = std::max(most, along);
+      if (along < max - 0.5) continue;
+      box = along > max + 0.5 ? Box{place, place}
+                              : Box{box.min.cwiseMin(place), box.max.cwiseMax(place)};
+      max = std::max(max, along);
     }
-  if (std::isinf(most)) return std::nullopt;
-  return grid.centre + 0.5 * grid.dx * (box.least + box.most);
+  if (std::isinf(max)) return std::nullopt;
+  return grid.centre + 0.5 * grid.dx * (box.min + box.max);
 }
 
 std::vector<int> fragment_sizes(const View& view) {

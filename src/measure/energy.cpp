@@ -24,7 +24,7 @@ DamageCount count_damage(const View& view) {
   DamageCount count;
   count.broken_bonds = view.lattice().bonds.count() - view.state().bonds.count();
   const Field field = damage(view);
-  count.most = *std::ranges::max_element(field.values);
+  count.max = *std::ranges::max_element(field.values);
   return count;
 }
 

@@ -32,7 +32,7 @@ Energy energy(const View& view);
 
 struct DamageCount {
   std::int64_t broken_bonds = 0;  // since t = 0, each bond counted once
-  double most = 0.0;              // largest damage of a node, 0..1
+  double max = 0.0;               // largest damage of a node, 0..1
 };
 
 DamageCount count_damage(const View& view);

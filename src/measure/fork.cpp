@@ -148,8 +148,8 @@ class Branches {
   void join(std::size_t node, std::size_t other, std::vector<Vec2>& found) {
     const std::size_t one = root(node), two = root(other);
     if (one == two) return;
-    const double here = ways_->to(node), least = shortest_branch * m_;
-    if (here > 0.0 && tip_[one] - here > least && tip_[two] - here > least)
+    const double here = ways_->to(node), min = shortest_branch * m_;
+    if (here > 0.0 && tip_[one] - here > min && tip_[two] - here > min)
       found.push_back(place_of_fork(node, one, two));
     parent_[two] = one;
     tip_[one] = std::max(tip_[one], tip_[two]);
@@ -168,9 +168,9 @@ class Branches {
 
   // Returns the midpoints of the nodes on the crack, one per spacing along a branch.
   std::vector<Vec2> middles(std::size_t branch, double from) {
-    const auto most = static_cast<std::size_t>(looked_at * m_) + 1;
-    std::vector<Vec2> sums(most, Vec2(0, 0));
-    std::vector<double> counts(most);
+    const auto max = static_cast<std::size_t>(looked_at * m_) + 1;
+    std::vector<Vec2> sums(max, Vec2(0, 0));
+    std::vector<double> counts(max);
     for (std::size_t node = 0; node < parent_.size(); ++node) {
       const double along = ways_->to(node) - from;
       if (!(*nodes_)[node] || !(along > 0.0 && along < looked_at * m_)) continue;
@@ -179,7 +179,7 @@ class Branches {
       counts[static_cast<std::size_t>(along)] += 1.0;
     }
     std::vector<Vec2> result;
-    for (std::size_t k = 0; k < most; ++k)
+    for (std::size_t k = 0; k < max; ++k)
       if (counts[k] > 0.0) result.emplace_back(sums[k] / counts[k]);
     return result;
   }

@@ -34,20 +34,20 @@ double critical_length(const View& view) {
   return 0.25 * critical_stretch(view) * std::min(plate.width, plate.height);
 }
 
-template <int least, int most>
+template <int min, int max>
 Ends fixed(const View&) {
-  return {0.01 * least, 0.01 * most};
+  return {0.01 * min, 0.01 * max};
 }
 
 // Returns `least` and `most` per cent of the critical value.
-template <double (*critical)(const View&), int least, int most>
+template <double (*critical)(const View&), int min, int max>
 Ends share(const View& view) {
-  return {0.01 * least * critical(view), 0.01 * most * critical(view)};
+  return {0.01 * min * critical(view), 0.01 * max * critical(view)};
 }
 
 Ends ends_of_energy(const View& view) {
-  const double most = 0.5 * critical_stress(view) * critical_stretch(view);
-  return {1e-4 * most, most};
+  const double max = 0.5 * critical_stress(view) * critical_stretch(view);
+  return {1e-4 * max, max};
 }
 
 double fringes_per_stress(const Material& material) {
@@ -60,11 +60,11 @@ Ends ends_of_fringes(const View& view) {
 }
 
 Ends ends_of_temperature(const View& view) {
-  double most = 1.0;
+  double max = 1.0;
   for (const MaterialOnLattice& known : view.lattice().materials)
     if (known.material.alphaT > 0.0)
-      most = std::max(most, 0.5 * known.calibration.s0 / known.material.alphaT);
-  return {-most, most};
+      max = std::max(max, 0.5 * known.calibration.s0 / known.material.alphaT);
+  return {-max, max};
 }
 
 Values damages(const View& view) {

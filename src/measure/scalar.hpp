@@ -15,14 +15,14 @@ namespace hackle {
 
 // The values at the two ends of a colour bar, SI.
 struct Ends {
-  double least = 0.0;
-  double most = 1.0;
+  double min = 0.0;
+  double max = 1.0;
 };
 
 template <>
 inline constexpr auto description_of<Ends> = describe_noun("ends", "ends",
-                                                           member("least", &Ends::least),
-                                                           member("most", &Ends::most));
+                                                           member("least", &Ends::min),
+                                                           member("most", &Ends::max));
 
 // The value of a pixel that covers many nodes: the largest, so that features one node wide stay
 // visible, or the mean.

@@ -74,9 +74,9 @@ class Corners {
 
 // Returns a bound on the magnified displacement, m.
 double farthest(const Displaced& displaced) {
-  float most = 0.0F;
-  for (const float u : displaced.displacement) most = std::max(most, std::abs(u));
-  return std::numbers::sqrt2 * displaced.magnification * static_cast<double>(most);
+  float max = 0.0F;
+  for (const float u : displaced.displacement) max = std::max(max, std::abs(u));
+  return std::numbers::sqrt2 * displaced.magnification * static_cast<double>(max);
 }
 
 }  // namespace

@@ -26,15 +26,15 @@ constexpr std::size_t entries = 256;
 
 }  // namespace
 
-ColourMap fringe_map(double least, double most) {
+ColourMap fringe_map(double min, double max) {
   constexpr double entries_a_fringe = 64.0, max_entries = 8192.0;
-  const double fringes = std::max(most - least, 1.0);
+  const double fringes = std::max(max - min, 1.0);
   const auto count =
       static_cast<std::size_t>(std::min(std::ceil(entries_a_fringe * fringes), max_entries));
   ColourMap map{"fringes", std::vector<Colour>(count)};
   for (std::size_t k = 0; k < count; ++k) {
     const double order =
-        least + (most - least) * static_cast<double>(k) / static_cast<double>(count - 1);
+        min + (max - min) * static_cast<double>(k) / static_cast<double>(count - 1);
     const double light = std::pow(std::sin(std::numbers::pi * order), 2);
     // Converts light to pixel values: approximately the curve of sRGB.
     const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * std::pow(light, 1.0 / 2.2)));

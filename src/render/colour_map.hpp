@@ -27,7 +27,7 @@ inline constexpr auto colour_map_names = std::to_array<std::string_view>(
 
 // Returns the brightness in a dark-field polariscope, sin^2(pi N), for fringe orders N from `least`
 // to `most`.
-ColourMap fringe_map(double least, double most);
+ColourMap fringe_map(double min, double max);
 
 // Loads assets/colour_maps/NAME.csv. Throws Error (refused) for an unknown name, with the nearest
 // one, and Error (files) for a damaged file.

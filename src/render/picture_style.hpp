@@ -24,8 +24,8 @@ inline constexpr auto enum_names<Arrangement> = std::to_array<std::string_view>(
 // The appearance of a field.
 struct FieldStyle {
   std::string colour_map = "damage";  // one of colour_map_names, or fringes_name
-  double least = 0.0;                 // the values at the two ends of the colour bar, in SI;
-  double most = 0.5;                  // least < most, and above 0 if the scale is logarithmic
+  double min = 0.0;                   // the values at the two ends of the colour bar, in SI;
+  double max = 0.5;                   // least < most, and above 0 if the scale is logarithmic
   bool logarithmic = false;
   Sampling sampling = Sampling::largest;
   std::string label = "damage";  // of the colour bar

@@ -30,7 +30,7 @@ Window window_of(const PictureStyle& style) {
 
 // The unit of the colour bar, with the prefix that suits its larger end.
 PrefixedUnit unit_of(const FieldStyle& field) {
-  return prefixed(std::max(std::abs(field.least), std::abs(field.most)), field.unit);
+  return prefixed(std::max(std::abs(field.min), std::abs(field.max)), field.unit);
 }
 
 std::string bar_label(const FieldStyle& field) {
@@ -41,7 +41,7 @@ std::string bar_label(const FieldStyle& field) {
 
 BarText bar_of(const FieldStyle& field) {
   const double unit = unit_of(field).factor;
-  return {bar_label(field), field.least / unit, field.most / unit, field.logarithmic};
+  return {bar_label(field), field.min / unit, field.max / unit, field.logarithmic};
 }
 
 OverlayText text_of(const PictureStyle& style) {
@@ -66,7 +66,7 @@ std::array<float, 4> background_of(const PictureStyle& style) {
 }
 
 ColourMap map_of(const FieldStyle& field) {
-  if (field.colour_map == fringes_name) return fringe_map(field.least, field.most);
+  if (field.colour_map == fringes_name) return fringe_map(field.min, field.max);
   return load_colour_map(field.colour_map);
 }
 
@@ -77,7 +77,7 @@ std::vector<ColourMap> maps_of(const PictureStyle& style) {
 }
 
 Colouring colouring_of(const FieldStyle& field) {
-  return {map_of(field), field.least, field.most, field.logarithmic};
+  return {map_of(field), field.min, field.max, field.logarithmic};
 }
 
 bool is_beside(const PictureStyle& style) {

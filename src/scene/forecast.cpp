@@ -31,34 +31,34 @@ struct Sampler {
 
   double largest(const Amplitude& amplitude) {
     sampled = sampled || amplitude.is_function();
-    double most = 0.0;
+    double max = 0.0;
     for (int k = 0; k < moments; ++k)
-      most = std::max(most, std::abs(amplitude.at(begin + (end - begin) * k / (moments - 1))));
+      max = std::max(max, std::abs(amplitude.at(begin + (end - begin) * k / (moments - 1))));
     for (const Vec2& point : amplitude.points())
-      if (point.x() >= begin && point.x() <= end) most = std::max(most, std::abs(point.y()));
-    return most;
+      if (point.x() >= begin && point.x() <= end) max = std::max(max, std::abs(point.y()));
+    return max;
   }
 
   template <class T>
   double largest(const FieldOfPlace<T>& field) {
     if (field.is_constant()) return size_of(field.constant());
     sampled = true;
-    double most = 0.0;
+    double max = 0.0;
     const int times = field.varies_in_time() ? few_moments : 1;
     for (int k = 0; k < times; ++k)
-      most = std::max(most, largest(field, begin + (end - begin) * k / (few_moments - 1)));
-    return most;
+      max = std::max(max, largest(field, begin + (end - begin) * k / (few_moments - 1)));
+    return max;
   }
 
   template <class T>
   double largest(const FieldOfPlace<T>& field, double t) const {
-    double most = 0.0;
+    double max = 0.0;
     for (int j = 0; j < places; ++j)
       for (int i = 0; i < places; ++i)
-        most = std::max(most,
-                        size_of(field.at(
-                            {plate.width * i / (places - 1), plate.height * j / (places - 1)}, t)));
-    return most;
+        max = std::max(
+            max, size_of(field.at({plate.width * i / (places - 1), plate.height * j / (places - 1)},
+                                  t)));
+    return max;
   }
 };
 
@@ -98,10 +98,10 @@ double stress_of_guided(const Guided& guided, const Episode& episode, Sampler& s
 
 // Returns the stress of the material that would expand most, if it were held.
 double stress_of_heat(const Plate& plate, double change) {
-  double most = plate.material.E * plate.material.alphaT;
+  double max = plate.material.E * plate.material.alphaT;
   for (const Inclusion& inclusion : plate.inclusions)
-    most = std::max(most, inclusion.material.E * inclusion.material.alphaT);
-  return most * change;
+    max = std::max(max, inclusion.material.E * inclusion.material.alphaT);
+  return max * change;
 }
 
 double stress_of(const Loads& loads, const Episode& episode, Sampler& sampler) {
@@ -134,23 +134,23 @@ double stress_of(const std::vector<InitialCondition>& starts, Sampler& sampler) 
 }
 
 double largest_flaw(const Plate& plate) {
-  double most = 0.0;
-  const auto take = [&](const Vec2& least, const Vec2& greatest, double share) {
-    most = std::max(most, share * (greatest - least).maxCoeff());
+  double max = 0.0;
+  const auto take = [&](const Vec2& min, const Vec2& greatest, double share) {
+    max = std::max(max, share * (greatest - min).maxCoeff());
   };
   for (const Crack& crack : plate.cracks) {
-    Vec2 least = crack.points.front(), greatest = least;
+    Vec2 min = crack.points.front(), greatest = min;
     for (const Vec2& point : crack.points) {
-      least = least.cwiseMin(point);
+      min = min.cwiseMin(point);
       greatest = greatest.cwiseMax(point);
     }
-    take(least, greatest, 1.0);
+    take(min, greatest, 1.0);
   }
   for (const Cutout& cutout : plate.cutouts) {
     const Box box = bounds(cutout.shape);
-    take(box.least, box.most, 0.5);
+    take(box.min, box.max, 0.5);
   }
-  return most;
+  return max;
 }
 
 // Follows from G0, or from s0 as the energy that stretches one horizon to s0.

@@ -12,8 +12,8 @@ namespace {
 bool overlap_on_line(const Segment& one, const Segment& other, double tie) {
   const Vec2 along = (one.to - one.from).normalized();
   const auto at = [&](const Vec2& point) { return along.dot(point - one.from); };
-  const auto [least, most] = std::minmax({at(other.from), at(other.to)});
-  return most > tie && least < at(one.to) - tie;
+  const auto [min, max] = std::minmax({at(other.from), at(other.to)});
+  return max > tie && min < at(one.to) - tie;
 }
 
 // If an end lies within rounding of the other segment, the distances of the ends decide instead:

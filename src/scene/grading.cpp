@@ -41,9 +41,9 @@ class Levels {
         width_((*std::ranges::max_element(values) - least_) / count),
         found_(static_cast<std::size_t>(count)) {
     for (const double value : values) {
-      auto& [least, most] = found_[level_of(value)];
-      least = std::min(least, value);
-      most = std::max(most, value);
+      auto& [min, max] = found_[level_of(value)];
+      min = std::min(min, value);
+      max = std::max(max, value);
     }
   }
 

@@ -10,7 +10,7 @@ Box bounds(const Outline& outline) {
   Box box = bounds(outline.areas.front());
   for (const Shape& area : outline.areas) {
     const Box next = bounds(area);
-    box = {box.least.cwiseMin(next.least), box.most.cwiseMax(next.most)};
+    box = {box.min.cwiseMin(next.min), box.max.cwiseMax(next.max)};
   }
   return box;
 }

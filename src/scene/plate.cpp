@@ -86,8 +86,8 @@ void check_expansion(const Plate& plate, Problems& problems) {
 
 bool is_apart(const Plate& plate, const Shape& shape) {
   const Box box = bounds(shape);
-  return box.most.x() < 0.0 || box.most.y() < 0.0 || box.least.x() > plate.width ||
-         box.least.y() > plate.height;
+  return box.max.x() < 0.0 || box.max.y() < 0.0 || box.min.x() > plate.width ||
+         box.min.y() > plate.height;
 }
 
 // Decides for convex shapes without holes, by the corners of the plate; the lattice finds the
@@ -104,37 +104,37 @@ bool swallows(const Plate& plate, const Shape& shape) {
 
 // A node stores its material as a byte, and one value means "none".
 void check_materials(const Plate& plate, Problems& problems) {
-  constexpr std::size_t most = 254;
+  constexpr std::size_t max = 254;
   std::vector<const Material*> distinct;
   for (const Inclusion& inclusion : plate.inclusions) {
     const auto same = [&](const Material* other) { return *other == inclusion.material; };
     if (std::ranges::none_of(distinct, same)) distinct.push_back(&inclusion.material);
   }
-  if (distinct.size() > most)
+  if (distinct.size() > max)
     problems.add(fmt::format("plate: its inclusions are of {} different materials, the most is {}",
-                             distinct.size(), most),
+                             distinct.size(), max),
                  "let several of them share a material");
 }
 
 }  // namespace
 
 Shape strip(const Plate& plate, Edge edge, double depth) {
-  Vec2 least{0.0, 0.0}, most{plate.width, plate.height};
+  Vec2 min{0.0, 0.0}, max{plate.width, plate.height};
   switch (edge) {
     case Edge::left:
-      most.x() = depth;
+      max.x() = depth;
       break;
     case Edge::right:
-      least.x() = plate.width - depth;
+      min.x() = plate.width - depth;
       break;
     case Edge::bottom:
-      most.y() = depth;
+      max.y() = depth;
       break;
     case Edge::top:
-      least.y() = plate.height - depth;
+      min.y() = plate.height - depth;
       break;
   }
-  return rectangle(least, most);
+  return rectangle(min, max);
 }
 
 void check(const Plate& plate, Problems& problems) {
@@ -182,7 +182,7 @@ void check(const Plate& plate, const Shape& shape, const std::string& who, Probl
   if (problems.list().size() != before || !is_apart(plate, shape)) return;
   const Box box = bounds(shape);
   problems.add(fmt::format("{}: the {} from {} to {} lies outside the plate", who, kind_of(shape),
-                           point_text(box.least), point_text(box.most)),
+                           point_text(box.min), point_text(box.max)),
                extent_text(plate) + ", origin at its lower left corner");
 }
 
@@ -210,7 +210,7 @@ void check_no_fail(const Plate& plate, const Shape& zone, Problems& problems) {
   const Box box = bounds(zone);
   if (is_apart(plate, zone))
     problems.add(fmt::format("nofail: the zone from {} to {} lies outside the plate",
-                             point_text(box.least), point_text(box.most)),
+                             point_text(box.min), point_text(box.max)),
                  extent_text(plate));
 }
 
@@ -229,10 +229,10 @@ namespace {
 std::string range_of(const Plate& plate, double Material::*value, const char* name,
                      const char* unit) {
   const auto value_of = [&](const Inclusion& inclusion) { return inclusion.material.*value; };
-  const auto [least, most] = std::ranges::minmax_element(plate.inclusions, {}, value_of);
-  if (value_of(*least) == value_of(*most)) return "";
-  return fmt::format("{} {} to {}", name, quantity(value_of(*least), unit),
-                     quantity(value_of(*most), unit));
+  const auto [min, max] = std::ranges::minmax_element(plate.inclusions, {}, value_of);
+  if (value_of(*min) == value_of(*max)) return "";
+  return fmt::format("{} {} to {}", name, quantity(value_of(*min), unit),
+                     quantity(value_of(*max), unit));
 }
 
 std::string describe_inclusions(const Plate& plate) {

@@ -46,11 +46,11 @@ Crack draw(const RandomCracks& cracks, std::mt19937_64& random) {
   for (int trial = 0; trial < max_tries; ++trial) {
     const double length = between(cracks.length, random);
     const Vec2 half = 0.5 * length * direction(between(cracks.angle, random));
-    const Vec2 least = cracks.area.least + half.cwiseAbs();
-    const Vec2 most = cracks.area.most - half.cwiseAbs();
-    const double x = between({least.x(), most.x()}, random);
-    const double y = between({least.y(), most.y()}, random);
-    if ((most - least).minCoeff() < 0.0) continue;
+    const Vec2 min = cracks.area.min + half.cwiseAbs();
+    const Vec2 max = cracks.area.max - half.cwiseAbs();
+    const double x = between({min.x(), max.x()}, random);
+    const double y = between({min.y(), max.y()}, random);
+    if ((max - min).minCoeff() < 0.0) continue;
     return {Vec2(x, y) - half, Vec2(x, y) + half, cracks.born};
   }
   throw Error(ErrorKind::refused,
@@ -75,10 +75,10 @@ void check(const Plate& plate, const RandomCracks& cracks, Problems& problems) {
   if (cracks.angle.x() > cracks.angle.y())
     problems.add("random_cracks: the least angle is above the most", "angle = {least, most}");
   const double slack = 1e-9 * (plate.width + plate.height);
-  const bool has_area = (cracks.area.most - cracks.area.least).minCoeff() > 0.0;
-  const bool on_plate = cracks.area.least.minCoeff() >= -slack &&
-                        cracks.area.most.x() <= plate.width + slack &&
-                        cracks.area.most.y() <= plate.height + slack;
+  const bool has_area = (cracks.area.max - cracks.area.min).minCoeff() > 0.0;
+  const bool on_plate = cracks.area.min.minCoeff() >= -slack &&
+                        cracks.area.max.x() <= plate.width + slack &&
+                        cracks.area.max.y() <= plate.height + slack;
   if (!has_area)
     problems.add("random_cracks: the area is empty",
                  "from is its lower left corner, to its "

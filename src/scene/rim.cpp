@@ -49,14 +49,14 @@ std::vector<Chain> chains_of(const Ring& ring) {
 
 // The sides between cells that are inside and cells that are not.
 std::vector<Chain> chains_of(const Bitmap& bitmap) {
-  const Vec2 cell = (bitmap.most - bitmap.least).cwiseQuotient(Vec2(bitmap.columns, bitmap.rows));
+  const Vec2 cell = (bitmap.max - bitmap.min).cwiseQuotient(Vec2(bitmap.columns, bitmap.rows));
   const auto is_inside = [&](int i, int j) {
     return i >= 0 && j >= 0 && i < bitmap.columns && j < bitmap.rows &&
            bitmap.inside[static_cast<std::size_t>(j) * static_cast<std::size_t>(bitmap.columns) +
                          static_cast<std::size_t>(i)] != 0;
   };
   const auto corner = [&](int i, int j) {
-    return Vec2(bitmap.least + cell.cwiseProduct(Vec2(i, j)));
+    return Vec2(bitmap.min + cell.cwiseProduct(Vec2(i, j)));
   };
   std::vector<Chain> chains;
   for (int j = 0; j <= bitmap.rows; ++j)
@@ -81,9 +81,9 @@ void add_crossing_of_ray(const Segment& segment, const Vec2& middle, double angl
 }
 
 bool lies_between(const Vec2& from_middle, const Vec2& angles) {
-  const auto [least, most] = std::minmax(angles.x(), angles.y());
+  const auto [min, max] = std::minmax(angles.x(), angles.y());
   const double angle = std::atan2(from_middle.y(), from_middle.x());
-  return angle + whole_turn * std::ceil((least - angle) / whole_turn) <= most;
+  return angle + whole_turn * std::ceil((min - angle) / whole_turn) <= max;
 }
 
 }  // namespace

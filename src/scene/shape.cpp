@@ -34,8 +34,8 @@ bool may_cut(const Shape& shape, const Box& box, double tie) {
   return std::visit([&](const auto& s) { return may_cut_in(s, box, tie); }, shape);
 }
 
-Shape rectangle(const Vec2& least, const Vec2& most) {
-  return Polygon{{least, {most.x(), least.y()}, most, {least.x(), most.y()}}};
+Shape rectangle(const Vec2& min, const Vec2& max) {
+  return Polygon{{min, {max.x(), min.y()}, max, {min.x(), max.y()}}};
 }
 
 std::string kind_of(const Shape& shape) {

@@ -45,7 +45,7 @@ void add_crossings(const Shape& shape, const Segment& segment, double tie,
 // far from all of them needs no closer look.
 bool may_cut(const Shape& shape, const Box& box, double tie);
 
-Shape rectangle(const Vec2& least, const Vec2& most);
+Shape rectangle(const Vec2& min, const Vec2& max);
 
 // Returns "ellipse", "polygon", "slot", "ring" or "picture".
 std::string kind_of(const Shape& shape);

@@ -39,10 +39,10 @@ namespace {
 
 double check_finite(const View& view) {
   // The largest value of a field, which is in single precision.
-  constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
+  constexpr auto max = static_cast<double>(std::numeric_limits<float>::max());
   const Grid& grid = view.lattice().grid;
   const State& state = view.state();
-  const double u_most = most / grid.dx, v_most = most / (grid.dx / view.dt());
+  const double u_most = max / grid.dx, v_most = max / (grid.dx / view.dt());
   double sum = 0.0;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {

@@ -21,13 +21,13 @@ void for_solid(const State& state, const std::vector<std::uint8_t>& material, co
 }  // namespace
 
 Spread spread_of(const State& state, const std::vector<std::uint8_t>& material) {
-  Vec2 least = Vec2::Constant(std::numeric_limits<double>::infinity()), most = -least;
+  Vec2 min = Vec2::Constant(std::numeric_limits<double>::infinity()), max = -min;
   for_solid(state, material, [&](int i, int j) {
     const Vec2 u = state.u(i, j);
-    least = least.cwiseMin(u);
-    most = most.cwiseMax(u);
+    min = min.cwiseMin(u);
+    max = max.cwiseMax(u);
   });
-  return {0.5 * (most + least), 0.5 * (most - least)};
+  return {0.5 * (max + min), 0.5 * (max - min)};
 }
 
 bool take_out_drift(State& state, const std::vector<std::uint8_t>& material) {

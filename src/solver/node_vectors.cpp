@@ -15,12 +15,12 @@ double dot_of_row(const NodeLayout& layout, const NodeVectors& a, const NodeVect
 double largest_of_row(const NodeLayout& layout, const NodeVectors& a, int j) {
   const auto first = static_cast<std::size_t>(layout.at(0, j));
   const double *x = &a.x[first], *y = &a.y[first];
-  double most = 0.0;
+  double max = 0.0;
   for (int i = 0; i < layout.nx; ++i) {
     const double squared = x[i] * x[i] + y[i] * y[i];
-    if (!(squared <= most)) most = squared;  // nan stays
+    if (!(squared <= max)) max = squared;  // nan stays
   }
-  return std::sqrt(most);
+  return std::sqrt(max);
 }
 
 double sum_of_rows(std::span<const double> of_row) {
@@ -29,10 +29,10 @@ double sum_of_rows(std::span<const double> of_row) {
 }
 
 double max_of_rows(std::span<const double> of_row) {
-  double most = 0.0;
+  double max = 0.0;
   for (const double value : of_row)
-    if (!(value <= most)) most = value;
-  return most;
+    if (!(value <= max)) max = value;
+  return max;
 }
 
 }  // namespace hackle

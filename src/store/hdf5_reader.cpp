@@ -128,11 +128,11 @@ std::int64_t Hdf5Reader::integer(const std::string& name) const {
 }
 
 // Reads a text of the length given by its type.
-std::string Hdf5Reader::text_of(hid_t type, const std::string& name, std::size_t most,
+std::string Hdf5Reader::text_of(hid_t type, const std::string& name, std::size_t max,
                                 const auto& read) const {
   const bool fixed = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
   const std::size_t size = fixed ? H5Tget_size(type) : 0;
-  std::string value(size <= most ? size : 0, '\0');
+  std::string value(size <= max ? size : 0, '\0');
   if (value.empty() || read(value.data()) < 0)
     refuse(fmt::format("its {} is missing or damaged", name));
   return value.substr(0, value.find('\0'));

@@ -55,8 +55,7 @@ class Hdf5Reader {
   Hdf5Handle open_series(const std::string& name, hsize_t count) const;
   Hdf5Handle open_shaped(const std::string& name, const std::vector<hsize_t>& shape) const;
   std::vector<hsize_t> shape_of(const Hdf5Handle& dataset, const std::string& name) const;
-  std::string text_of(hid_t type, const std::string& name, std::size_t most,
-                      const auto& read) const;
+  std::string text_of(hid_t type, const std::string& name, std::size_t max, const auto& read) const;
   template <class Number>
   std::vector<Number> part(const std::string& name, const Hdf5Handle& dataset,
                            const std::vector<hsize_t>& extents, hid_t type) const;

@@ -63,8 +63,8 @@ std::vector<std::uint8_t> Cells::read(const NounWriter::Json& run_lengths, std::
 }
 
 void NounReader::read(const Json& json, Bitmap& bitmap) {
-  read(json.at("from_m"), bitmap.least);
-  read(json.at("to_m"), bitmap.most);
+  read(json.at("from_m"), bitmap.min);
+  read(json.at("to_m"), bitmap.max);
   bitmap.columns = json.at("columns").get<int>();
   bitmap.rows = json.at("rows").get<int>();
   if (bitmap.columns < 1 || bitmap.rows < 1) refuse_inputs("a picture has no cells");

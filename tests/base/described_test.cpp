@@ -42,7 +42,7 @@ TEST(Range, SaysItsEnds) {
   EXPECT_EQ(range_text(between(320.0, 7680.0), "px"), "between 320 and 7680 px");
   EXPECT_EQ(range_text(above(0.0), "m"), "above 0 m");
   EXPECT_EQ(range_text(at_least(2.0), ""), "at least 2");
-  EXPECT_EQ(range_text({.most = 3.0}, "s"), "at most 3 s");
+  EXPECT_EQ(range_text({.max = 3.0}, "s"), "at most 3 s");
   EXPECT_EQ(range_text(above_up_to(0.0, 100.0), ""), "above 0 and at most 100");
   EXPECT_EQ(range_text(from_to_below(0.0, 1.0), ""), "at least 0 and below 1");
   EXPECT_EQ(range_text(strictly_between(-1.0, 0.5), ""), "above -1 and below 0.5");

@@ -22,15 +22,15 @@ TEST(Worker, DoesEveryJobInOrder) {
 
 TEST(Worker, NeverHoldsMoreThanItsCapacity) {
   std::atomic<int> waiting = 0;
-  std::atomic<int> most = 0;
+  std::atomic<int> max = 0;
   Worker<int> worker(2, [&](int) { --waiting; });
   for (int job = 0; job < 200; ++job) {
     worker.push(job);
-    most = std::max(most.load(), ++waiting);
+    max = std::max(max.load(), ++waiting);
   }
   worker.finish();
   // Two in the queue, one being processed, and one counted before its push returned.
-  EXPECT_LE(most, 4);
+  EXPECT_LE(max, 4);
 }
 
 TEST(Worker, HandsItsFailureToThePusher) {

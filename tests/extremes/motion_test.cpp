@@ -63,7 +63,7 @@ TEST_P(ViolentMotion, APlateThatBreaksInOneStepFliesApart) {
   simulation.restore(start);
   simulation.run(100.0 * simulation.dt());
   EXPECT_EQ(simulation.state().bonds.count(), 0);
-  EXPECT_EQ(count_damage(simulation).most, 1.0);
+  EXPECT_EQ(count_damage(simulation).max, 1.0);
   for (int j = 0; j < 30; ++j)
     for (int i = 0; i < 40; ++i) {
       ASSERT_EQ(simulation.state().v(i, j), start.v(i, j));

@@ -75,9 +75,9 @@ TEST_P(Scales, ThatArePowersOfTwoGiveTheSameBits) {
 // crack forks.
 TEST_P(Scales, OfAnySizeGiveTheSameBondsAndDisplacements) {
   const Simulation usual = solve({}, GetParam());
-  double most = 0.0;
+  double max = 0.0;
   for (int j = 0; j < 40; ++j)
-    for (int i = 0; i < 60; ++i) most = std::max(most, usual.state().u(i, j).norm());
+    for (int i = 0; i < 60; ++i) max = std::max(max, usual.state().u(i, j).norm());
   for (const Scale& scale :
        {Scale{1e-9, 70e9, 2200.0}, Scale{13.0, 70e9, 2200.0}, Scale{1e-3, 1e-3, 2200.0},
         Scale{1e-3, 1e15, 2200.0}, Scale{1e-3, 70e9, 1e-6}, Scale{1e-3, 70e9, 1e8}}) {
@@ -87,7 +87,7 @@ TEST_P(Scales, OfAnySizeGiveTheSameBondsAndDisplacements) {
     for (int j = 0; j < 40; ++j)
       for (int i = 0; i < 60; ++i)
         worst = std::max(worst, (other.state().u(i, j) - usual.state().u(i, j)).norm());
-    EXPECT_LT(worst / most, GetParam() == Precision::f64 ? 1e-12 : 6e-4);
+    EXPECT_LT(worst / max, GetParam() == Precision::f64 ? 1e-12 : 6e-4);
   }
 }
 
@@ -102,14 +102,14 @@ TEST_P(Scales, OfTheLoadAreFollowedDownToATrillionthOfTheStrength) {
       for (int i = 0; i < 60; ++i) u.emplace_back(simulation.state().u(i, j) / load);
     return u;
   };
-  const std::vector<Vec2> least = scaled(0x1p-40);
+  const std::vector<Vec2> min = scaled(0x1p-40);
   double size = 0.0;
-  for (const Vec2& u : least) size = std::max(size, u.norm());
+  for (const Vec2& u : min) size = std::max(size, u.norm());
   for (const double load : {0x1p-33, 0x1p-27, 0x1p-20, 0x1p-13, 0x1p-7}) {
     const std::vector<Vec2> now = scaled(load);
     double worst = 0.0;
     for (std::size_t node = 0; node < now.size(); ++node)
-      worst = std::max(worst, (now[node] - least[node]).norm());
+      worst = std::max(worst, (now[node] - min[node]).norm());
     const double rounding = GetParam() == Precision::f64 ? 1e-13 : 1e-5;
     EXPECT_LT(worst / size, rounding + 100.0 * load * 0x1p-10) << load;
   }

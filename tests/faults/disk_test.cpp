@@ -77,24 +77,24 @@ TEST_F(Disk, AFullDiskLeavesNoFileThatIsNotWhole) {
         {large + "local f = io.open('a.txt', 'w') for k = 1, 1e4 do assert(f:write('some text')) "
                  "end assert(f:close())",
          "no.txt"}})
-    for (const rlim_t most : {0, 512, 4096}) {
+    for (const rlim_t max : {0, 512, 4096}) {
       const Ended ended =
-          run_script(script, {.limits = {{RLIMIT_FSIZE, most}}, .ignored = {SIGXFSZ}});
+          run_script(script, {.limits = {{RLIMIT_FSIZE, max}}, .ignored = {SIGXFSZ}});
       // A script's own assert() is an error of the script.
-      EXPECT_THAT(ended.code, testing::AnyOf(3, 5)) << name << most << ended.err;
-      EXPECT_FALSE(fs::exists(folder_.path / "out/a" / name)) << name << most;
+      EXPECT_THAT(ended.code, testing::AnyOf(3, 5)) << name << max << ended.err;
+      EXPECT_FALSE(fs::exists(folder_.path / "out/a" / name)) << name << max;
       fs::remove_all(folder_.path / "out");
     }
 }
 
 // An unwritable file stays as it is; the program still ends with its code.
 TEST_F(Disk, ARecordOnAFullDiskIsAnErrorOfFiles) {
-  for (const rlim_t most : {0, 512, 4096, 65536}) {
+  for (const rlim_t max : {0, 512, 4096, 65536}) {
     const Ended ended = run_script(test::scene + "s:record { 'a.h5', every = 1*us } s:run(30*us)",
-                                   {.limits = {{RLIMIT_FSIZE, most}}});
-    EXPECT_EQ(ended.code, 5) << most << ended.err;
+                                   {.limits = {{RLIMIT_FSIZE, max}}});
+    EXPECT_EQ(ended.code, 5) << max << ended.err;
     // If no file may grow at all, neither may the file behind stderr.
-    if (most > 0) {
+    if (max > 0) {
       EXPECT_THAT(ended.err, HasSubstr("a.h5"));
     }
     fs::remove_all(folder_.path / "out");

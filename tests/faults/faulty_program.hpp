@@ -86,8 +86,8 @@ class FaultyProgram {
     if (chdir(folder_.c_str()) != 0) _exit(99);
     alarm(max_seconds);
     for (int number : fault.ignored) std::signal(number, SIG_IGN);
-    for (const auto& [resource, most] : fault.limits) {
-      const rlimit limit{most, most};
+    for (const auto& [resource, max] : fault.limits) {
+      const rlimit limit{max, max};
       setrlimit(resource, &limit);
     }
     const std::array<const char*, 3> names{".stdin", ".stdout", ".stderr"};

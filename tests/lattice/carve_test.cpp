@@ -39,7 +39,7 @@ struct Mirror {
     return s;
   }
   Shape operator()(const Bitmap& s) const {
-    const Vec2 one = (*this)(s.least), other = (*this)(s.most);
+    const Vec2 one = (*this)(s.min), other = (*this)(s.max);
     Bitmap seen{one.cwiseMin(other), one.cwiseMax(other), s.columns, s.rows, s.inside};
     for (int j = 0; j < s.rows; ++j)
       for (int i = 0; i < s.columns; ++i) {
@@ -68,8 +68,8 @@ void expect_mirrored(const Lattice& plain, const Lattice& seen, int axis, const 
 
 // Half of the shapes have their corners and centres exactly on nodes and midway between them.
 std::vector<Shape> random_shapes(std::mt19937& random, bool snapped) {
-  const auto pick = [&](double most) {
-    const double value = std::uniform_real_distribution<double>(0.0, most)(random);
+  const auto pick = [&](double max) {
+    const double value = std::uniform_real_distribution<double>(0.0, max)(random);
     return 1e-3 * (snapped ? std::floor(value * 4.0) / 4.0 : value);
   };
   const auto point = [&] { return Vec2(pick(6.0), pick(6.0)); };

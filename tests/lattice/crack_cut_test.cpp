@@ -171,8 +171,8 @@ TEST(CrackCut, CommutesWithMirrorsForAnyCrack) {
   const int nx = 13, ny = 12;
   const double width = 0.5 * nx, height = 0.5 * ny;
   for (int trial = 0; trial < 200; ++trial) {
-    const auto pick = [&](double most) {
-      const double value = std::uniform_real_distribution<double>(0.0, most)(random);
+    const auto pick = [&](double max) {
+      const double value = std::uniform_real_distribution<double>(0.0, max)(random);
       return trial % 2 == 0 ? value : std::floor(value * 4.0) / 4.0;
     };
     const double x0 = pick(width), y0 = pick(height), x1 = pick(width), y1 = pick(height);

@@ -71,11 +71,11 @@ TEST(SurfaceFactors, OfEdgesAlongOtherAxesAreAlike) {
   Plate plate = test::bare_plate(60, 60);
   plate.cracks.push_back(cut_along({10.1e-3, 10e-3}, {20.1e-3, 20e-3}));
   const Lattice aslant(plate, with_surface(Surface::energy));
-  float most = 1.0F;
-  for (int i = 25; i < 35; ++i) most = std::max(most, factor_at(aslant, i, i));
+  float max = 1.0F;
+  for (int i = 25; i < 35; ++i) max = std::max(max, factor_at(aslant, i, i));
   // A continuous half plane would need 2 at its rim; a row of nodes is a part of a spacing away.
-  EXPECT_GT(most, 1.3F);
-  EXPECT_LT(most, 1.7F);
+  EXPECT_GT(max, 1.3F);
+  EXPECT_LT(max, 1.7F);
 }
 
 TEST(SurfaceFactors, OfACrackAtTheStartAreThoseOfAnEdge) {

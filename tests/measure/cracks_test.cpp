@@ -37,15 +37,15 @@ TEST(Cracks, BoxAndBandsAreThoseOfTheArea) {
   for (int i = 4; i <= 6; ++i) nodes[grid.index(i, 4)] = 1;
   const Cracks all = cracks(nodes, no_nodes(), grid, 1.0, everywhere());
   EXPECT_EQ(all.nodes, 8);
-  EXPECT_EQ(all.box.least, Vec2(1.5, 1.5));
-  EXPECT_EQ(all.box.most, Vec2(6.5, 4.5));
+  EXPECT_EQ(all.box.min, Vec2(1.5, 1.5));
+  EXPECT_EQ(all.box.max, Vec2(6.5, 4.5));
   EXPECT_EQ(all.bands, 2);
   EXPECT_FALSE(all.fork);
   EXPECT_EQ(cracks(nodes, no_nodes(), grid, 3.0, everywhere()).bands, 1) << "nearer than a horizon";
   const Cracks lower = cracks(nodes, no_nodes(), grid, 1.0, {{2, 0}, {8, 3}});
   EXPECT_EQ(lower.nodes, 4);
-  EXPECT_EQ(lower.box.least, Vec2(2.5, 1.5));
-  EXPECT_EQ(lower.box.most, Vec2(5.5, 1.5));
+  EXPECT_EQ(lower.box.min, Vec2(2.5, 1.5));
+  EXPECT_EQ(lower.box.max, Vec2(5.5, 1.5));
   EXPECT_EQ(lower.bands, 1);
 }
 

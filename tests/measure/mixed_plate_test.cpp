@@ -225,13 +225,13 @@ TEST_P(MixedPlate, HasEveryFieldAtEveryNode) {
   for (const Scalar& scalar : scalars()) {
     const std::vector<float> found = scalar.values(simulation);
     const std::string name(scalar.name);
-    float most = 0.0F;
-    for (const float value : found) most = std::max(most, std::abs(value));
-    EXPECT_GT(most, 0.0F) << name;
+    float max = 0.0F;
+    for (const float value : found) max = std::max(max, std::abs(value));
+    EXPECT_GT(max, 0.0F) << name;
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i < columns; ++i)
         ASSERT_NEAR(found[static_cast<std::size_t>(j * columns + i)], sums.at(name, i, j),
-                    2e-7 * most)
+                    2e-7 * max)
             << name << " at " << i << ", " << j;
   }
 }

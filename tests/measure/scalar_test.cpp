@@ -22,8 +22,8 @@ TEST(Scalars, HaveAFiniteValueForEveryNodeAndEndsThatDiffer) {
   const Simulation simulation = loaded();
   for (const Scalar& scalar : scalars()) {
     const Ends ends = scalar.ends(simulation);
-    EXPECT_LT(ends.least, ends.most) << scalar.name;
-    EXPECT_TRUE(!scalar.logarithmic || ends.least > 0.0) << scalar.name;
+    EXPECT_LT(ends.min, ends.max) << scalar.name;
+    EXPECT_TRUE(!scalar.logarithmic || ends.min > 0.0) << scalar.name;
     const std::vector<float> values = scalar.values(simulation);
     ASSERT_EQ(values.size(), simulation.lattice().grid.nodes()) << scalar.name;
     for (const float value : values) ASSERT_TRUE(std::isfinite(value)) << scalar.name;
@@ -69,8 +69,8 @@ TEST(Scalars, HaveTheEndsOfTheirDefinition) {
   ASSERT_GT(0.5 * s0 / 4e-6, 1.0);
   for (const Scalar& scalar : scalars()) {
     const Ends ends = scalar.ends(simulation), right = wanted.at(scalar.name);
-    EXPECT_NEAR(ends.least, right.least, 1e-12 * std::abs(right.least)) << scalar.name;
-    EXPECT_NEAR(ends.most, right.most, 1e-12 * right.most) << scalar.name;
+    EXPECT_NEAR(ends.min, right.min, 1e-12 * std::abs(right.min)) << scalar.name;
+    EXPECT_NEAR(ends.max, right.max, 1e-12 * right.max) << scalar.name;
   }
 }
 

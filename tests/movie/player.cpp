@@ -184,10 +184,10 @@ Played play(const std::filesystem::path& path) {
 
 int difference(const Image& one, const Image& other) {
   if (one.width != other.width || one.height != other.height) return 256;
-  int most = 0;
+  int max = 0;
   for (std::size_t at = 0; at < one.pixels.size(); ++at)
-    if (at % 4 != 3) most = std::max(most, std::abs(one.pixels[at] - other.pixels[at]));
-  return most;
+    if (at % 4 != 3) max = std::max(max, std::abs(one.pixels[at] - other.pixels[at]));
+  return max;
 }
 
 }  // namespace hackle::test

@@ -58,7 +58,7 @@ void Reference::forces() {
 
 void Reference::pull_on(int i, int j) {
   const std::size_t node = plate_.grid.index(i, j);
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   a_[node] = {0, 0};
   for (std::size_t k = 0; k < family_.size(); ++k) {
     char& holds = holds_[node * family_.size() + k];
@@ -69,9 +69,9 @@ void Reference::pull_on(int i, int j) {
     const double stretch = eta.dot(xi + r) / (xi.norm() * (r.norm() + xi.norm()));
     a_[node] += plate_.c * bond.weight * stretch * r.normalized();
     if (stretch > std::min(s0_[node], s0_[other])) holds = 0;
-    least = std::min(least, stretch);
+    min = std::min(min, stretch);
   }
-  next_s0_[node] = plate_.s00 - plate_.alpha * least;
+  next_s0_[node] = plate_.s00 - plate_.alpha * min;
 }
 
 }  // namespace hackle::test

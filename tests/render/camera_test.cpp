@@ -40,12 +40,12 @@ TEST(Camera, AWholeWindowHoldsEveryCornerHoweverThePlateIsTurned) {
     const double rotation = degree * std::numbers::pi / 180;
     const Window window = whole_window(lattice_seen, rotation, 0);
     const Camera camera(lattice_seen, window, rotation, frame);
-    double most = 0.0;
+    double max = 0.0;
     for (const Vec2& corner : {Vec2(0, 0), Vec2(200, 0), Vec2(0, 80), Vec2(200, 80)})
-      most = std::max(most, camera.share(corner).cwiseAbs().maxCoeff());
-    EXPECT_LE(most, 1.0 + 1e-9) << degree;
+      max = std::max(max, camera.share(corner).cwiseAbs().maxCoeff());
+    EXPECT_LE(max, 1.0 + 1e-9) << degree;
     // At most one cell too large on either side.
-    EXPECT_GE(most, 1.0 - 2.0 / std::min(window.nx, window.ny)) << degree;
+    EXPECT_GE(max, 1.0 - 2.0 / std::min(window.nx, window.ny)) << degree;
   }
 }
 

@@ -88,11 +88,11 @@ TEST(ColourMaps, AnUnknownNameGetsTheNearest) {
 
 // Dark at whole orders and light midway between them, wherever the range begins.
 TEST(FringeMap, HasTheLightOfItsOrders) {
-  for (const auto& [least, most] : {std::pair{0.0, 3.0}, {1.5, 4.0}, {-2.0, 0.5}, {7.25, 9.75}}) {
-    const ColourMap map = fringe_map(least, most);
+  for (const auto& [min, max] : {std::pair{0.0, 3.0}, {1.5, 4.0}, {-2.0, 0.5}, {7.25, 9.75}}) {
+    const ColourMap map = fringe_map(min, max);
     const auto last = static_cast<double>(map.colours.size() - 1);
     for (std::size_t k = 0; k < map.colours.size(); ++k) {
-      const double order = least + (most - least) * static_cast<double>(k) / last;
+      const double order = min + (max - min) * static_cast<double>(k) / last;
       const double light = std::pow(std::sin(std::numbers::pi * order), 2);
       EXPECT_NEAR(map.colours[k].red, 255.0 * std::pow(light, 1.0 / 2.2), 0.51) << order;
       EXPECT_EQ(map.colours[k].green, map.colours[k].red);

@@ -74,8 +74,8 @@ TEST(PlatePainter, ClampsValuesOutsideTheRange) {
 TEST(PlatePainter, AMeanIsTheMeanOfTheCellsUnderAPixel) {
   PictureStyle s = style(4000, 1600, 640);
   s.field.sampling = Sampling::mean;
-  s.field.least = -1.0;
-  s.field.most = 1.0;
+  s.field.min = -1.0;
+  s.field.max = 1.0;
   Shot f = shot(s, 0.0F);
   for (int j = 0; j < s.grid.ny; ++j)
     for (int i = 0; i < s.grid.nx; ++i)
@@ -91,8 +91,8 @@ TEST(PlatePainter, AMeanIsTheMeanOfTheCellsUnderAPixel) {
 TEST(PlatePainter, ALogarithmicScaleHasADecadeForADecade) {
   PictureStyle s = style(5, 4);
   s.field.logarithmic = true;
-  s.field.least = 1.0;
-  s.field.most = 1e4;
+  s.field.min = 1.0;
+  s.field.max = 1e4;
   Shot f = shot(s, 0.0F);
   for (int i = 0; i < 5; ++i) f.values[s.grid.index(i, 1)] = std::pow(10.0F, static_cast<float>(i));
   const Image image = PlatePainter(s).paint(f);
@@ -116,7 +116,7 @@ TEST(PlatePainter, FringesAreDarkAtWholeOrders) {
   PictureStyle s = style(9, 4);
   s.field.colour_map = fringes_name;
   s.field.sampling = Sampling::mean;
-  s.field.most = 4.0;
+  s.field.max = 4.0;
   Shot f = shot(s, 0.0F);
   for (int i = 0; i < 9; ++i) f.values[s.grid.index(i, 1)] = 0.5F * static_cast<float>(i);
   const Image image = PlatePainter(s).paint(f);
@@ -275,7 +275,7 @@ PictureStyle two_fields(Arrangement arrangement) {
   PictureStyle s = style(8, 8);
   s.second = FieldStyle{};
   s.second->colour_map = "viridis";
-  s.second->most = 1.0;
+  s.second->max = 1.0;
   s.arrangement = arrangement;
   return s;
 }

@@ -50,7 +50,7 @@ TEST(Samples, AreTheLargestOrTheMeanOfTheNumbersUnderThem) {
   for (const Window window :
        {Window{0, 0, 31, 17}, {-9, 4, 40, 9}, {20, 10, 30, 30}, {3, 3, 2, 2}}) {
     const int width = 11, height = 6;
-    const auto most = samples(values, g, window, width, height, Sampling::largest);
+    const auto max = samples(values, g, window, width, height, Sampling::largest);
     const auto mean = samples(values, g, window, width, height, Sampling::mean);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
@@ -63,12 +63,12 @@ TEST(Samples, AreTheLargestOrTheMeanOfTheNumbersUnderThem) {
             if (!std::isnan(value)) seen.push_back(value);
           }
         const auto at = static_cast<std::size_t>(y * width + x);
-        ASSERT_EQ(std::isnan(most[at]), seen.empty());
+        ASSERT_EQ(std::isnan(max[at]), seen.empty());
         ASSERT_EQ(std::isnan(mean[at]), seen.empty());
         if (seen.empty()) continue;
         double sum = 0.0;
         for (const double value : seen) sum += value;
-        EXPECT_EQ(most[at], *std::ranges::max_element(seen));
+        EXPECT_EQ(max[at], *std::ranges::max_element(seen));
         // Sums of integers are exact.
         EXPECT_EQ(mean[at], static_cast<float>(sum / static_cast<double>(seen.size())));
       }

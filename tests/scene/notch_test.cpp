@@ -43,13 +43,13 @@ struct Sampled {
 // samples, of which at most half are wrong, in either direction.
 Sampled removed(const Shape& shape) {
   const Box box = bounds(shape);
-  const Vec2 least = box.least.cwiseMax(Vec2(0, 0)), most = box.most.cwiseMin(Vec2(0.05, 0.04));
-  const Vec2 size = most - least;
+  const Vec2 min = box.min.cwiseMax(Vec2(0, 0)), max = box.max.cwiseMin(Vec2(0.05, 0.04));
+  const Vec2 size = max - min;
   int inside = 0;
   for (int j = 0; j < samples; ++j)
     for (int i = 0; i < samples; ++i)
       inside +=
-          is_inside(shape, least + size.cwiseProduct(Vec2(i + 0.5, j + 0.5) / samples), tie * 1e-3);
+          is_inside(shape, min + size.cwiseProduct(Vec2(i + 0.5, j + 0.5) / samples), tie * 1e-3);
   return {inside * size.prod() / (samples * samples), size.prod() / samples};
 }
 

@@ -68,10 +68,10 @@ TEST(Outline, TheEvenOddRuleHoldsWhereSidesCoincide) {
 
 TEST(Outline, ItsBoxHoldsAllAreas) {
   const Outline two{{Ellipse{{0, 0}, {1, 2}, 0}, Ring{{5, 5}, 2, 1}}, ""};
-  EXPECT_NEAR((bounds(two).least - Vec2(-1, -2)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((bounds(two).most - Vec2(7, 7)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((bounds(two).min - Vec2(-1, -2)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((bounds(two).max - Vec2(7, 7)).norm(), 0.0, 1e-12);
   const Outline moved = transformed(two, {1, 1}, 2.0);
-  EXPECT_NEAR((bounds(moved).most - Vec2(12, 12)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((bounds(moved).max - Vec2(12, 12)).norm(), 0.0, 1e-12);
   EXPECT_TRUE(covers(moved, {8, 11.5}, rim));
   EXPECT_FALSE(covers(moved, {8, 8}, rim));
 }

@@ -65,10 +65,10 @@ TEST(Plate, AllProblemsAreReportedTogether) {
 
 TEST(Plate, StripsLieAlongTheirEdges) {
   const Plate plate = test::bare_plate(200, 80);
-  EXPECT_EQ(bounds(strip(plate, Edge::top, 2e-3)).least, Vec2(0.0, 0.04 - 2e-3));
-  EXPECT_EQ(bounds(strip(plate, Edge::bottom, 2e-3)).most, Vec2(0.1, 2e-3));
-  EXPECT_EQ(bounds(strip(plate, Edge::left, 2e-3)).most, Vec2(2e-3, 0.04));
-  EXPECT_EQ(bounds(strip(plate, Edge::right, 2e-3)).least, Vec2(0.1 - 2e-3, 0.0));
+  EXPECT_EQ(bounds(strip(plate, Edge::top, 2e-3)).min, Vec2(0.0, 0.04 - 2e-3));
+  EXPECT_EQ(bounds(strip(plate, Edge::bottom, 2e-3)).max, Vec2(0.1, 2e-3));
+  EXPECT_EQ(bounds(strip(plate, Edge::left, 2e-3)).max, Vec2(2e-3, 0.04));
+  EXPECT_EQ(bounds(strip(plate, Edge::right, 2e-3)).min, Vec2(0.1 - 2e-3, 0.0));
 }
 
 TEST(Plate, EdgesAreKnownByName) {

@@ -39,16 +39,16 @@ TEST(RandomCracks, ThatDoNotFitAreRefused) {
 // Checks every octant, both senses of direction, and angles beyond a turn.
 TEST(RandomCracks, PointWhereTheirAngleSays) {
   constexpr double pi = std::numbers::pi, spread = 0.05;
-  for (double least = -9.0; least < 9.0; least += 0.31) {
+  for (double min = -9.0; min < 9.0; min += 0.31) {
     const RandomCracks cracks{.length = {1e-3, 2e-3},
-                              .angle = {least, least + spread},
+                              .angle = {min, min + spread},
                               .area = {{0.0, 0.0}, {0.1, 0.04}},
                               .count = 20};
     for (const Crack& crack : make(cracks)) {
       const Vec2 along = crack.points[1] - crack.points[0];
       const double away =
-          std::remainder(std::atan2(along.y(), along.x()) - least - 0.5 * spread, 2.0 * pi);
-      EXPECT_LE(std::abs(away), 0.5 * spread + 1e-12) << least;
+          std::remainder(std::atan2(along.y(), along.x()) - min - 0.5 * spread, 2.0 * pi);
+      EXPECT_LE(std::abs(away), 0.5 * spread + 1e-12) << min;
     }
   }
 }
@@ -93,11 +93,11 @@ TEST(RandomCracks, RefuseRangesTheWrongWayRoundAndAreasOffThePlate) {
   EXPECT_EQ(problems([](RandomCracks&) {}), 0U);
   EXPECT_EQ(problems([](RandomCracks& c) { c.length = {2e-3, 1e-3}; }), 1U);
   EXPECT_EQ(problems([](RandomCracks& c) { c.angle = {1.0, 0.0}; }), 1U);
-  EXPECT_EQ(problems([](RandomCracks& c) { c.area.most = {0.0, 0.04}; }), 1U);
+  EXPECT_EQ(problems([](RandomCracks& c) { c.area.max = {0.0, 0.04}; }), 1U);
   for (const Vec2& off : {Vec2(0.101, 0.04), Vec2(0.1, 0.041)})
-    EXPECT_EQ(problems([&](RandomCracks& c) { c.area.most = off; }), 1U);
+    EXPECT_EQ(problems([&](RandomCracks& c) { c.area.max = off; }), 1U);
   for (const Vec2& off : {Vec2(-0.001, 0.0), Vec2(0.0, -0.001)})
-    EXPECT_EQ(problems([&](RandomCracks& c) { c.area.least = off; }), 1U);
+    EXPECT_EQ(problems([&](RandomCracks& c) { c.area.min = off; }), 1U);
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ constexpr double tie = 1e-9;
 // Returns the share of sample points of a box that a shape covers, times the area of the box.
 double area(const Shape& shape) {
   const Box box = bounds(shape);
-  const Vec2 size = box.most - box.least;
+  const Vec2 size = box.max - box.min;
   constexpr int n = 400;
   int inside = 0;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
-      inside += is_inside(shape, box.least + size.cwiseProduct(Vec2(i + 0.5, j + 0.5) / n), tie);
+      inside += is_inside(shape, box.min + size.cwiseProduct(Vec2(i + 0.5, j + 0.5) / n), tie);
   return inside * size.prod() / (n * n);
 }
 
@@ -140,15 +140,13 @@ TEST(Shape, HasTheLeastBoxThatHoldsIt) {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
         const Vec2 at = from + sample.cwiseProduct(Vec2(i + 0.5, j + 0.5));
-        if (is_inside(shape, at, tie)) seen = {seen.least.cwiseMin(at), seen.most.cwiseMax(at)};
+        if (is_inside(shape, at, tie)) seen = {seen.min.cwiseMin(at), seen.max.cwiseMax(at)};
       }
     // A round or sharp end may lie between samples; at its tip it is at most 10 samples wide.
-    EXPECT_NEAR((seen.least - box.least).cwiseAbs().maxCoeff(), 0.0, 10 * sample.x())
-        << kind_of(shape);
-    EXPECT_NEAR((seen.most - box.most).cwiseAbs().maxCoeff(), 0.0, 10 * sample.x())
-        << kind_of(shape);
-    EXPECT_GE((seen.least - box.least).minCoeff(), 0.0) << kind_of(shape);
-    EXPECT_GE((box.most - seen.most).minCoeff(), 0.0) << kind_of(shape);
+    EXPECT_NEAR((seen.min - box.min).cwiseAbs().maxCoeff(), 0.0, 10 * sample.x()) << kind_of(shape);
+    EXPECT_NEAR((seen.max - box.max).cwiseAbs().maxCoeff(), 0.0, 10 * sample.x()) << kind_of(shape);
+    EXPECT_GE((seen.min - box.min).minCoeff(), 0.0) << kind_of(shape);
+    EXPECT_GE((box.max - seen.max).minCoeff(), 0.0) << kind_of(shape);
   }
 }
 

@@ -48,7 +48,7 @@ TEST(Star, ItsCornersLieOnTwoCirclesAtEvenAngles) {
 
 TEST(Star, ASquareIsARectangle) {
   const Box box = bounds(star({0.0, 0.0}, std::sqrt(2.0), 4, pi / 4.0));
-  EXPECT_NEAR((box.least - Vec2(-1, -1)).norm() + (box.most - Vec2(1, 1)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((box.min - Vec2(-1, -1)).norm() + (box.max - Vec2(1, 1)).norm(), 0.0, 1e-15);
 }
 
 TEST(Star, ItIsItsOwnMirrorImageToTheBit) {

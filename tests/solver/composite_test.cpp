@@ -25,13 +25,13 @@ using test::Reference;
 // Returns the largest difference from the reference over the largest acceleration.
 double difference(const Simulation& simulation, const std::vector<Reference::Vector>& expected) {
   const std::vector<Vec2> found = test::accelerations(simulation);
-  long double worst = 0.0, most = 0.0;
+  long double worst = 0.0, max = 0.0;
   for (std::size_t node = 0; node < found.size(); ++node) {
     const Reference::Vector error = found[node].cast<Reference::Real>() - expected[node];
     worst = std::max(worst, error.cwiseAbs().maxCoeff());
-    most = std::max(most, expected[node].cwiseAbs().maxCoeff());
+    max = std::max(max, expected[node].cwiseAbs().maxCoeff());
   }
-  return static_cast<double>(worst / most);
+  return static_cast<double>(worst / max);
 }
 
 // Returns the largest difference of the two displacements, in units of dx.
@@ -218,14 +218,14 @@ double leak(const Mixture& mixture, double dt) {
   Numerics numerics = test::numerics(0.5e-3, 1.5e-3);
   numerics.step = dt;
   Simulation simulation(plate, numerics);
-  double worst = 0.0, most = 0.0;
+  double worst = 0.0, max = 0.0;
   while (simulation.time() < 6e-6) {
     simulation.step();
     const Energy now = energy(simulation);
     worst = std::max(worst, std::abs(now.residual()));
-    most = std::max(most, now.strain);
+    max = std::max(max, now.strain);
   }
-  return worst / most;
+  return worst / max;
 }
 
 TEST_P(CompositeWithoutHistory, TheLedgerClosesWithTheSquareOfTheStep) {

@@ -119,14 +119,14 @@ double leak(const Change& change, const Plate& plate, double dt) {
   Simulation simulation(plate, with_step(dt), {1});
   simulation.run(moment);
   apply(change, simulation);
-  double sum = 0.0, most = 0.0;
+  double sum = 0.0, max = 0.0;
   for (int k = 0; k < 16; ++k) {
     const Energy now = energy(simulation);
     sum += now.residual() * now.residual();
-    most = std::max(most, std::abs(now.external));
+    max = std::max(max, std::abs(now.external));
     simulation.run(0.1e-6);
   }
-  return std::sqrt(sum / 16.0) / most;
+  return std::sqrt(sum / 16.0) / max;
 }
 
 class Ledger : public testing::TestWithParam<std::size_t> {};
@@ -319,11 +319,11 @@ TEST(Damping, LeavesTheStepLimitWhereItIs) {
   for (const double x : {0.0, 0.01, 0.3, 0.63, 2.0, 20.0}) {
     const Damping damping(x);
     const auto grows = [&](double omega) {
-      double u = 1.0, v = 0.0, most = 0.0;
+      double u = 1.0, v = 0.0, max = 0.0;
       for (int n = 0; n < 4000; ++n) {
         v = damping.keep * v - damping.yield * omega * omega * u;
         u += v;
-        most = std::max(most, std::abs(u));
+        max = std::max(max, std::abs(u));
       }
       return std::abs(u) > 1e3 || !std::isfinite(u);
     };

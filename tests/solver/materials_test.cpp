@@ -71,13 +71,13 @@ struct Pulse {
     }
     simulation.restore(state);
     for (int n = 0; n < static_cast<int>(2.0 * -start / speed); ++n) simulation.step();
-    std::pair<double, double> most{0.0, 0.0};
+    std::pair<double, double> max{0.0, 0.0};
     for (int i = 0; i < nodes; ++i) {
       const double u = simulation.state().u(i, 0).x() / 1e-6;
-      double& side = i < nodes / 2 ? most.first : most.second;
+      double& side = i < nodes / 2 ? max.first : max.second;
       if (std::abs(u) > std::abs(side)) side = u;
     }
-    return most;
+    return max;
   }
 
   static constexpr int nodes = 1600;
@@ -117,9 +117,9 @@ double largest_frequency(const Simulation& simulation) {
       response(n, k) = -a[static_cast<std::size_t>(n / 2)][n % 2] / small;
   }
   const Eigen::EigenSolver<Eigen::MatrixXd> modes(response, false);
-  double most = 0.0;
-  for (Eigen::Index k = 0; k < count; ++k) most = std::max(most, modes.eigenvalues()[k].real());
-  return most;
+  double max = 0.0;
+  for (Eigen::Index k = 0; k < count; ++k) max = std::max(max, modes.eigenvalues()[k].real());
+  return max;
 }
 
 TEST(Materials, NoModeIsFasterThanTheStepLimitAllows) {

@@ -82,7 +82,7 @@ class Denormals : public testing::TestWithParam<Precision> {
     return Simulation(plate, numerics, {2});
   }
   // Returns the smallest normal number of the precision.
-  double least() const {
+  double min() const {
     return GetParam() == Precision::f64 ? std::numeric_limits<double>::min()
                                         : std::numeric_limits<float>::min();
   }
@@ -111,7 +111,7 @@ TEST_P(Denormals, AreNeverInAState) {
       for (int i = 0; i < 100; ++i)
         for (const Vec2& value : {simulation.state().u(i, j), simulation.state().v(i, j)})
           for (const double x : {std::abs(value.x()), std::abs(value.y())})
-            EXPECT_TRUE(x == 0.0 || x >= least()) << i << ", " << j;
+            EXPECT_TRUE(x == 0.0 || x >= min()) << i << ", " << j;
   }
 }
 

@@ -36,13 +36,13 @@ Plate cracked_plate(const Size& size, double toughness) {
 // Returns the largest difference from the reference over the largest acceleration.
 double difference(const Simulation& simulation, const std::vector<Reference::Vector>& expected) {
   const std::vector<Vec2> found = test::accelerations(simulation);
-  long double worst = 0.0, most = 0.0;
+  long double worst = 0.0, max = 0.0;
   for (std::size_t node = 0; node < found.size(); ++node) {
     const Reference::Vector error = found[node].cast<Reference::Real>() - expected[node];
     worst = std::max(worst, error.cwiseAbs().maxCoeff());
-    most = std::max(most, expected[node].cwiseAbs().maxCoeff());
+    max = std::max(max, expected[node].cwiseAbs().maxCoeff());
   }
-  return static_cast<double>(most > 0.0 ? worst / most : worst);
+  return static_cast<double>(max > 0.0 ? worst / max : worst);
 }
 
 class Accelerations : public testing::TestWithParam<std::tuple<double, Quadrature>> {

@@ -76,18 +76,18 @@ std::vector<std::vector<float>> fields_of(const View& view) {
 // one spacing twice; so are thermal strains. A stretch error causes a stress error of at most E/(1
 // - nu) < 2 E times as much.
 double stretch_error(const Simulation& simulation) {
-  double most = 0.0, heat = 0.0;
+  double max = 0.0, heat = 0.0;
   for (const float u : displacement(simulation).values)
-    most = std::max(most, std::abs(static_cast<double>(u)));
+    max = std::max(max, std::abs(static_cast<double>(u)));
   for (const double strain : simulation.thermal_strain()) heat = std::max(heat, std::abs(strain));
-  return std::ldexp(2.0 * most / simulation.lattice().grid.dx + 2.0 * heat, -24);
+  return std::ldexp(2.0 * max / simulation.lattice().grid.dx + 2.0 * heat, -24);
 }
 
 double stiffest(const Simulation& simulation) {
-  double most = 0.0;
+  double max = 0.0;
   for (const MaterialOnLattice& known : simulation.lattice().materials)
-    most = std::max(most, known.material.E);
-  return most;
+    max = std::max(max, known.material.E);
+  return max;
 }
 
 // Returns the tolerance of a field beyond the rounding of its own values.
@@ -102,10 +102,10 @@ double tolerance_of(std::string_view field, const Simulation& simulation) {
 // Error of a density E s^2/2 that is at most `peak`: E s ds.
 double energy_error(double peak, const Simulation& simulation) {
   const double E = stiffest(simulation);
-  double least = E;
+  double min = E;
   for (const MaterialOnLattice& known : simulation.lattice().materials)
-    least = std::min(least, known.material.E);
-  return 4.0 * E * std::sqrt(2.0 * peak / least) * stretch_error(simulation);
+    min = std::min(min, known.material.E);
+  return 4.0 * E * std::sqrt(2.0 * peak / min) * stretch_error(simulation);
 }
 
 void expect_same(const std::vector<std::vector<float>>& found,
@@ -113,12 +113,12 @@ void expect_same(const std::vector<std::vector<float>>& found,
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const std::string_view name = scalar_names[k];
     ASSERT_EQ(found[k].size(), wanted[k].size());
-    const double most = name == "energy_density"
-                            ? energy_error(*std::ranges::max_element(wanted[k]), simulation)
-                            : tolerance_of(name, simulation);
+    const double max = name == "energy_density"
+                           ? energy_error(*std::ranges::max_element(wanted[k]), simulation)
+                           : tolerance_of(name, simulation);
     for (std::size_t node = 0; node < wanted[k].size(); ++node) {
       const double value = wanted[k][node];
-      const double off = most + 2e-7 * std::abs(value);
+      const double off = max + 2e-7 * std::abs(value);
       ASSERT_NEAR(found[k][node], value, off) << name << " of node " << node;
     }
   }

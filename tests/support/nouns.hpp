@@ -62,8 +62,8 @@ class NounFiller {
     } else if constexpr (std::is_same_v<T, Shape>) {
       fill_shape(value);
     } else if constexpr (is_list<T>) {
-      const double least = std::isfinite(about.range.least) ? about.range.least : 1.0;
-      value.resize(static_cast<std::size_t>(least) + next() % 3);
+      const double min = std::isfinite(about.range.min) ? about.range.min : 1.0;
+      value.resize(static_cast<std::size_t>(min) + next() % 3);
       for (auto& entry : value) fill(entry, {});
     } else {
       fill_value(value, about);
@@ -75,9 +75,9 @@ class NounFiller {
 
   double number(const Range& range) {
     const double share = std::fmod(0.6180339887 * static_cast<double>(next()), 1.0);
-    const double width = std::isfinite(range.most - range.least) ? range.most - range.least : 1e3;
-    if (std::isfinite(range.least)) return range.least + (0.01 + 0.98 * share) * width;
-    return (std::isfinite(range.most) ? range.most : 500.0) - (0.01 + 0.98 * share) * width;
+    const double width = std::isfinite(range.max - range.min) ? range.max - range.min : 1e3;
+    if (std::isfinite(range.min)) return range.min + (0.01 + 0.98 * share) * width;
+    return (std::isfinite(range.max) ? range.max : 500.0) - (0.01 + 0.98 * share) * width;
   }
 
   template <class T>

@@ -112,15 +112,15 @@ class Reference {
   // Moves the threshold of each node by the smallest stretch of its intact bonds.
   void note_history() {
     constexpr Real none = std::numeric_limits<Real>::max();
-    std::vector<Real> least(u_.size(), none);
+    std::vector<Real> min(u_.size(), none);
     for (const Bond& bond : bonds_) {
       if (!bond.holds) continue;
       for (const std::size_t node : {bond.from, bond.to})
-        least[node] = std::min(least[node], stretch(bond));
+        min[node] = std::min(min[node], stretch(bond));
     }
     for (std::size_t node = 0; node < s0_.size(); ++node) {
       const Node& own = nodes_[node];
-      s0_[node] = own.s00 - (least[node] == none ? Real(0) : own.alpha * least[node]);
+      s0_[node] = own.s00 - (min[node] == none ? Real(0) : own.alpha * min[node]);
     }
   }
 

@@ -33,9 +33,9 @@ State thrown(const Simulation& simulation, Velocity velocity) {
 }
 
 // Adds random velocities, uniform in +-most (in units of dx per step).
-inline State shaken(State state, double most, unsigned seed) {
+inline State shaken(State state, double max, unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-most, most);
+  std::uniform_real_distribution<double> uniform(-max, max);
   for (int j = 0; j < state.layout.ny; ++j)
     for (int i = 0; i < state.layout.nx; ++i)
       state.set_v(i, j, state.v(i, j) + Vec2(uniform(random), uniform(random)));
@@ -43,10 +43,9 @@ inline State shaken(State state, double most, unsigned seed) {
 }
 
 // Adds random displacements, uniform in +-most (in units of dx) and exact in single precision.
-inline State jolted(State state, double most, unsigned seed) {
+inline State jolted(State state, double max, unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<float> uniform(-static_cast<float>(most),
-                                                static_cast<float>(most));
+  std::uniform_real_distribution<float> uniform(-static_cast<float>(max), static_cast<float>(max));
   for (int j = 0; j < state.layout.ny; ++j)
     for (int i = 0; i < state.layout.nx; ++i)
       state.set_u(i, j, state.u(i, j) + Vec2(uniform(random), uniform(random)));
@@ -70,9 +69,9 @@ inline std::vector<Vec2> accelerations(const Simulation& simulation) {
 
 // Returns the largest component.
 inline double largest(const std::vector<Vec2>& values) {
-  double most = 0.0;
-  for (const Vec2& value : values) most = std::max(most, value.cwiseAbs().maxCoeff());
-  return most;
+  double max = 0.0;
+  for (const Vec2& value : values) max = std::max(max, value.cwiseAbs().maxCoeff());
+  return max;
 }
 
 // Returns the state from which time runs backwards: the same u, opposite velocities.

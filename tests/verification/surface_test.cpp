@@ -146,12 +146,12 @@ double period(int rows, Surface surface) {
 using Quotient = std::function<double(int, Surface)>;
 
 void expect_a_third(const Quotient& of, int coarse, int fine) {
-  const double most = std::abs(of(coarse, Surface::none) - 1.0);
+  const double max = std::abs(of(coarse, Surface::none) - 1.0);
   const double most_fine = std::abs(of(fine, Surface::none) - 1.0);
   const double corrected = std::abs(of(coarse, Surface::energy) - 1.0);
   const double corrected_fine = std::abs(of(fine, Surface::energy) - 1.0);
-  EXPECT_LT(most_fine, most);
-  EXPECT_LT(corrected, most / 3.0) << most << ", " << corrected;
+  EXPECT_LT(most_fine, max);
+  EXPECT_LT(corrected, max / 3.0) << max << ", " << corrected;
   EXPECT_LT(corrected_fine, most_fine / 3.0) << most_fine << ", " << corrected_fine;
   EXPECT_LT(corrected_fine, corrected);
 }

@@ -9,7 +9,7 @@ namespace hackle {
 Bitmap read_mask(const std::filesystem::path& path, const Box& area, Mask pixels,
                  double threshold) {
   const GreyImage image = read_png(path);
-  Bitmap bitmap{area.least, area.most, image.width, image.height, {}};
+  Bitmap bitmap{area.min, area.max, image.width, image.height, {}};
   bitmap.inside.reserve(image.pixels.size());
   const auto width = static_cast<std::size_t>(image.width);
   for (auto row = static_cast<std::size_t>(image.height); row-- > 0;) {

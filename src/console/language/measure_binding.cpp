@@ -77,10 +77,10 @@ void push_cracks(lua_State* L, const Cracks& found) {
   set_integer(L, "bands", found.bands);
   if (found.fork) set_number(L, "fork", *found.fork);
   if (found.nodes == 0) return;
-  set_number(L, "left", found.box.least.x());
-  set_number(L, "right", found.box.most.x());
-  set_number(L, "bottom", found.box.least.y());
-  set_number(L, "top", found.box.most.y());
+  set_number(L, "left", found.box.min.x());
+  set_number(L, "right", found.box.max.x());
+  set_number(L, "bottom", found.box.min.y());
+  set_number(L, "top", found.box.max.y());
 }
 
 // Returns the given area, or everything.
@@ -89,7 +89,7 @@ Box area_of(Arguments& arguments) {
     arguments.problems.add("cracks: from and to are given together or not at all");
   if (!arguments.has("from") || !arguments.has("to")) return everywhere();
   Box area{arguments.point("from"), arguments.point("to")};
-  if ((area.least.array() >= area.most.array()).any())
+  if ((area.min.array() >= area.max.array()).any())
     arguments.problems.add("cracks: the area is empty", "from is its lower left corner");
   return area;
 }

@@ -56,14 +56,14 @@ constexpr FunctionDoc nofail_doc{
 // origin.
 void size_by(const Outline& outline, const Arguments& arguments, Plate& plate, Problems& problems) {
   const Box box = bounds(outline);
-  if (!arguments.has("width")) plate.width = box.most.x();
-  if (!arguments.has("height")) plate.height = box.most.y();
-  const double slack = 1e-9 * (box.most - box.least).maxCoeff();
-  const bool off = (!arguments.has("width") && std::abs(box.least.x()) > slack) ||
-                   (!arguments.has("height") && std::abs(box.least.y()) > slack);
+  if (!arguments.has("width")) plate.width = box.max.x();
+  if (!arguments.has("height")) plate.height = box.max.y();
+  const double slack = 1e-9 * (box.max - box.min).maxCoeff();
+  const bool off = (!arguments.has("width") && std::abs(box.min.x()) > slack) ||
+                   (!arguments.has("height") && std::abs(box.min.y()) > slack);
   if (off)
-    problems.add(fmt::format("plate: the outline begins at ({}, {})", quantity(box.least.x(), "m"),
-                             quantity(box.least.y(), "m")),
+    problems.add(fmt::format("plate: the outline begins at ({}, {})", quantity(box.min.x(), "m"),
+                             quantity(box.min.y(), "m")),
                  "move it to the origin, or give width and height");
 }
 

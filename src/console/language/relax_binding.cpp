@@ -74,7 +74,7 @@ int relax(lua_State* L) {
   close_names(L, "s:relax()", relax_names);
   set_integer(L, "steps", result.iterations);
   set_number(L, "residual", result.residual);
-  set_number(L, "most", result.most);
+  set_number(L, "most", result.max);
   set_integer(L, "beyond", result.beyond);
   return 1;
 }

@@ -141,7 +141,7 @@ int add_mask(lua_State* L) {
   Plate& plate = self<Plate>(L, mask_doc);
   Arguments arguments = Arguments::from_table(L, 2, mask_doc);
   const Box area = area_of(arguments, plate, "mask");
-  if (!((area.most - area.least).minCoeff() > 0.0))
+  if (!((area.max - area.min).minCoeff() > 0.0))
     arguments.problems.add("mask: the area is empty",
                            "from is its lower left corner, to its upper right one");
   arguments.problems.throw_if_any();

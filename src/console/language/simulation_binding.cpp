@@ -283,7 +283,7 @@ int push_damage(lua_State* L) {
   lua_createtable(L, 0, damage_keys.size());
   close_names(L, "s.damage", damage_keys);
   set_integer(L, "broken_bonds", count.broken_bonds);
-  set_number(L, "most", count.most);
+  set_number(L, "most", count.max);
   return 1;
 }
 

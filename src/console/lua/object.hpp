@@ -17,12 +17,15 @@ inline constexpr const char* type_name = nullptr;
 
 inline constexpr std::string_view type_prefix = "hackle.";
 
-// [-0, +1] Moves a value into Lua, whose collector destroys it.
+// [-0, +1] Moves a value into Lua, whose collector destroys it. All that may run out of memory
+// comes before the move: the collector does not destroy what has no metatable yet.
 template <class T>
 T& push_object(lua_State* L, T value) {
   static_assert(type_name<T> != nullptr && alignof(T) <= alignof(lua_Number));
+  luaL_getmetatable(L, type_name<T>);
   T* object = new (lua_newuserdatauv(L, sizeof(T), 0)) T(std::move(value));
-  luaL_setmetatable(L, type_name<T>);
+  lua_insert(L, -2);
+  lua_setmetatable(L, -2);
   return *object;
 }
 

@@ -223,8 +223,8 @@ Completion complete(lua_State* L, std::string_view text) {
 }
 
 std::string in_columns(const std::vector<Candidate>& candidates, std::size_t width,
-                       std::size_t most) {
-  const std::size_t shown = std::min(candidates.size(), most);
+                       std::size_t max) {
+  const std::size_t shown = std::min(candidates.size(), max);
   std::size_t widest = 1;
   for (std::size_t k = 0; k < shown; ++k) widest = std::max(widest, candidates[k].text.size());
   const std::size_t columns = std::max<std::size_t>(1, width / (widest + 2));

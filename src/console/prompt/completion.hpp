@@ -36,6 +36,6 @@ Completion complete(lua_State* L, std::string_view text);
 // Formats at most `most` candidates in columns for a terminal of this width in characters; then
 // states how many more there are.
 std::string in_columns(const std::vector<Candidate>& candidates, std::size_t width,
-                       std::size_t most);
+                       std::size_t max);
 
 }  // namespace hackle

@@ -61,8 +61,8 @@ std::string values_text(const Option& option) {
   const bool list = option.type == OptionType::points || option.type == OptionType::texts ||
                     option.type == OptionType::markers || option.type == OptionType::numbers ||
                     option.type == OptionType::recordings;
-  if (list && option.unit.empty()) return shortest(option.range.least) + " or more";
-  if (list) return fmt::format("{} or more, {}", shortest(option.range.least), option.unit);
+  if (list && option.unit.empty()) return shortest(option.range.min) + " or more";
+  if (list) return fmt::format("{} or more, {}", shortest(option.range.min), option.unit);
   if (option.type == OptionType::choice) return comma_list(option.choices);
   const std::string range = range_text(option);
   return range.empty() ? std::string(option.unit) : range;

@@ -81,7 +81,7 @@ std::string_view without_byte_order_mark(std::string_view text) {
 
 }  // namespace
 
-std::vector<Vec2> points_in_text(std::string_view text, std::size_t most, const std::string& who) {
+std::vector<Vec2> points_in_text(std::string_view text, std::size_t max, const std::string& who) {
   std::vector<Vec2> points;
   bool may_be_header = true;
   text = without_byte_order_mark(text);
@@ -93,15 +93,15 @@ std::vector<Vec2> points_in_text(std::string_view text, std::size_t most, const 
     if (!point && !(may_be_header && is_header(fields)))
       refuse(fmt::format("{}, line {} is no point", who, number), line_remedy);
     may_be_header = false;
-    if (point && points.size() == most)
-      refuse(fmt::format("{}, line {}: there are more than {} points", who, number, most),
+    if (point && points.size() == max)
+      refuse(fmt::format("{}, line {}: there are more than {} points", who, number, max),
              "leave out points that lie closer together than the spacing");
     if (point) points.push_back(*point);
   }
   return points;
 }
 
-std::vector<Vec2> read_point_file(const fs::path& path, std::size_t most) {
+std::vector<Vec2> read_point_file(const fs::path& path, std::size_t max) {
   throw_if_interrupted();
   const std::string who = fmt::format("'{}'", path.string());
   std::error_code failure;
@@ -113,8 +113,8 @@ std::vector<Vec2> read_point_file(const fs::path& path, std::size_t most) {
   if (!fs::is_regular_file(status)) refuse(fmt::format("{} is no plain file", who));
   if (fs::file_size(path, failure) > max_point_file && !failure)
     refuse(fmt::format("{} is larger than {} MiB", who, max_point_file >> 20U),
-           fmt::format("a list of points has at most {}", most));
-  return points_in_text(read_text(path), most, who);
+           fmt::format("a list of points has at most {}", max));
+  return points_in_text(read_text(path), max, who);
 }
 
 }  // namespace hackle

@@ -46,7 +46,7 @@ std::string expectation(const Option& option) {
     case OptionType::caption:
       return "a text in quotes, \"\" for none";
     case OptionType::texts:
-      return fmt::format("a list of {} or more texts in quotes", option.range.least);
+      return fmt::format("a list of {} or more texts in quotes", option.range.min);
     case OptionType::flag:
       return "true or false";
     case OptionType::point:
@@ -57,13 +57,13 @@ std::string expectation(const Option& option) {
       return "{x, y, half}, the middle and half the width" + in_unit;
     case OptionType::points:
       return fmt::format("a list of {} or more points {{x, y}}{}, or the name of a file",
-                         option.range.least, in_unit);
+                         option.range.min, in_unit);
     case OptionType::markers:
-      return fmt::format("a list of {} or more {{x, y, \"label\"}}{}", option.range.least, in_unit);
+      return fmt::format("a list of {} or more {{x, y, \"label\"}}{}", option.range.min, in_unit);
     case OptionType::numbers:
-      return fmt::format("a list of {} or more numbers{}", option.range.least, in_unit);
+      return fmt::format("a list of {} or more numbers{}", option.range.min, in_unit);
     case OptionType::recordings:
-      return fmt::format("a list of {} or more of what recording returns", option.range.least);
+      return fmt::format("a list of {} or more of what recording returns", option.range.min);
     case OptionType::choice:
       return "one of " + comma_list(option.choices);
     case OptionType::material:

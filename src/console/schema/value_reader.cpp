@@ -166,8 +166,8 @@ std::any read_points_of_file(const GivenValue& given) {
       session_of(given.L).input_path(given.name(), std::any_cast<const std::string&>(name));
   try {
     const Range& range = given.option.range;
-    const double most = std::min(range.most, static_cast<double>(max_point_file));
-    std::vector<Vec2> points = read_point_file(path, static_cast<std::size_t>(most));
+    const double max = std::min(range.max, static_cast<double>(max_point_file));
+    std::vector<Vec2> points = read_point_file(path, static_cast<std::size_t>(max));
     if (range.holds(static_cast<double>(points.size()))) return points;
     return given.wrong(fmt::format("{}: '{}' has {} points, there must be {}", given.name(),
                                    path.string(), points.size(), range_text(given.option)));

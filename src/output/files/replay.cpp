@@ -39,11 +39,11 @@ bool is_titled(const Tiles& tiles) {
 // Returns the mean interval of the records of the run with the most; one step for a single record.
 double usual_every(const Tiles& tiles) {
   double every = 0.0;
-  std::size_t most = 0;
+  std::size_t max = 0;
   for (const Tile& tile : tiles) {
     const std::vector<double>& times = tile.recording->times();
-    if (times.size() <= most) continue;
-    most = times.size();
+    if (times.size() <= max) continue;
+    max = times.size();
     const double span = times.back() - times.front();
     every = span > 0.0 ? span / static_cast<double>(times.size() - 1) : tile.recording->view().dt();
   }
@@ -170,7 +170,7 @@ PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
   Ends widest = usual_ends(options, tiles.front().recording->view());
   for (const Tile& tile : tiles) {
     const Ends usual = usual_ends(options, tile.recording->view());
-    widest = {std::min(widest.least, usual.least), std::max(widest.most, usual.most)};
+    widest = {std::min(widest.min, usual.min), std::max(widest.max, usual.max)};
     if (!options.percentile) continue;
     for (const double time : times.empty() ? std::vector{the_end} : times) {
       throw_if_interrupted();

@@ -68,7 +68,7 @@ double AutomaticRange::value_at(double share) const {
 std::optional<double> AutomaticRange::middle() const {
   const Scalar& scalar = scalar_of(options_.field);
   if (!diverge(options_.colours.empty() ? scalar.colours : options_.colours)) return std::nullopt;
-  return diverge(scalar.colours) ? 0.5 * (usual_.least + usual_.most) : 0.0;
+  return diverge(scalar.colours) ? 0.5 * (usual_.min + usual_.max) : 0.0;
 }
 
 Ends AutomaticRange::ends() const {
@@ -76,10 +76,10 @@ Ends AutomaticRange::ends() const {
   const double outside = 0.5 * (1.0 - 0.01 * options_.percentile.value_or(100.0));
   Ends ends = outside > 0.0 ? Ends{value_at(outside), value_at(1.0 - outside)} : Ends{min_, max_};
   if (const std::optional<double> centre = middle(); centre && !is_logarithmic(options_)) {
-    const double reach = std::max(*centre - ends.least, ends.most - *centre);
+    const double reach = std::max(*centre - ends.min, ends.max - *centre);
     ends = {*centre - reach, *centre + reach};
   }
-  return ends.least < ends.most ? ends : usual_;
+  return ends.min < ends.max ? ends : usual_;
 }
 
 Ends automatic_range(const PictureOptions& options, const View& view) {

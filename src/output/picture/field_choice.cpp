@@ -18,8 +18,8 @@ FieldChoice second_field(const PictureOptions& options) {
 
 Ends usual_ends(const FieldChoice& field, const View& view) {
   Ends ends = field.scalar.ends(view);
-  if (field.is_fringes()) ends.most *= field.thickness;
-  if (field.logarithmic && !(ends.least > 0.0)) ends.least = 1e-4 * ends.most;
+  if (field.is_fringes()) ends.max *= field.thickness;
+  if (field.logarithmic && !(ends.min > 0.0)) ends.min = 1e-4 * ends.max;
   return ends;
 }
 

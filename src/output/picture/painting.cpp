@@ -22,8 +22,8 @@ FieldStyle style_of(const FieldChoice& field, const View& view) {
   FieldStyle style;
   style.colour_map = field.colours.empty() ? std::string(field.scalar.colours) : field.colours;
   const Ends ends = field.range.value_or(usual_ends(field, view));
-  style.least = ends.least;
-  style.most = ends.most;
+  style.min = ends.min;
+  style.max = ends.max;
   style.logarithmic = field.logarithmic;
   style.sampling = field.scalar.sampling;
   style.label = field.scalar.label;
@@ -34,13 +34,13 @@ FieldStyle style_of(const FieldChoice& field, const View& view) {
 void check_range(const char* output, const char* option, const FieldChoice& field,
                  Problems& problems) {
   if (!field.range) return;
-  const auto [least, most] = *field.range;
-  if (!(std::isfinite(least) && std::isfinite(most) && least < most))
+  const auto [min, max] = *field.range;
+  if (!(std::isfinite(min) && std::isfinite(max) && min < max))
     problems.add(fmt::format("{}: {} is {{{}, {}}}, it must go from a smaller to a larger value",
-                             output, option, least, most));
-  else if (field.logarithmic && least <= 0.0)
+                             output, option, min, max));
+  else if (field.logarithmic && min <= 0.0)
     problems.add(fmt::format("{}: {} begins at {}, on a logarithmic scale it must be above 0",
-                             output, option, least));
+                             output, option, min));
 }
 
 // Includes bonds of outside nodes that reach into the window.
@@ -142,12 +142,12 @@ Image paint(const View& view, const PictureOptions& options, const std::optional
   return PlatePainter(style).paint(shot_of(options, view));
 }
 
-int widest_picture(const PictureOptions& options, const View& view, const Extent& most) {
+int widest_picture(const PictureOptions& options, const View& view, const Extent& max) {
   PictureStyle style = style_of(options, view);
-  for (int width = std::min(most.width, max_picture_width) / 2 * 2; width >= min_picture_width;
+  for (int width = std::min(max.width, max_picture_width) / 2 * 2; width >= min_picture_width;
        width -= 2) {
     style.width = width;
-    if (layout_of(style).height <= most.height) return width;
+    if (layout_of(style).height <= max.height) return width;
   }
   return 0;
 }

@@ -39,7 +39,7 @@ Image paint(const View& view, const PictureOptions& options,
 
 // Returns the width in px of the largest picture with texts that fits into these px, at most
 // `most.width`; 0 if the smallest does not fit.
-int widest_picture(const PictureOptions& options, const View& view, const Extent& most);
+int widest_picture(const PictureOptions& options, const View& view, const Extent& max);
 
 // Returns the content of a picture of the present state; nan without material.
 Shot shot_of(const PictureOptions& options, const View& view);

@@ -27,11 +27,11 @@ Vec2 half_size(const Zoom& zoom, const Grid& grid) {
 }
 
 void check(const char* output, const Zoom& zoom, const Grid& grid, Problems& problems) {
-  const double most = grid.nx * grid.dx;
-  if (!(zoom.half_width >= grid.dx && zoom.half_width <= most)) {
+  const double max = grid.nx * grid.dx;
+  if (!(zoom.half_width >= grid.dx && zoom.half_width <= max)) {
     problems.add(
         fmt::format("{}: half the width of zoom is {}, it must lie between {} and {}", output,
-                    quantity(zoom.half_width, "m"), quantity(grid.dx, "m"), quantity(most, "m")),
+                    quantity(zoom.half_width, "m"), quantity(grid.dx, "m"), quantity(max, "m")),
         "the spacing of nodes, and the width of the plate");
     return;
   }
@@ -67,7 +67,7 @@ Window moved(Window window, const Vec2& middle, const Grid& grid) {
 
 // Returns the largest expected displacement of a breaking plate, m.
 double usual_displacement(const View& view) {
-  return scalar_of("displacement").ends(view).most;
+  return scalar_of("displacement").ends(view).max;
 }
 
 // Returns the margin in cells for a displaced plate. Fragments keep moving: by 32 us the edges of

@@ -13,23 +13,23 @@ namespace {
 
 // Returns the largest displacement of a node per step, in spacings.
 double pace(const State& state) {
-  double most = 0.0;
+  double max = 0.0;
   for (int j = 0; j < state.layout.ny; ++j)
-    for (int i = 0; i < state.layout.nx; ++i) most = std::max(most, state.v(i, j).norm());
-  return most;
+    for (int i = 0; i < state.layout.nx; ++i) max = std::max(max, state.v(i, j).norm());
+  return max;
 }
 
 // Returns the smallest length of a bond along a row or a column, relative to its initial length.
 double min_length(const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
   const State& state = simulation.state();
-  double least = 1.0;
+  double min = 1.0;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       for (const auto& [a, b] : {std::pair{1, 0}, {0, 1}})
         if (grid.contains(i + a, j + b) && simulation.holds(i, j, a, b))
-          least = std::min(least, (Vec2(a, b) + state.u(i + a, j + b) - state.u(i, j)).norm());
-  return least;
+          min = std::min(min, (Vec2(a, b) + state.u(i + a, j + b) - state.u(i, j)).norm());
+  return min;
 }
 
 // A reason for a ledger that does not close, and its signs.
@@ -75,11 +75,11 @@ Cause likely_cause(const Simulation& simulation, bool at_once) {
 }
 
 double largest_entry(const Energy& energy) {
-  double most = 0.0;
+  double max = 0.0;
   for (const double entry : {energy.external, energy.kinetic, energy.strain, energy.broken,
                              energy.damped, energy.contact, energy.released})
-    most = std::max(most, std::abs(entry));
-  return most;
+    max = std::max(max, std::abs(entry));
+  return max;
 }
 
 // Returns the energy, J/m, below which a ledger is empty: rounding, for a plate that only moves;
@@ -99,8 +99,8 @@ double nothing(const Simulation& simulation) {
 }  // namespace
 
 double residual_share(const Energy& energy) {
-  const double most = largest_entry(energy);
-  return most > 0.0 ? energy.residual() / most : 0.0;
+  const double max = largest_entry(energy);
+  return max > 0.0 ? energy.residual() / max : 0.0;
 }
 
 std::optional<std::string> ledger_remark(const Simulation& simulation, const Energy& energy,

@@ -23,39 +23,38 @@ Box box_of(const Plate& plate) {
 double thickness(const Shape& area, const Plate& plate) {
   if (const auto* ring = std::get_if<Ring>(&area)) return ring->outer - ring->inner;
   const Box box = bounds(area), all = box_of(plate);
-  return (box.most.cwiseMin(all.most) - box.least.cwiseMax(all.least)).minCoeff();
+  return (box.max.cwiseMin(all.max) - box.min.cwiseMax(all.min)).minCoeff();
 }
 
 // The gap between two boxes along an axis, where they face each other; else none.
-void face(const Box& one, const Box& other, int axis, double& least) {
+void face(const Box& one, const Box& other, int axis, double& min) {
   const int across = 1 - axis;
-  if (one.most[across] <= other.least[across] || other.most[across] <= one.least[across]) return;
-  const double gap =
-      std::max(one.least[axis] - other.most[axis], other.least[axis] - one.most[axis]);
-  if (gap > 0.0) least = std::min(least, gap);
+  if (one.max[across] <= other.min[across] || other.max[across] <= one.min[across]) return;
+  const double gap = std::max(one.min[axis] - other.max[axis], other.min[axis] - one.max[axis]);
+  if (gap > 0.0) min = std::min(min, gap);
 }
 
-void keep_from_edges(const Box& cutout, const Box& all, double& least) {
-  for (const Vec2& gap : {Vec2(cutout.least - all.least), Vec2(all.most - cutout.most)})
+void keep_from_edges(const Box& cutout, const Box& all, double& min) {
+  for (const Vec2& gap : {Vec2(cutout.min - all.min), Vec2(all.max - cutout.max)})
     for (const double width : gap)
-      if (width > 0.0) least = std::min(least, width);
+      if (width > 0.0) min = std::min(min, width);
 }
 
 }  // namespace
 
 double narrowest(const Plate& plate) {
-  double least = std::min(plate.width, plate.height);
+  double min = std::min(plate.width, plate.height);
   for (const Outline& outline : plate.outlines)
-    for (const Shape& area : outline.areas) least = std::min(least, thickness(area, plate));
+    for (const Shape& area : outline.areas) min = std::min(min, thickness(area, plate));
   std::vector<Box> boxes;
   for (const Cutout& cutout : plate.cutouts) {
     const Box box = bounds(cutout.shape);
-    keep_from_edges(box, box_of(plate), least);
+    keep_from_edges(box, box_of(plate), min);
     for (const Box& other : boxes)
-      for (const int axis : {0, 1}) face(box, other, axis, least);
+      for (const int axis : {0, 1}) face(box, other, axis, min);
     boxes.push_back(box);
   }
-  return std::max(least, 0.0);
+  return std::max(min, 0.0);
 }
 
 std::optional<std::string> ligament_remark(const Simulation& simulation) {

@@ -74,14 +74,14 @@ struct Swing {
 };
 
 Swing shortest_of(const Corners& corners) {
-  double most = 0.0;
-  for (const Vec2& corner : corners) most = std::max(most, std::abs(corner.y()));
+  double max = 0.0;
+  for (const Vec2& corner : corners) max = std::max(max, std::abs(corner.y()));
   const std::vector<Stroke> strokes = strokes_of(corners);
   Swing shortest;
   for (std::size_t k = 0; k + 1 < strokes.size(); ++k) {
     const Stroke &there = strokes[k], &back = strokes[k + 1];
     const double height = std::min(std::abs(there.height), std::abs(back.height));
-    if (height < min_share * most) continue;
+    if (height < min_share * max) continue;
     const double middle = corners[there.last].y() - std::copysign(0.5 * height, there.height);
     const double from = passes(corners, there, middle), to = passes(corners, back, middle);
     if (to - from < shortest.length) shortest = {to - from, 0.5 * (from + to)};
@@ -188,13 +188,13 @@ double sudden_move(const HeldNode& node, const SpreadSupport& support, const Jum
   const double dt = simulation.dt(), dx = simulation.lattice().grid.dx;
   const Vec2 along(node.along_x ? 1.0 : 0.0, node.along_y ? 1.0 : 0.0);
   const double unit = led ? dt / dx : 1.0 / dx;
-  double most = std::max(jumps.down, jumps.up) * unit * node.value.cwiseProduct(along).norm();
-  if (!fresh) return most;
+  double max = std::max(jumps.down, jumps.up) * unit * node.value.cwiseProduct(along).norm();
+  if (!fresh) return max;
   const double next = simulation.time() + (led ? 0.5 : 1.0) * dt;
   const Vec2 now =
       led ? simulation.state().v(node.i, node.j) : simulation.displacement(node.i, node.j) / dx;
   const Vec2 sudden = unit * support.amplitude.at(next) * node.value - now;
-  return std::max(most, sudden.cwiseProduct(along).norm());
+  return std::max(max, sudden.cwiseProduct(along).norm());
 }
 
 std::string blow_text(const Simulation& simulation, Support::Kind kind, double stretch, double s0) {

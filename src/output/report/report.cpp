@@ -58,7 +58,7 @@ std::string time_line(const Summary& summary) {
 
 std::string damage_line(const Summary& summary) {
   return fmt::format("{} bonds broken since the start, largest damage of a node {:.2f}",
-                     grouped(summary.damage.broken_bonds), summary.damage.most);
+                     grouped(summary.damage.broken_bonds), summary.damage.max);
 }
 
 std::string energy_line(const Energy& energy) {

@@ -81,7 +81,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   json["node_steps_per_s"] = summary.node_steps_per_second();
   json["energy_J_per_m"] = to_json(summary.energy);
   json["residual_share"] = residual_share(summary.energy);
-  json["damage"] = {{"broken_bonds", summary.damage.broken_bonds}, {"max", summary.damage.most}};
+  json["damage"] = {{"broken_bonds", summary.damage.broken_bonds}, {"max", summary.damage.max}};
   json["peak_rss_bytes"] = summary.peak_rss;
   json["hash"] = summary.hash;
   json["files"] = nlohmann::ordered_json::array();

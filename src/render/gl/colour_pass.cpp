@@ -45,7 +45,7 @@ void ColourPass::set_colouring(const Colouring& colouring, const Texture& map, c
   const auto end = [&](double value) {
     return static_cast<float>(colouring.logarithmic ? std::log(value) : value);
   };
-  gl_.Uniform2f(program_.uniform(range), end(colouring.least), end(colouring.most));
+  gl_.Uniform2f(program_.uniform(range), end(colouring.min), end(colouring.max));
   gl_.Uniform1i(program_.uniform(logarithmic), colouring.logarithmic ? 1 : 0);
 }
 

@@ -17,7 +17,7 @@ namespace hackle {
 // The mapping from values to colours.
 struct Colouring {
   ColourMap map;
-  double least = 0.0, most = 1.0;  // values at its ends
+  double min = 0.0, max = 1.0;  // values at its ends
   bool logarithmic = false;
 };
 

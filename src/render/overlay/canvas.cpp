@@ -47,11 +47,11 @@ void Canvas::clip(const Rectangle& r) {
 
 void Canvas::line(std::span<const Vec2> points, double width) {
   if (points.empty()) return;
-  constexpr double least = 0.5;
+  constexpr double min = 0.5;
   Vec2 last = points.front();
   cairo_move_to(cairo_.get(), last.x(), last.y());
   for (const Vec2& point : points) {
-    if ((point - last).squaredNorm() < least * least && &point != &points.back()) continue;
+    if ((point - last).squaredNorm() < min * min && &point != &points.back()) continue;
     cairo_line_to(cairo_.get(), point.x(), point.y());
     last = point;
   }

@@ -12,9 +12,9 @@ namespace hackle {
 namespace {
 
 double share_of(double value, const BarText& text) {
-  if (text.logarithmic) return std::log(value / text.least) / std::log(text.most / text.least);
+  if (text.logarithmic) return std::log(value / text.min) / std::log(text.max / text.min);
   // Halving avoids an overflow of the difference.
-  return (0.5 * value - 0.5 * text.least) / (0.5 * text.most - 0.5 * text.least);
+  return (0.5 * value - 0.5 * text.min) / (0.5 * text.max - 0.5 * text.min);
 }
 
 // The colours at the ends also stand for everything beyond them.
@@ -41,15 +41,14 @@ struct Ticks {
 // Places a number inside the room for numbers.
 PlacedText number(const Numbers& all, const Font& font, const std::string& text, int x) {
   const double half = 0.5 * font.width_of(text, all.size);
-  const double least = all.room.x + half, most = all.room.right() - half;
-  const double middle = least < most ? std::clamp<double>(x, least, most) : 0.5 * (least + most);
+  const double min = all.room.x + half, max = all.room.right() - half;
+  const double middle = min < max ? std::clamp<double>(x, min, max) : 0.5 * (min + max);
   return font.place(text, middle, all.base, all.size, 0.5, all.colour);
 }
 
 Ticks ticks(const Numbers& numbers, const BarText& text, const Font& font, int intervals) {
-  const std::vector<double> values = text.logarithmic
-                                         ? decades(text.least, text.most, intervals)
-                                         : neat_values(text.least, text.most, intervals);
+  const std::vector<double> values = text.logarithmic ? decades(text.min, text.max, intervals)
+                                                      : neat_values(text.min, text.max, intervals);
   const std::vector<std::string> texts = tick_texts(values);
   Ticks all;
   for (std::size_t k = 0; k < values.size(); ++k) {

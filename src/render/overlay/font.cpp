@@ -93,8 +93,8 @@ std::string Font::fitting(const std::string& text, double size, double width) co
   const Scaled font = scaled(size);
   std::string shown = displayable(font.get(), text);
   if (advance(font.get(), shown) <= width) return shown;
-  const double most = std::max(0.0, width) / (narrowest * size);
-  shorten(shown, widest_code * static_cast<std::size_t>(most));
+  const double max = std::max(0.0, width) / (narrowest * size);
+  shorten(shown, widest_code * static_cast<std::size_t>(max));
   while (!shown.empty() && advance(font.get(), shown + "…") > width)
     shorten(shown, shown.size() - 1);
   return shown.empty() ? shown : shown + "…";

@@ -241,10 +241,10 @@ Layout bare_layout(int width, int height) {
   return layout;
 }
 
-double neat_at_most(double most) {
-  const double decade = std::pow(10.0, std::floor(std::log10(most)));
+double neat_at_most(double max) {
+  const double decade = std::pow(10.0, std::floor(std::log10(max)));
   for (const double factor : {5.0, 2.0})
-    if (factor * decade <= most * (1.0 + 1e-12)) return factor * decade;
+    if (factor * decade <= max * (1.0 + 1e-12)) return factor * decade;
   return decade;
 }
 

@@ -66,6 +66,6 @@ Layout bare_layout(int width, int height);
 
 // Returns the largest of 1, 2, 5 times a power of ten that is at most `most` (> 0): round lengths
 // and ticks.
-double neat_at_most(double most);
+double neat_at_most(double max);
 
 }  // namespace hackle

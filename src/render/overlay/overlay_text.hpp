@@ -66,7 +66,7 @@ inline constexpr auto description_of<OverlayOptions> = describe_noun(
 // A colour bar. Values beyond its ends have the colour of the end.
 struct BarText {
   std::string label = "damage";
-  double least = 0.0, most = 1.0;  // at its ends, in the unit of the label
+  double min = 0.0, max = 1.0;  // at its ends, in the unit of the label
   bool logarithmic = false;
 };
 

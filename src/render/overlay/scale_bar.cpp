@@ -24,10 +24,10 @@ ScaleBar::ScaleBar(const Layout& layout, const OverlayText& text, const Font& fo
       y_(layout.scale.y + 0.5 * std::round(0.8 * layout.font)),
       thickness_(std::max(2.0, std::round(0.14 * layout.font))),
       serif_(std::round(0.35 * layout.font)) {
-  constexpr double share = 0.2, least = 4.0;  // of the plate, and in units of the font
-  const double wanted = std::max(share * layout.plate.width, least * layout.font);
-  const double most = std::min<double>(layout.scale.width, wanted);
-  const double length = neat_at_most(most * metres_per_pixel);
+  constexpr double share = 0.2, min = 4.0;  // of the plate, and in units of the font
+  const double wanted = std::max(share * layout.plate.width, min * layout.font);
+  const double max = std::min<double>(layout.scale.width, wanted);
+  const double length = neat_at_most(max * metres_per_pixel);
   left_ = right_ - length / metres_per_pixel;
   const std::string name = font.fitting(length_text(length), layout.small_font, layout.scale.width);
   const double half = 0.5 * font.width_of(name, layout.small_font);

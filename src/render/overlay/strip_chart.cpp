@@ -42,19 +42,19 @@ StripChart::StripChart(const Rectangle& room, const Chart& chart, double now, co
 
 void StripChart::find_scale(const Chart& chart, double now) {
   constexpr int intervals = 3;
-  double least = 0.0, most = 0.0;
+  double min = 0.0, max = 0.0;
   for (const NamedCurve& curve : curves_)
     for (const Vec2& point : curve.points) {
-      least = std::min(least, point.y());
-      most = std::max(most, point.y());
+      min = std::min(min, point.y());
+      max = std::max(max, point.y());
     }
-  if (!(most > least)) most = 1.0;
-  const PrefixedUnit unit = unit_of(std::max(-least, most), chart.unit);
+  if (!(max > min)) max = 1.0;
+  const PrefixedUnit unit = unit_of(std::max(-min, max), chart.unit);
   unit_ = printed_unit(unit.name);
   unit_factor_ = unit.factor;
-  values_ = enclosing_values(least, most, intervals);
-  min_ = values_.empty() ? least : std::min(least, values_.front());
-  max_ = values_.empty() ? most : std::max(most, values_.back());
+  values_ = enclosing_values(min, max, intervals);
+  min_ = values_.empty() ? min : std::min(min, values_.front());
+  max_ = values_.empty() ? max : std::max(max, values_.back());
   until_ = std::max(chart.until, now);
   if (!(until_ > 0.0)) until_ = 1e-6;
 }

@@ -12,22 +12,22 @@ namespace {
 
 constexpr double slack = 1e-9;  // so that a round end gets its tick
 
-double neat_at_least(double least) {
-  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+double neat_at_least(double min) {
+  const double decade = std::pow(10.0, std::floor(std::log10(min)));
   for (const double factor : {1.0, 2.0, 2.5, 5.0})
-    if (factor * decade >= least) return factor * decade;
+    if (factor * decade >= min) return factor * decade;
   return 10.0 * decade;
 }
 
-double step_of(double least, double most, int intervals) {
-  const double share = most / intervals - least / intervals;  // does not overflow
+double step_of(double min, double max, int intervals) {
+  const double share = max / intervals - min / intervals;  // does not overflow
   return neat_at_least(share * (1.0 - slack));
 }
 
 std::vector<double> multiples(double step, double first, double last) {
-  constexpr double most = 100.0;  // there are fewer, unless the numbers are too close to differ
+  constexpr double max = 100.0;  // there are fewer, unless the numbers are too close to differ
   std::vector<double> values;
-  if (!std::isfinite(step) || step == 0.0 || last - first > most) return values;
+  if (!std::isfinite(step) || step == 0.0 || last - first > max) return values;
   for (double k = first; k <= last; ++k) values.push_back(k == 0.0 ? 0.0 : k * step);  // never -0
   return values;
 }
@@ -48,19 +48,19 @@ std::string printed(const std::string& text) {
 
 }  // namespace
 
-std::vector<double> neat_values(double least, double most, int intervals) {
-  const double step = step_of(least, most, intervals);
-  return multiples(step, std::ceil(least / step - slack), std::floor(most / step + slack));
+std::vector<double> neat_values(double min, double max, int intervals) {
+  const double step = step_of(min, max, intervals);
+  return multiples(step, std::ceil(min / step - slack), std::floor(max / step + slack));
 }
 
-std::vector<double> enclosing_values(double least, double most, int intervals) {
-  const double step = step_of(least, most, intervals);
-  return multiples(step, std::floor(least / step + slack), std::ceil(most / step - slack));
+std::vector<double> enclosing_values(double min, double max, int intervals) {
+  const double step = step_of(min, max, intervals);
+  return multiples(step, std::floor(min / step + slack), std::ceil(max / step - slack));
 }
 
-std::vector<double> decades(double least, double most, int intervals) {
-  const double first = std::ceil(std::log10(least) - slack);
-  const double last = std::floor(std::log10(most) + slack);
+std::vector<double> decades(double min, double max, int intervals) {
+  const double first = std::ceil(std::log10(min) - slack);
+  const double last = std::floor(std::log10(max) + slack);
   const double stride = std::max(1.0, std::ceil((last - first) / intervals));
   std::vector<double> values;
   for (double power = first; power <= last; power += stride)
@@ -69,9 +69,9 @@ std::vector<double> decades(double least, double most, int intervals) {
 }
 
 std::vector<std::string> tick_texts(const std::vector<double>& values) {
-  constexpr int fewest = 4, most = 12;
+  constexpr int fewest = 4, max = 12;
   std::vector<std::string> texts;
-  for (int digits = fewest; digits <= most; ++digits) {
+  for (int digits = fewest; digits <= max; ++digits) {
     texts.clear();
     for (const double value : values)
       texts.push_back(printed(fmt::format("{:.{}g}", value, digits)));

@@ -28,12 +28,12 @@ bool is_marked(const Bitmap& bitmap, std::int64_t i, std::int64_t j) {
 }
 
 Vec2 cell_of(const Bitmap& bitmap) {
-  return (bitmap.most - bitmap.least).cwiseQuotient(Vec2(bitmap.columns, bitmap.rows));
+  return (bitmap.max - bitmap.min).cwiseQuotient(Vec2(bitmap.columns, bitmap.rows));
 }
 
 // Returns the number of cells that a point touches, and how many of them are marked.
 std::pair<int, int> touched(const Bitmap& bitmap, const Vec2& point, double tie) {
-  const Vec2 cell = cell_of(bitmap), at = (point - bitmap.least).cwiseQuotient(cell);
+  const Vec2 cell = cell_of(bitmap), at = (point - bitmap.min).cwiseQuotient(cell);
   const Cells x = cells_at(at.x(), tie / cell.x()), y = cells_at(at.y(), tie / cell.y());
   int all = 0, marked = 0;
   for (std::int64_t j = y.first; j <= y.last; ++j)
@@ -47,12 +47,12 @@ std::pair<int, int> touched(const Bitmap& bitmap, const Vec2& point, double tie)
 }  // namespace
 
 Box bounds_of(const Bitmap& bitmap) {
-  return {bitmap.least, bitmap.most};
+  return {bitmap.min, bitmap.max};
 }
 
 Bitmap moved(Bitmap bitmap, const Vec2& origin, double factor) {
-  bitmap.least = moved(bitmap.least, origin, factor);
-  bitmap.most = moved(bitmap.most, origin, factor);
+  bitmap.min = moved(bitmap.min, origin, factor);
+  bitmap.max = moved(bitmap.max, origin, factor);
   return bitmap;
 }
 
@@ -76,9 +76,9 @@ bool cuts_segment(const Bitmap& bitmap, const Segment& segment, double tie) {
 bool may_cut_in(const Bitmap& bitmap, const Box& box, double) {
   const Vec2 cell = cell_of(bitmap);
   const Vec2 last_cell(bitmap.columns - 1, bitmap.rows - 1);
-  const Vec2 from = (box.least - bitmap.least).cwiseQuotient(cell).array().floor().cwiseMax(0.0);
+  const Vec2 from = (box.min - bitmap.min).cwiseQuotient(cell).array().floor().cwiseMax(0.0);
   const Vec2 to =
-      (box.most - bitmap.least).cwiseQuotient(cell).array().floor().matrix().cwiseMin(last_cell);
+      (box.max - bitmap.min).cwiseQuotient(cell).array().floor().matrix().cwiseMin(last_cell);
   if (!(from.x() <= to.x() && from.y() <= to.y())) return false;
   const auto first = static_cast<std::size_t>(from.x()), last = static_cast<std::size_t>(to.x());
   for (auto j = static_cast<std::size_t>(from.y()); j <= static_cast<std::size_t>(to.y()); ++j) {
@@ -94,8 +94,8 @@ void add_crossings_of(const Bitmap& bitmap, const Segment& segment, double tie,
                       std::vector<double>& crossings) {
   const Vec2 cell = cell_of(bitmap), along = segment.to - segment.from;
   for (const int axis : {0, 1}) {
-    const double from = (segment.from[axis] - bitmap.least[axis]) / cell[axis];
-    const double to = (segment.to[axis] - bitmap.least[axis]) / cell[axis];
+    const double from = (segment.from[axis] - bitmap.min[axis]) / cell[axis];
+    const double to = (segment.to[axis] - bitmap.min[axis]) / cell[axis];
     const double last = axis == 0 ? bitmap.columns : bitmap.rows;
     if (std::abs(along[axis]) <= tie) continue;
     const auto first_line = std::clamp(std::ceil(std::min(from, to)), 0.0, last + 1.0);

@@ -15,8 +15,8 @@
 namespace hackle {
 
 struct Bitmap {
-  Vec2 least{0, 0};  // lower left corner
-  Vec2 most{0, 0};   // upper right corner
+  Vec2 min{0, 0};  // lower left corner
+  Vec2 max{0, 0};  // upper right corner
   int columns = 0;
   int rows = 0;
   std::vector<std::uint8_t> inside;  // row by row from the bottom, 0 or 1
@@ -25,8 +25,8 @@ struct Bitmap {
 
 template <>
 inline constexpr auto description_of<Bitmap> = describe_noun(
-    "picture", "picture", member("from", &Bitmap::least, {.unit = "m", .required = true}),
-    member("to", &Bitmap::most, {.unit = "m", .required = true}),
+    "picture", "picture", member("from", &Bitmap::min, {.unit = "m", .required = true}),
+    member("to", &Bitmap::max, {.unit = "m", .required = true}),
     member("columns", &Bitmap::columns, {.required = true}),
     member("rows", &Bitmap::rows, {.required = true}),
     member("run_lengths", &Bitmap::inside, {.required = true}));

@@ -8,14 +8,14 @@
 namespace hackle {
 
 bool is_near(const Segment& segment, const Box& box, double margin) {
-  return std::min(segment.from.x(), segment.to.x()) <= box.most.x() + margin &&
-         std::max(segment.from.x(), segment.to.x()) >= box.least.x() - margin &&
-         std::min(segment.from.y(), segment.to.y()) <= box.most.y() + margin &&
-         std::max(segment.from.y(), segment.to.y()) >= box.least.y() - margin;
+  return std::min(segment.from.x(), segment.to.x()) <= box.max.x() + margin &&
+         std::max(segment.from.x(), segment.to.x()) >= box.min.x() - margin &&
+         std::min(segment.from.y(), segment.to.y()) <= box.max.y() + margin &&
+         std::max(segment.from.y(), segment.to.y()) >= box.min.y() - margin;
 }
 
 void check_area(const Box& box, std::string_view kind, const std::string& who, Problems& problems) {
-  const Vec2 size = box.most - box.least;
+  const Vec2 size = box.max - box.min;
   if (size.allFinite() && size.minCoeff() > 0.0) return;
   problems.add(fmt::format("{}: the {} has no area", who, kind),
                "give it a size in both directions");

@@ -13,8 +13,8 @@
 namespace hackle {
 
 struct Box {
-  Vec2 least{0, 0};
-  Vec2 most{0, 0};
+  Vec2 min{0, 0};
+  Vec2 max{0, 0};
 };
 
 inline Box box_around(const Vec2& centre, const Vec2& half) {

@@ -52,8 +52,7 @@ bool is_flat(const Polygon& polygon) {
 
 Box bounds_of(const Polygon& polygon) {
   Box box{polygon.points.front(), polygon.points.front()};
-  for (const Vec2& point : polygon.points)
-    box = {box.least.cwiseMin(point), box.most.cwiseMax(point)};
+  for (const Vec2& point : polygon.points) box = {box.min.cwiseMin(point), box.max.cwiseMax(point)};
   return box;
 }
 
@@ -78,7 +77,7 @@ bool cuts_segment(const Polygon& polygon, const Segment& segment, double tie) {
 }
 
 bool may_cut_in(const Polygon& polygon, const Box& box, double tie) {
-  bool near = is_within(polygon, box.least);
+  bool near = is_within(polygon, box.min);
   for_sides(polygon, [&](const Segment& side) { near = near || is_near(side, box, tie); });
   return near;
 }
@@ -95,7 +94,7 @@ void check_shape(const Polygon& polygon, const std::string& who, Problems& probl
   if (polygon.points.size() < 3)
     return problems.add(fmt::format("{}: a polygon has at least three points", who));
   const Box box = bounds_of(polygon);
-  const bool flat = (box.most - box.least).allFinite() && is_flat(polygon);
+  const bool flat = (box.max - box.min).allFinite() && is_flat(polygon);
   check_area(flat ? Box{} : box, "polygon", who, problems);
 }
 

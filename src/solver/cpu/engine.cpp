@@ -83,8 +83,8 @@ void Engine<Real>::set_heat(const Lattice& lattice, const std::vector<double>& s
       const std::ptrdiff_t at = layout_.at(i, j);
       const auto own = static_cast<Real>(strain[lattice.grid.index(i, j)]);
       heat_[static_cast<std::size_t>(at)] = own;
-      Real& most = tile_heat_[static_cast<std::size_t>(tile_of(at))];
-      most = std::max(most, std::abs(own));
+      Real& max = tile_heat_[static_cast<std::size_t>(tile_of(at))];
+      max = std::max(max, std::abs(own));
     }
 }
 

@@ -14,14 +14,14 @@ double LinearisedBonds::critical_stretch(const NodeVectors& u, int i, int j) con
   if (lattice_->is_void(i, j)) return own;
   const double alpha = lattice_->material_at(i, j).material.alpha;
   if (alpha == 0.0) return own;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (const Kept& bond : kept_)
     for (const int side : {0, 1}) {
       const int from_i = i - side * bond.a, from_j = j - side * bond.b;
       if (!lattice_->grid.contains(from_i, from_j) || !holds(from_i, from_j, bond)) continue;
-      least = std::min(least, stretch_of(u, from_i, from_j, bond));
+      min = std::min(min, stretch_of(u, from_i, from_j, bond));
     }
-  return std::isfinite(least) ? std::max(own - alpha * least, -1.0) : own;
+  return std::isfinite(min) ? std::max(own - alpha * min, -1.0) : own;
 }
 
 std::vector<double> LinearisedBonds::critical_stretches(const NodeVectors& u) const {
@@ -49,7 +49,7 @@ void LinearisedBonds::add_stretches_of_row(const NodeVectors& u,
       const double moved =
           std::min(critical[grid.index(i, j)], critical[grid.index(i + bond.a, j + bond.b)]);
       const double s = stretch_of(u, i, j, bond), ratio = s / std::max(moved, min_share * s0);
-      sum.most = std::max(sum.most, ratio);
+      sum.max = std::max(sum.max, ratio);
       if (ratio > 1.0)
         sum.beyond.push_back(
             {at, bond.bit, ratio,
@@ -65,7 +65,7 @@ Stretches LinearisedBonds::stretches(const NodeVectors& u) const {
   });
   Stretches all;
   for (const Stretches& row : of_row) {
-    all.most = std::max(all.most, row.most);
+    all.max = std::max(all.max, row.max);
     all.beyond.insert(all.beyond.end(), row.beyond.begin(), row.beyond.end());
   }
   return all;

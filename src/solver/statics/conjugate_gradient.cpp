@@ -124,14 +124,14 @@ void ConjugateGradient::turn_to(double share) {
 }
 
 ConjugateGradient::Outcome ConjugateGradient::solve(const NodeVectors& force, NodeVectors& d,
-                                                    double share, double goal, int most,
+                                                    double share, double goal, int max,
                                                     const std::function<void(double left)>& look) {
   start(force, d);
   Sums sums = precondition();
   turn_to(0.0);
   const double enough = std::max(share * sums.largest, goal);
   Outcome outcome;
-  while (outcome.iterations < most && sums.largest > enough) {
+  while (outcome.iterations < max && sums.largest > enough) {
     const double bend = curvature();
     outcome.is_positive = bend > 0.0;
     if (!outcome.is_positive) break;

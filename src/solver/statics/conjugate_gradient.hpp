@@ -32,7 +32,7 @@ class ConjugateGradient {
   // Preconditioned by the 2 x 2 stiffness of each node against its neighbours, and by the coarse
   // space. The bits are the same for any number of threads; mirror-symmetric forces on a
   // mirror-symmetric net give a mirror-symmetric d, to the last bit.
-  Outcome solve(const NodeVectors& force, NodeVectors& d, double share, double goal, int most,
+  Outcome solve(const NodeVectors& force, NodeVectors& d, double share, double goal, int max,
                 const std::function<void(double left)>& look);
 
  private:

@@ -54,14 +54,14 @@ void Fragments::list_fragments(const std::vector<std::size_t>& root, const NodeV
   for (int j = 0; j < grid_.ny; ++j)
     for (int i = 0; i < grid_.nx; ++i) {
       const std::size_t node = grid_.index(i, j);
-      const std::size_t least = root[node];
-      if (size[least] == 1) continue;
-      if (place[least] == none) {
-        place[least] = static_cast<int>(list_.size());
+      const std::size_t min = root[node];
+      if (size[min] == 1) continue;
+      if (place[min] == none) {
+        place[min] = static_cast<int>(list_.size());
         list_.emplace_back();
       }
-      of_node_[node] = place[least];
-      Fragment& fragment = list_[static_cast<std::size_t>(place[least])];
+      of_node_[node] = place[min];
+      Fragment& fragment = list_[static_cast<std::size_t>(place[min])];
       widen(fragment, i, j);
       const auto at = static_cast<std::size_t>(layout_.at(i, j));
       if (mobile.x[at] == 0.0 || mobile.y[at] == 0.0) fragment.is_held = true;

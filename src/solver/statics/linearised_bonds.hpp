@@ -39,7 +39,7 @@ NodeVectors displacements_of(const State& state);
 enum class Tangent { exact, positive };
 
 struct Stretches {
-  double most = 0.0;                  // the largest ratio of all bonds
+  double max = 0.0;                   // the largest ratio of all bonds
   std::vector<Overstretched> beyond;  // ordered by place and bit
 };
 

@@ -25,7 +25,7 @@ struct RelaxResult {
   int iterations = 0;  // of conjugate gradients, in all Newton steps
   int newton_steps = 0;
   double residual = 0.0;    // residual, in the units of the tolerance
-  double most = 0.0;        // the largest stretch of a bond over its critical stretch
+  double max = 0.0;         // the largest stretch of a bond over its critical stretch
   std::int64_t beyond = 0;  // bonds above 1, which the next step will break
 };
 

@@ -145,11 +145,11 @@ void StaticEquilibrium::check_held(const RelaxOptions& options) const {
     const Fragment& fragment = fragments_.list()[k];
     if (fragment.motions.empty()) continue;
     const Resultant resultant = fragments_.resultant(k, load_, u_);
-    const double most = options.tolerance * largest_load_ * fragment.nodes;
+    const double max = options.tolerance * largest_load_ * fragment.nodes;
     for (const RigidMotion& motion : fragment.motions) {
       // Moments on a free fragment are balanced by rotating it, if possible.
       const double moment = fragment.is_held ? resultant.moment : 0.0;
-      if (std::abs(motion.shift.dot(resultant.force) + motion.turn * moment) > most)
+      if (std::abs(motion.shift.dot(resultant.force) + motion.turn * moment) > max)
         refuse(fragment, resultant, options.who);
     }
   }
@@ -177,13 +177,13 @@ bool StaticEquilibrium::turn_free_fragments(const RelaxOptions& options) {
 }
 
 double StaticEquilibrium::stiffest() const {
-  double most = 0.0;
+  double max = 0.0;
   for (const MaterialOnLattice& entry : lattice_->materials)
-    most = std::max(most, entry.calibration.c / lattice_->calibration.c);
+    max = std::max(max, entry.calibration.c / lattice_->calibration.c);
   double sum = 0.0;
   lattice_->family.for_each_bond(
       [&](int, int, const Vec2& xi, double weight, int) { sum += 2.0 * weight / xi.norm(); });
-  return (lattice_->surface.empty() ? 1.0 : most_surface_factor) * most * sum;
+  return (lattice_->surface.empty() ? 1.0 : most_surface_factor) * max * sum;
 }
 
 StaticEquilibrium::Balance StaticEquilibrium::find_left() {
@@ -204,12 +204,12 @@ StaticEquilibrium::Balance StaticEquilibrium::find_left() {
     farthest = std::max(farthest, largest_of_row(layout, u_, j));
   }
   if (fragments_.list().size() > 0) fragments_.take_out_rigid(residual_);
-  std::vector<double> most(squares.size());
+  std::vector<double> max(squares.size());
   for (int j = 0; j < layout.ny; ++j) {
     squares[static_cast<std::size_t>(j)] = dot_of_row(layout, residual_, residual_, j);
-    most[static_cast<std::size_t>(j)] = largest_of_row(layout, residual_, j);
+    max[static_cast<std::size_t>(j)] = largest_of_row(layout, residual_, j);
   }
-  balance.largest = max_of_rows(most);
+  balance.largest = max_of_rows(max);
   balance.total = std::sqrt(sum_of_rows(squares));
   // Rounding error of displacement differences, summed over a node's bonds.
   balance.rounding = 8.0 * std::numeric_limits<double>::epsilon() * stiffest() * farthest;
@@ -263,7 +263,7 @@ NodeVectors StaticEquilibrium::newton_step(double goal, const RelaxOptions& opti
     const double rest = std::log(std::max(left / goal, 1.0));
     options.progress(way > 0.0 ? 1.0 - rest / way : 1.0, iterations);
   };
-  const int most = 2000 + 40 * (net_.layout().nx + net_.layout().ny);
+  const int max = 2000 + 40 * (net_.layout().nx + net_.layout().ny);
   ++result.newton_steps;
   for (;; tangent_ = Tangent::positive, stale_ = true, coarse_.reset()) {
     if (!take_tangent()) continue;
@@ -271,7 +271,7 @@ NodeVectors StaticEquilibrium::newton_step(double goal, const RelaxOptions& opti
                                           coarse_->is_positive() ? coarse_.get() : nullptr);
     NodeVectors step = move_;
     const ConjugateGradient::Outcome outcome =
-        conjugate_gradients.solve(residual_, step, share_of_step, 0.3 * goal, most, look);
+        conjugate_gradients.solve(residual_, step, share_of_step, 0.3 * goal, max, look);
     result.iterations += outcome.iterations;
     if (!outcome.is_positive && tangent_ == Tangent::exact) continue;
     if (iterations_then_ == 0) iterations_then_ = outcome.iterations;
@@ -310,7 +310,7 @@ Equilibrium StaticEquilibrium::solve(const RelaxOptions& options) {
     if (turn_free_fragments(options)) balance = find_left();
   }
   Stretches stretches = net_.stretches(u_);
-  rest.result.most = stretches.most;
+  rest.result.max = stretches.max;
   rest.result.beyond = std::ssize(stretches.beyond);
   rest.beyond = std::move(stretches.beyond);
   rest.work = work_done();

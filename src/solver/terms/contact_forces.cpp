@@ -20,8 +20,8 @@ constexpr double cell = farthest + 2.0 * slack;
 
 // Nodes of a diverged solution, far beyond any plate, share their cells.
 std::int64_t column_of(double place) {
-  constexpr double most = 1e9;
-  return static_cast<std::int64_t>(std::abs(place) < most ? std::floor(place / cell) : most);
+  constexpr double max = 1e9;
+  return static_cast<std::int64_t>(std::abs(place) < max ? std::floor(place / cell) : max);
 }
 
 std::int64_t cell_at(const Vec2& place, int right, int up) {

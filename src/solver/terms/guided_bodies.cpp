@@ -48,12 +48,12 @@ struct Body {
 
 void check_body(const Body& body, const Lattice& lattice) {
   const double dx = lattice.grid.dx;
-  const double least = body.radius > 0.0 ? body.radius : 2.0 * body.half.minCoeff();
-  if (least < 1.0)
+  const double min = body.radius > 0.0 ? body.radius : 2.0 * body.half.minCoeff();
+  if (min < 1.0)
     throw Error(ErrorKind::refused,
                 fmt::format("{}: its {} of {} is under one spacing of {}", body.who,
-                            body.radius > 0.0 ? "radius" : "smaller side",
-                            quantity(least * dx, "m"), quantity(dx, "m")),
+                            body.radius > 0.0 ? "radius" : "smaller side", quantity(min * dx, "m"),
+                            quantity(dx, "m")),
                 "take a larger one or a finer spacing");
   if (body.guide == Guide::velocity && body.amplitude.amplitude().is_function())
     throw Error(ErrorKind::refused,

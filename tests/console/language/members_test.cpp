@@ -78,11 +78,11 @@ void expect_all_named(const FunctionDoc& doc, const std::string& script) {
   }
 }
 
-void expect_box(const Region& region, const Vec2& least, const Vec2& most) {
+void expect_box(const Region& region, const Vec2& min, const Vec2& max) {
   ASSERT_TRUE(region);
   const Box box = bounds(*region);
-  EXPECT_NEAR((box.least - least).norm(), 0.0, 1e-15);
-  EXPECT_NEAR((box.most - most).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((box.min - min).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((box.max - max).norm(), 0.0, 1e-15);
 }
 
 TEST_F(Members, OfAMaterial) {
@@ -227,8 +227,7 @@ TEST_F(Members, OfNotches) {
     const Box found = bounds(plate.cutouts[k + 1].shape),
               wanted = bounds(shape_of(notches[k], plate));
     EXPECT_EQ(plate.cutouts[k + 1].shape.index(), shape_of(notches[k], plate).index()) << k;
-    EXPECT_NEAR((found.least - wanted.least).norm() + (found.most - wanted.most).norm(), 0.0, 1e-12)
-        << k;
+    EXPECT_NEAR((found.min - wanted.min).norm() + (found.max - wanted.max).norm(), 0.0, 1e-12) << k;
   }
   EXPECT_EQ(plate.cutouts[1].name, "n");
   EXPECT_EQ(plate.cutouts[2].name, "");
@@ -560,14 +559,14 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
   EXPECT_EQ(picture.width, 640);
   EXPECT_FALSE(picture.pixels_a_mm);
   EXPECT_EQ(picture.field, "stress_xx");
-  EXPECT_EQ(picture.range->least, 1.0);
-  EXPECT_EQ(picture.range->most, 2.0);
+  EXPECT_EQ(picture.range->min, 1.0);
+  EXPECT_EQ(picture.range->max, 2.0);
   EXPECT_FALSE(picture.percentile);
   EXPECT_EQ(picture.scale, Scale::log);
   EXPECT_EQ(picture.colours, "roma");
   EXPECT_EQ(picture.second, "speed");
-  EXPECT_EQ(picture.second_range->least, 3.0);
-  EXPECT_EQ(picture.second_range->most, 4.0);
+  EXPECT_EQ(picture.second_range->min, 3.0);
+  EXPECT_EQ(picture.second_range->max, 4.0);
   EXPECT_EQ(picture.arrangement, Arrangement::right);
   EXPECT_FALSE(picture.cracks);
   EXPECT_EQ(picture.thickness, 6e-3);
@@ -688,7 +687,7 @@ TEST_F(Members, OfWhatASimulationTells) {
   EXPECT_EQ(number("e.external"), ledger.external);
   EXPECT_EQ(number("e.residual"), ledger.residual());
   EXPECT_EQ(number("d.broken_bonds"), double(count_damage(simulation).broken_bonds));
-  EXPECT_EQ(number("d.most"), count_damage(simulation).most);
+  EXPECT_EQ(number("d.most"), count_damage(simulation).max);
   EXPECT_GT(number("d.broken_bonds"), 0.0);
   EXPECT_EQ(number("s.time"), simulation.time());
   EXPECT_EQ(number("s.steps"), double(simulation.state().step));

@@ -48,7 +48,7 @@ std::string lua_text(const Vec2& value) {
   return fmt::format("{{{:.17g}, {:.17g}}}", value.x(), value.y());
 }
 std::string lua_text(const Ends& value) {
-  return lua_text(Vec2(value.least, value.most));
+  return lua_text(Vec2(value.min, value.max));
 }
 std::string lua_text(const Zoom& value) {
   return fmt::format("{{{:.17g}, {:.17g}, {:.17g}}}", value.centre.x(), value.centre.y(),

@@ -42,11 +42,11 @@ TEST(LuaMemory, EveryFunctionCanBeStoppedAnywhere) {
     const std::string script = test::scene + (looks_back ? test::reopened : "") +
                                "s = simulate(p, { spacing = " + spacing + " })\n" +
                                std::string(doc->example);
-    std::size_t least = 0, enough = std::size_t{1} << 20U;
-    while (enough - least > 64) {
-      const std::size_t limit = least + (enough - least) / 2;
+    std::size_t min = 0, enough = std::size_t{1} << 20U;
+    while (enough - min > 64) {
+      const std::size_t limit = min + (enough - min) / 2;
       const std::string message = message_with(limit, script, folder);
-      (message.empty() ? enough : least) = limit;
+      (message.empty() ? enough : min) = limit;
       EXPECT_TRUE(message.empty() || message.find("memory") != std::string::npos)
           << doc->name << " with " << limit << " bytes: " << message;
     }

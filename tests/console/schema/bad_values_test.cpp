@@ -101,9 +101,9 @@ Values outside(const Option& option) {
   Values values;
   if (option.type != OptionType::number && option.type != OptionType::integer) return values;
   const Range& range = option.range;
-  if (std::isfinite(range.least))
-    values.push_back(fmt::format("{:.17g}", range.min_inclusive ? range.least - 1.0 : range.least));
-  if (std::isfinite(range.most)) values.push_back(fmt::format("{:.17g}", 2.0 * range.most + 1.0));
+  if (std::isfinite(range.min))
+    values.push_back(fmt::format("{:.17g}", range.min_inclusive ? range.min - 1.0 : range.min));
+  if (std::isfinite(range.max)) values.push_back(fmt::format("{:.17g}", 2.0 * range.max + 1.0));
   return values;
 }
 

@@ -17,9 +17,9 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string objection_to_points(const std::string& text, std::size_t most = 100) {
+std::string objection_to_points(const std::string& text, std::size_t max = 100) {
   try {
-    points_in_text(text, most, "'a.csv'");
+    points_in_text(text, max, "'a.csv'");
   } catch (const Error& error) {
     return error.what();
   }

@@ -80,7 +80,7 @@ TEST(Schema, EveryUnitIsOneThatIsUsed) {
 TEST(Schema, EveryRangeHoldsSomethingAndTheDefaultToo) {
   for (const FunctionDoc* doc : all_docs())
     for (const Option& option : doc->options) {
-      EXPECT_LT(option.range.least, option.range.most) << doc->name << ", " << option.name;
+      EXPECT_LT(option.range.min, option.range.max) << doc->name << ", " << option.name;
       const std::string text(option.fallback);
       char* end = nullptr;
       const double value = std::strtod(text.c_str(), &end);

@@ -96,14 +96,14 @@ TEST_F(ReplayTest, TheCommonRangeHoldsForEverythingThatIsSeen) {
   const PictureOptions found = with_common_range(options, tiles, frame_times("x", tiles, {}));
   ASSERT_TRUE(found.range);
   EXPECT_FALSE(found.percentile);
-  float most = 0.0F;
+  float max = 0.0F;
   for (const auto& recording : {one, other})
     for (std::size_t k = 0; k < recording->times().size(); ++k) {
       recording->go_to(k);
       for (const float value : shot_of(options, recording->view()).values)
-        most = std::max(most, value);
+        max = std::max(max, value);
     }
-  EXPECT_FLOAT_EQ(static_cast<float>(found.range->most), most);
+  EXPECT_FLOAT_EQ(static_cast<float>(found.range->max), max);
 }
 
 TEST_F(ReplayTest, WithoutAPercentileTheWidestRangeThatSuitsHolds) {
@@ -119,9 +119,9 @@ TEST_F(ReplayTest, WithoutAPercentileTheWidestRangeThatSuitsHolds) {
   PictureOptions options;
   options.field = "von_mises";
   const Ends usual = usual_ends(options, tough);
-  EXPECT_DOUBLE_EQ(with_common_range(options, tiles, {}).range->most, usual.most);
+  EXPECT_DOUBLE_EQ(with_common_range(options, tiles, {}).range->max, usual.max);
   options.range = Ends{1.0, 2.0};
-  EXPECT_EQ(with_common_range(options, tiles, {}).range->most, 2.0);
+  EXPECT_EQ(with_common_range(options, tiles, {}).range->max, 2.0);
 }
 
 TEST_F(ReplayTest, FilmsOneRun) {

@@ -45,10 +45,10 @@ std::map<std::string, double> expected(const Simulation& simulation) {
   const double sxx = C11 * exx + C12 * eyy, syy = C12 * exx + C11 * eyy, sxy = 2.0 * C12 * exy;
   const double shear = std::hypot(0.5 * (sxx - syy), sxy), mean = 0.5 * (sxx + syy);
   // The most stretched bond of the family: s = e . E . e for its direction.
-  double most = 0.0;
+  double max = 0.0;
   lattice.family.for_each_bond([&](int, int, const Vec2& xi, double, int) {
     const Vec2 e = xi.normalized();
-    most = std::max(most, exx * e.x() * e.x() + eyy * e.y() * e.y() + 2.0 * exy * e.x() * e.y());
+    max = std::max(max, exx * e.x() * e.x() + eyy * e.y() * e.y() + 2.0 * exy * e.x() * e.y());
   });
   return {{"damage", 0.0},
           {"displacement", u.norm()},
@@ -57,7 +57,7 @@ std::map<std::string, double> expected(const Simulation& simulation) {
           {"speed", 5.0},
           {"velocity_x", vx},
           {"velocity_y", vy},
-          {"stretch", most / lattice.calibration.s0},
+          {"stretch", max / lattice.calibration.s0},
           {"energy_density", 0.5 * (sxx * exx + syy * eyy + 2.0 * sxy * exy)},
           {"stress_xx", sxx},
           {"stress_yy", syy},
@@ -106,7 +106,7 @@ TEST_P(FieldPicture, ShowsItsValueInTheColourOfTheMap) {
   const int y = plate.bottom() - 1 - static_cast<int>((node_j + 0.5) / tall * plate.height);
   const auto* pixel = &image.pixels[static_cast<std::size_t>(y * image.stride() + 4 * x)];
   const ColourMap map = style.field.colour_map == fringes_name
-                            ? fringe_map(style.field.least, style.field.most)
+                            ? fringe_map(style.field.min, style.field.max)
                             : load_colour_map(style.field.colour_map);
   const std::array<double, 3> colour = colour_at(map, 1.0 / 3.0);
   // The value is exact to 1e-3, which is a fourth of an entry of the map; maps change by at most 4

@@ -138,16 +138,16 @@ TEST(Painting, AStyleHasEveryOptionInItsPlace) {
   EXPECT_EQ(style.field.label, "stress xx");
   EXPECT_EQ(style.field.unit, "Pa");
   EXPECT_EQ(style.field.colour_map, "roma");
-  EXPECT_EQ(style.field.least, 1.0);
-  EXPECT_EQ(style.field.most, 2.0);
+  EXPECT_EQ(style.field.min, 1.0);
+  EXPECT_EQ(style.field.max, 2.0);
   EXPECT_TRUE(style.field.logarithmic);
   EXPECT_EQ(style.field.sampling, Sampling::mean);
   ASSERT_TRUE(style.second);
   EXPECT_EQ(style.second->label, "speed");
   EXPECT_EQ(style.second->unit, "m/s");
   EXPECT_EQ(style.second->colour_map, "inferno");
-  EXPECT_EQ(style.second->least, 3.0);
-  EXPECT_EQ(style.second->most, 4.0);
+  EXPECT_EQ(style.second->min, 3.0);
+  EXPECT_EQ(style.second->max, 4.0);
   EXPECT_FALSE(style.second->logarithmic);
   EXPECT_EQ(style.arrangement, Arrangement::over);
   EXPECT_EQ(style.rotation, 0.5);
@@ -168,14 +168,14 @@ TEST(Painting, EndsOfALogarithmAreFourDecadesAndFringesGrowWithTheThickness) {
   options.field = "speed";
   const Ends plain = usual_ends(options, simulation);
   options.scale = Scale::log;
-  EXPECT_EQ(usual_ends(options, simulation).most, plain.most);
-  EXPECT_EQ(usual_ends(options, simulation).least, 1e-4 * plain.most);
+  EXPECT_EQ(usual_ends(options, simulation).max, plain.max);
+  EXPECT_EQ(usual_ends(options, simulation).min, 1e-4 * plain.max);
   options = {};
   options.field = "fringes";
   options.thickness = 2e-3;
-  const double thin = usual_ends(options, simulation).most;
+  const double thin = usual_ends(options, simulation).max;
   options.thickness = 6e-3;
-  EXPECT_DOUBLE_EQ(usual_ends(options, simulation).most, 3.0 * thin);
+  EXPECT_DOUBLE_EQ(usual_ends(options, simulation).max, 3.0 * thin);
   EXPECT_EQ(style_of(options, simulation).title, "Duran 50 glass, 6 mm thick");
 }
 

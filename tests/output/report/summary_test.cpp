@@ -147,7 +147,7 @@ TEST(Summary, OfARunIsThatOfItsSimulation) {
   EXPECT_EQ(summary.energy.contact, ledger.contact);
   EXPECT_EQ(summary.energy.external, ledger.external);
   EXPECT_EQ(summary.damage.broken_bonds, count_damage(simulation).broken_bonds);
-  EXPECT_EQ(summary.damage.most, count_damage(simulation).most);
+  EXPECT_EQ(summary.damage.max, count_damage(simulation).max);
   EXPECT_GT(summary.damage.broken_bonds, 0);
   EXPECT_EQ(summary.hash, simulation.state().hash());
   EXPECT_TRUE(summary.files.empty());

@@ -44,18 +44,18 @@ void expect_inside(const Box& box, const Layout& layout) {
   EXPECT_LE(box.bottom, layout.height);
 }
 
-std::string words(std::mt19937& random, int most) {
+std::string words(std::mt19937& random, int max) {
   static const std::string_view alphabet[] = {"W", "i", " ", "µ", "×", "g", "0", "ß"};
   std::string text;
-  for (int left = std::uniform_int_distribution<int>(0, most)(random); left > 0; --left)
+  for (int left = std::uniform_int_distribution<int>(0, max)(random); left > 0; --left)
     text += alphabet[std::uniform_int_distribution<std::size_t>(0, 7)(random)];
   return text;
 }
 
 OverlayText any_text(std::mt19937& random) {
   const auto maybe = [&] { return std::bernoulli_distribution(0.7)(random); };
-  const auto number = [&](double most) {
-    return std::uniform_real_distribution<double>(0.0, most)(random);
+  const auto number = [&](double max) {
+    return std::uniform_real_distribution<double>(0.0, max)(random);
   };
   OverlayText text;
   text.parts = {{}, maybe(), maybe(), maybe(), maybe(), maybe(), {}};
@@ -67,9 +67,9 @@ OverlayText any_text(std::mt19937& random) {
   for (BarText& bar : text.bars) {
     bar.label = words(random, longest / 2) + "g";
     bar.logarithmic = !maybe();
-    bar.least = std::pow(10.0, number(12.0) - 6.0);
-    bar.most = bar.least * std::pow(10.0, 0.1 + number(9.0));
-    if (!bar.logarithmic && maybe()) bar.least = -bar.most;
+    bar.min = std::pow(10.0, number(12.0) - 6.0);
+    bar.max = bar.min * std::pow(10.0, 0.1 + number(9.0));
+    if (!bar.logarithmic && maybe()) bar.min = -bar.max;
   }
   return text;
 }
@@ -121,7 +121,7 @@ void expect_sound(const Grid& seen, int width, const OverlayText& text, const Pl
 
 TEST(Layout, NothingOverlapsWhateverThePlateTheWidthAndTheTexts) {
   std::mt19937 random(5);
-  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>(1, most)(random); };
+  const auto up_to = [&](int max) { return std::uniform_int_distribution<int>(1, max)(random); };
   for (int trial = 0; trial < 250; ++trial) {
     const bool large = trial % 10 == 0;  // of a flat plate, to save memory
     const int width = 2 * (large ? 960 + up_to(2880) : 159 + up_to(640));

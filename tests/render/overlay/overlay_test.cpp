@@ -40,7 +40,7 @@ Image drawn(const OverlayText& text, int width, const Moment& what) {
 OverlayText text() {
   OverlayText text;
   text.title = "A title";
-  text.bars[0].most = 0.5;
+  text.bars[0].max = 0.5;
   return text;
 }
 

@@ -22,11 +22,11 @@ TEST(Ticks, AreNeatWhateverTheRange) {
 }
 
 TEST(Ticks, NeverMakeMoreIntervalsThanAsked) {
-  for (const double least : {-1e300, -7.0, 0.0, 1e-9, 1e9})
+  for (const double min : {-1e300, -7.0, 0.0, 1e-9, 1e9})
     for (const double span : {1e-6, 1.0, 3.7, 1e12, 1e300})
       for (int intervals = 1; intervals < 8; ++intervals) {
-        const auto values = neat_values(least, least + span, intervals);
-        EXPECT_LE(values.size(), static_cast<std::size_t>(intervals) + 1) << least << " " << span;
+        const auto values = neat_values(min, min + span, intervals);
+        EXPECT_LE(values.size(), static_cast<std::size_t>(intervals) + 1) << min << " " << span;
       }
 }
 

@@ -62,12 +62,12 @@ TEST(LinearisedBonds, ItsForcesAreThoseOfTheEngine) {
     const std::vector<Vec2> expected = test::accelerations(simulation);
     const double unit = net.unit_of_force() / simulation.lattice().rho * simulation.dt() *
                         simulation.dt() / simulation.lattice().grid.dx;
-    const double most = test::largest(expected);
+    const double max = test::largest(expected);
     for (int j = 0; j < state.layout.ny; ++j)
       for (int i = 0; i < state.layout.nx; ++i) {
         const auto at = static_cast<std::size_t>(state.layout.at(i, j));
         const Vec2 found(unit * force.x[at], unit * force.y[at]);
-        ASSERT_LT((found - expected[simulation.lattice().grid.index(i, j)]).norm(), 1e-13 * most);
+        ASSERT_LT((found - expected[simulation.lattice().grid.index(i, j)]).norm(), 1e-13 * max);
       }
   }
 }

@@ -260,12 +260,12 @@ TEST(StaticHistory, HoldsInSlowLoadingAndAtRest) {
     if (alpha > 0.0) {
       // s0 = 0.02 + 0.5 * 0.02, less what is of second order.
       EXPECT_EQ(broken, 0);
-      EXPECT_NEAR(rest.most, 0.025 / 0.03, 1e-3);
+      EXPECT_NEAR(rest.max, 0.025 / 0.03, 1e-3);
       EXPECT_EQ(rest.beyond, 0);
       EXPECT_EQ(lost, 0);
     } else {
       EXPECT_GT(broken, 100);
-      EXPECT_NEAR(rest.most, 1.25, 1e-3);
+      EXPECT_NEAR(rest.max, 1.25, 1e-3);
       EXPECT_EQ(lost, rest.beyond);
     }
   }
@@ -312,9 +312,9 @@ TEST(StaticHeat, AFreePlateExpands) {
   const Energy ledger = energy(simulation);
   // Against what it would cost not to let it.
   Simulation held(warmed(20.0, {}), test::numerics(), {1});
-  const double most = energy(held).strain;
-  EXPECT_LT(ledger.strain, 1e-6 * most);
-  EXPECT_LT(std::abs(ledger.residual()), strain * most);  // forces are linear to that share
+  const double max = energy(held).strain;
+  EXPECT_LT(ledger.strain, 1e-6 * max);
+  EXPECT_LT(std::abs(ledger.residual()), strain * max);  // forces are linear to that share
 }
 
 // Held at its rim, it pushes with E alphaT dT/(1 - nu): the energy of a biaxial strain.
@@ -344,8 +344,8 @@ TEST(StaticHeat, TwoMaterialsBendAndTheLedgerCloses) {
   Simulation simulation(plate, test::numerics(), {2});
   simulation.load_slowly({ramp_time, 3, 1e-9});
   const Energy ledger = energy(simulation);
-  const double most = energy(Simulation(warmed(50.0, {}), test::numerics(), {1})).strain;
-  EXPECT_LT(std::abs(ledger.residual()), 9e-6 * 50.0 * most);
+  const double max = energy(Simulation(warmed(50.0, {}), test::numerics(), {1})).strain;
+  EXPECT_LT(std::abs(ledger.residual()), 9e-6 * 50.0 * max);
   EXPECT_GT(ledger.strain, 0.0);
   for (int k = 0; k < 100; ++k) simulation.step();
   EXPECT_LT(energy(simulation).kinetic, 1e-9 * ledger.strain);

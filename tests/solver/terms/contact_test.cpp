@@ -223,24 +223,24 @@ TEST(ContactForces, AddUpToNothing) {
   Simulation simulation(halves({3.0, 1.0}, {-3.0, 0.5}), test::numerics(), {1});
   simulation.restore(test::jolted(simulation.state(), 0.3, 3));
   Vec2 sum(0, 0);
-  double most = 0.0;
+  double max = 0.0;
   for (const LoadedNode& load : simulation.actions().forces) {
     sum += load.acceleration;
-    most = std::max(most, load.acceleration.norm());
+    max = std::max(max, load.acceleration.norm());
   }
-  EXPECT_GT(most, 0.0);
-  EXPECT_LT(sum.norm(), 1e-12 * most);
+  EXPECT_GT(max, 0.0);
+  EXPECT_LT(sum.norm(), 1e-12 * max);
 }
 
 // The largest residual of the ledger as the halves meet and part again, over what was put in.
 double largest_residual(Simulation& simulation) {
-  double most = 0.0;
+  double max = 0.0;
   for (int k = 0; k < 40; ++k) {
     simulation.run(0.5e-6);
     const Energy ledger = energy(simulation);
-    most = std::max(most, std::abs(ledger.residual()) / ledger.external);
+    max = std::max(max, std::abs(ledger.residual()) / ledger.external);
   }
-  return most;
+  return max;
 }
 
 // What is lost is what the step rounds off the springs of contact, which is second order in it; the
@@ -270,12 +270,12 @@ TEST(Contact, LosesEnergyOfSecondOrderInTheStep) {
     Numerics numerics = test::numerics();
     numerics.step = dt;
     Simulation simulation(halves({20.0, 0.0}, {-20.0, 5.0}), numerics, {1});
-    double most = 0.0;
+    double max = 0.0;
     for (int k = 0; k < 20; ++k) {
       simulation.run(0.48e-6);
-      most = std::max(most, std::abs(energy(simulation).residual()));
+      max = std::max(max, std::abs(energy(simulation).residual()));
     }
-    return most;
+    return max;
   };
   EXPECT_GT(leak(120e-9) / leak(60e-9), 3.0);
 }
@@ -285,13 +285,13 @@ TEST(Contact, StopsFacesThatWouldPassThroughEachOther) {
     Plate plate = halves({20.0, 0.0}, {-20.0, 0.0});
     if (!contact) plate.contact.reset();
     Simulation simulation(plate, test::numerics(), {1});
-    double most = 0.0;
+    double max = 0.0;
     for (int k = 0; k < 40; ++k) {
       simulation.run(0.5e-6);
-      most =
-          std::max(most, simulation.displacement(19, 10).x() - simulation.displacement(20, 10).x());
+      max =
+          std::max(max, simulation.displacement(19, 10).x() - simulation.displacement(20, 10).x());
     }
-    return most / simulation.lattice().grid.dx;
+    return max / simulation.lattice().grid.dx;
   };
   EXPECT_GT(overlap(false), 1.5);
   EXPECT_LT(overlap(true), 0.6);

@@ -157,15 +157,15 @@ TEST(CrackFaces, KeepEnergyToSecondOrderInTheStep) {
     Numerics numerics = test::numerics();
     numerics.step = dt;
     Simulation simulation(plate, numerics, {1});
-    double most = 0.0, stored = 0.0;
+    double max = 0.0, stored = 0.0;
     for (int k = 0; k < 20; ++k) {
       simulation.run(0.48e-6);
       const Energy ledger = energy(simulation);
-      most = std::max(most, std::abs(ledger.residual()) / ledger.external);
+      max = std::max(max, std::abs(ledger.residual()) / ledger.external);
       stored = std::max(stored, ledger.contact / ledger.external);
     }
     EXPECT_GT(stored, 0.01);
-    return most;
+    return max;
   };
   EXPECT_GT(leak(60e-9) / leak(30e-9), 3.0);
 }

@@ -118,12 +118,12 @@ TEST(Roughness, IsStableAtTheLimitOfTheStep) {
   Simulation simulation(plate, numerics, {1});
   simulation.restore(test::shaken(simulation.state(), 1e-4, 5));
   const double before = simulation.kinetic_energy();
-  double most = 0.0;
+  double max = 0.0;
   for (int n = 0; n < 1500; ++n) {
     simulation.step();
-    if (n % 50 == 0) most = std::max(most, simulation.kinetic_energy());
+    if (n % 50 == 0) max = std::max(max, simulation.kinetic_energy());
   }
-  EXPECT_LT(most, 2.0 * (before + simulation.ledger().external));
+  EXPECT_LT(max, 2.0 * (before + simulation.ledger().external));
   EXPECT_GT(simulation.ledger().damped, 0.0);
 }
 

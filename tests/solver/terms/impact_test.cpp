@@ -72,7 +72,7 @@ TEST(Impact, PushesWhatItCovers) {
   for (const Plate& plate : {hit({80.0, -10.0}), hit_half(210e9, 7850.0, {80.0, -10.0}),
                              hit_half(4e9, 1200.0, {80.0, -10.0})}) {
     Simulation simulation(plate, test::numerics(), {1});
-    std::size_t most = 0;
+    std::size_t max = 0;
     for (int k = 0; k < 60; ++k) {
       simulation.step();
       const auto wanted = reference(simulation);
@@ -85,9 +85,9 @@ TEST(Impact, PushesWhatItCovers) {
         EXPECT_LT((found[n].acceleration - wanted[n].acceleration).norm(),
                   1e-9 * wanted[n].acceleration.norm() + 1.0);
       }
-      most = std::max(most, found.size());
+      max = std::max(max, found.size());
     }
-    EXPECT_GT(most, 5U);
+    EXPECT_GT(max, 5U);
   }
 }
 
