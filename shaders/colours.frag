@@ -17,6 +17,7 @@ uniform int arrangement;  // place of the second field: 0 nowhere, 1 below and 2
 uniform vec2 split;       // texels
 uniform bool gaps;
 uniform vec4 background;  // shown without material; premultiplied
+uniform vec4 gap_colour;  // shown in cracks; premultiplied
 uniform vec2 corner;      // of the drawn area, px
 
 // Damage of both sides of a straight crack is 0.4 to 0.5.
@@ -60,5 +61,5 @@ void main() {
     colour = mix(colour, over, opacity);
   }
   float open = gaps ? smoothstep(gap.x, gap.y, texelFetch(damage, at, 0).r) : 0.0;
-  colour = isnan(value) ? background : mix(colour, background, open);
+  colour = isnan(value) ? background : mix(colour, gap_colour, open);
 }

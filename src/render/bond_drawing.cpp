@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace hackle {
 namespace {
@@ -21,11 +22,23 @@ Vec2 place_of(int i, int j, const Grid& grid, const Displaced& displaced, const 
   return camera.pixel_of_cells(cells);
 }
 
+// Returns the visible positions of the nodes that are not void, px.
+std::vector<Vec2> places_of(const DrawnNodes& nodes, const Grid& grid, const Displaced& displaced,
+                            const Camera& camera) {
+  std::vector<Vec2> places;
+  const Window& cells = nodes.cells;
+  for (int j = std::max(cells.bottom, 0); j < std::min(cells.bottom + cells.ny, grid.ny); ++j)
+    for (int i = std::max(cells.left, 0); i < std::min(cells.left + cells.nx, grid.nx); ++i)
+      if (!std::isnan(nodes.values[grid.index(i, j)]))
+        places.push_back(place_of(i, j, grid, displaced, camera));
+  return places;
+}
+
 }  // namespace
 
-void draw_bonds(Canvas& canvas, const std::vector<BondLine>& bonds, const Grid& grid,
-                const Displaced& displaced, const Camera& camera, const Rectangle& plate) {
-  if (bonds.empty()) return;
+void draw_bonds(Canvas& canvas, const std::vector<BondLine>& bonds, const DrawnNodes& nodes,
+                const Grid& grid, const Displaced& displaced, const Camera& camera,
+                const Rectangle& plate) {
   const double cell = camera.pixels_a_metre().x() * grid.dx;
   const double width = std::clamp(0.02 * cell, 0.6, 3.0);
   canvas.clip(plate);
@@ -38,9 +51,7 @@ void draw_bonds(Canvas& canvas, const std::vector<BondLine>& bonds, const Grid& 
     canvas.line(ends, width);
   }
   const double radius = std::clamp(0.1 * cell, 1.5, 12.0);
-  for (const BondLine& bond : bonds) {
-    if (bond.column != 0 || bond.row != 1) continue;  // once per node
-    const Vec2 node = place_of(bond.i, bond.j, grid, displaced, camera);
+  for (const Vec2& node : places_of(nodes, grid, displaced, camera)) {
     canvas.colour(rim);
     canvas.dot(node, radius + 1.0);
     canvas.colour(holding);

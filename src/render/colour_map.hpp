@@ -23,7 +23,7 @@ struct ColourMap {
 
 // Each has a file in assets/colour_maps; in alphabetical order.
 inline constexpr auto colour_map_names = std::to_array<std::string_view>(
-    {"batlow", "cividis", "damage", "inferno", "roma", "vik", "viridis"});
+    {"batlow", "cividis", "damage", "ember", "inferno", "lagoon", "roma", "vik", "viridis"});
 
 // Returns the brightness in a dark-field polariscope, sin^2(pi N), for fringe orders N from `least`
 // to `most`.

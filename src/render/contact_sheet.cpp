@@ -50,10 +50,10 @@ void draw_picture(Canvas& canvas, const Measures& cell, double x, double y, cair
 }
 
 void draw_title(Canvas& canvas, const Font& font, const Measures& cell, double x, double y,
-                const std::string& title) {
+                const std::string& title, Colour colour) {
   const std::string text = font.fitting(title, cell.font, cell.width);
   canvas.write(font, font.place(text, x + 0.5 * cell.width, y + cell.height + 1.4 * cell.font,
-                                cell.font, 0.5, theme_of(Background::dark).text));
+                                cell.font, 0.5, colour));
 }
 
 Image blank(const Measures& cell, int columns, int rows, bool even) {
@@ -78,7 +78,8 @@ Image sheet_of(int count, const SheetLayout& layout, Picture picture, Title titl
   Image sheet = blank(cell, columns, (count + columns - 1) / columns, layout.even);
   const Font font;
   Canvas canvas(sheet);
-  canvas.colour(background_colour);
+  const Theme& theme = theme_of(ground_of(layout.look));
+  canvas.colour(theme.background);
   canvas.fill(0, 0, sheet.width, sheet.height);
   for (int k = 0; k < count; ++k) {
     throw_if_interrupted();
@@ -86,7 +87,7 @@ Image sheet_of(int count, const SheetLayout& layout, Picture picture, Title titl
     const double x = cell.gap + column * (cell.width + cell.gap);
     const double y = cell.gap + row * cell.pitch;
     draw_picture(canvas, cell, x, y, picture(static_cast<std::size_t>(k)).get());
-    draw_title(canvas, font, cell, x, y, title(static_cast<std::size_t>(k)));
+    draw_title(canvas, font, cell, x, y, title(static_cast<std::size_t>(k)), theme.text);
   }
   return sheet;
 }

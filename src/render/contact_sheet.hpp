@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/image.hpp"
+#include "render/theme.hpp"
 
 namespace hackle {
 
@@ -27,7 +28,8 @@ struct SheetLayout {
   int height = 0;      // px, of each cell; 0: 3/4 of its width
   double font = 0.05;  // of the titles, in cell widths; at least 10 px
   bool titled = true;  // leaves room for titles
-  bool even = false;   // makes width and height of the sheet even, for a movie
+  Look look = Look::dark;
+  bool even = false;  // makes width and height of the sheet even, for a movie
 };
 
 // The largest width and height of a sheet, px.

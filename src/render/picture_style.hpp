@@ -30,6 +30,8 @@ struct FieldStyle {
   Sampling sampling = Sampling::largest;
   std::string label = "damage";  // of the colour bar
   std::string unit;              // of the values, SI; may be empty
+  bool whole = false;            // the numbers at the colour bar are whole
+  bool widens = false;  // the range widens when it does not fit what is seen, see widened()
 };
 
 struct PictureStyle {
@@ -48,6 +50,7 @@ struct PictureStyle {
   Background background = Background::dark;
   std::string note;          // describes the view, "deformed × 100"; may be empty
   double slow_motion = 0.0;  // slow-motion factor; 0: not shown
+  bool bonds = false;        // draws bonds and nodes one by one
 };
 
 }  // namespace hackle

@@ -20,6 +20,7 @@
 #include "render/overlay/layout.hpp"
 #include "render/overlay/overlay.hpp"
 #include "render/samples.hpp"
+#include "render/seen_range.hpp"
 
 namespace hackle {
 namespace {
@@ -41,7 +42,7 @@ std::string bar_label(const FieldStyle& field) {
 
 BarText bar_of(const FieldStyle& field) {
   const double unit = unit_of(field).factor;
-  return {bar_label(field), field.min / unit, field.max / unit, field.logarithmic};
+  return {bar_label(field), field.min / unit, field.max / unit, field.logarithmic, field.whole, ""};
 }
 
 OverlayText text_of(const PictureStyle& style) {
@@ -56,13 +57,19 @@ OverlayText text_of(const PictureStyle& style) {
   return text;
 }
 
-// Premultiplied by its opacity.
-std::array<float, 4> background_of(const PictureStyle& style) {
-  const Theme& theme = theme_of(style.background);
+// Premultiplied by the opacity of the theme.
+std::array<float, 4> with_opacity(const Theme& theme, Colour c) {
   const auto opacity = static_cast<float>(theme.opacity);
   const auto part = [&](std::uint8_t colour) { return opacity * colour / 255.0F; };
-  const Colour c = theme.background;
   return {part(c.red), part(c.green), part(c.blue), opacity};
+}
+std::array<float, 4> background_of(const PictureStyle& style) {
+  const Theme& theme = theme_of(style.background);
+  return with_opacity(theme, theme.background);
+}
+std::array<float, 4> gap_of(const PictureStyle& style) {
+  const Theme& theme = theme_of(style.background);
+  return with_opacity(theme, theme.gap);
 }
 
 ColourMap map_of(const FieldStyle& field) {
@@ -109,9 +116,9 @@ struct PlatePainter::Parts {
         overlay(layout, text_of(style), maps_of(style),
                 camera(layout.plate, window_of(style)).pixels_a_metre().x()),
         context(layout.width, layout.height),
-        first_pass(gl, background_of(style), colouring_of(style.field)) {
+        first_pass(gl, background_of(style), gap_of(style), colouring_of(style.field)) {
     if (is_beside(style))
-      second_pass.emplace(gl, background_of(style), colouring_of(*style.second));
+      second_pass.emplace(gl, background_of(style), gap_of(style), colouring_of(*style.second));
     else if (style.second)
       first_pass.set_second(colouring_of(*style.second), style.arrangement);
     if (needs_mesh(style)) mesh_pass.emplace(gl, layout.plate.width, layout.plate.height);
@@ -128,6 +135,7 @@ struct PlatePainter::Parts {
   }
 
   void draw_all(const Shot& shot, const Window& window) {
+    beyond.clear();
     clear_picture();
     draw_plate(first_pass, layout.plate, shot, window);
     if (second_pass) draw_plate(*second_pass, layout.second_plate, shot, window);
@@ -146,6 +154,7 @@ struct PlatePainter::Parts {
     const int width = points_for(window.nx, plate.width);
     const int height = points_for(window.ny, plate.height);
     const Points points = points_of(pass, shot, window, width, height);
+    fit_ranges(pass, points);
     if (width == plate.width && height == plate.height)
       return pass.paint(points, context.target(), plate.x, row_from_below(plate));
     pass.paint(points);
@@ -162,6 +171,7 @@ struct PlatePainter::Parts {
     // Single cells open where bonds are broken, so need no gaps; blocks of cells hide broken bonds
     // inside.
     if (blocks.size == 1 && !shot.links.empty()) points.gaps.clear();
+    fit_ranges(pass, points);
     pass.paint(points);
     const auto places = corners(blocks, cells, style.grid, displaced, camera(plate, window));
     constexpr double tolerance = 2.0 * 0.05;  // px, in the two units of Camera::share
@@ -178,14 +188,48 @@ struct PlatePainter::Parts {
       return samples(values, style.grid, window, width, height, field.sampling);
     };
     Points points{width, height, {}, {}, {}, {}};
-    const bool is_second = second_pass && &pass == &*second_pass;
     points.values =
-        is_second ? sampled(shot.second, *style.second) : sampled(shot.values, style.field);
+        is_second(pass) ? sampled(shot.second, *style.second) : sampled(shot.values, style.field);
     if (style.second && !second_pass) points.second = sampled(shot.second, *style.second);
     if (!shot.gaps.empty()) points.gaps = samples(shot.gaps, style.grid, window, width, height);
     points.middle = {width * (0.5 * style.grid.nx - window.left) / window.nx,
                      height * (0.5 * style.grid.ny - window.bottom) / window.ny};
     return points;
+  }
+
+  bool is_second(const ColourPass& pass) const { return second_pass && &pass == &*second_pass; }
+
+  // Widens the ranges that do not fit, and finds what still lies beyond them.
+  void fit_ranges(ColourPass& pass, const Points& points) {
+    if (is_second(pass)) {
+      if (fit(*style.second, widened_by[1], {points.values, points.gaps}))
+        second_pass->set_first(colouring_of(*style.second));
+      return;
+    }
+    if (fit(style.field, widened_by[0], {points.values, points.gaps}))
+      first_pass.set_first(colouring_of(style.field));
+    if (!style.second || second_pass) return;
+    if (fit(*style.second, widened_by[1], {points.second, points.gaps}))
+      first_pass.set_second(colouring_of(*style.second), style.arrangement);
+  }
+
+  // Returns whether the range has changed.
+  bool fit(FieldStyle& field, double& widened_so_far, const Seen& seen) {
+    const double times = widening(field, seen);
+    field = widened(std::move(field), times);
+    widened_so_far *= times;
+    beyond.push_back(hackle::beyond(field, seen));
+    if (times > 1.0) bars_changed = true;
+    return times > 1.0;
+  }
+
+  void update_bars() {
+    if (!bars_changed) return;
+    std::vector<BarText> bars = text_of(style).bars;
+    for (std::size_t k = 0; k < bars.size(); ++k)
+      if (widened_by[k] > 1.0) bars[k].remark = fmt::format("range × {:g}", widened_by[k]);
+    overlay.set_bars(bars, maps_of(style));
+    bars_changed = false;
   }
 
   void clear_picture() {
@@ -209,11 +253,12 @@ struct PlatePainter::Parts {
 
   void draw_lattice(Image& image, const Shot& shot, const Window& window) const {
     for (const Rectangle& plate : {layout.plate, layout.second_plate}) {
-      if (plate.empty() || shot.bonds.empty()) continue;
+      if (plate.empty() || !style.bonds) continue;
+      const Displaced displaced{shot.displacement, shot.links, style.magnification};
       Canvas canvas(image);
-      draw_bonds(canvas, shot.bonds, style.grid,
-                 {shot.displacement, shot.links, style.magnification}, camera(plate, window),
-                 plate);
+      draw_bonds(canvas, shot.bonds,
+                 {seen_cells(window, style.rotation, style.grid, displaced), shot.values},
+                 style.grid, displaced, camera(plate, window), plate);
     }
   }
 
@@ -225,6 +270,9 @@ struct PlatePainter::Parts {
   ColourPass first_pass;
   std::optional<ColourPass> second_pass;  // for a second plate
   std::optional<MeshPass> mesh_pass;
+  std::array<double, 2> widened_by{1.0, 1.0};  // of both fields, so far
+  bool bars_changed = false;
+  std::vector<Beyond> beyond;  // in the picture that is being painted
 };
 
 PlatePainter::PlatePainter(PictureStyle style) : parts_(std::make_unique<Parts>(std::move(style))) {
@@ -244,8 +292,9 @@ Image PlatePainter::paint(const Shot& shot) {
   parts_->draw_all(shot, window);
   Image image = parts_->context.finish();
   parts_->draw_lattice(image, shot, window);
+  parts_->update_bars();
   parts_->overlay.draw(image, parts_->cameras(window),
-                       {shot.time, shot.discs, shot.load_curve, shot.energy});
+                       {shot.time, shot.discs, shot.load_curve, shot.energy, parts_->beyond});
   return image;
 }
 

@@ -43,7 +43,8 @@ class PlatePainter {
   int width() const;   // px, even unless bare
   int height() const;  // px, even, from the shape of the visible part; or as the style says
 
-  // Discs are drawn at their positions, over the plate, displaced or not.
+  // Widens the range of a field that does so, from this picture on, where what is seen does not
+  // fit. Discs are drawn at their positions, over the plate, displaced or not.
   Image paint(const Shot& shot);
 
  private:

@@ -65,14 +65,16 @@ TEST(FringeMap, IsDarkAtWholeOrders) {
   EXPECT_GE(map.colours[half].red, 254);
 }
 
-TEST(DamageMap, RisesEvenlyInLightness) {
-  const ColourMap map = load_colour_map("damage");
-  const double first = lightness(map.colours.front()), last = lightness(map.colours.back());
-  EXPECT_GT(last - first, 0.6);
-  for (std::size_t k = 1; k < 256; ++k) {
-    // Rounding to 8 bits moves the lightness by up to 0.004.
-    const double even = first + (last - first) * static_cast<double>(k) / 255.0;
-    EXPECT_NEAR(lightness(map.colours[k]), even, 0.006) << k;
+TEST(OwnMaps, ChangeEvenlyInLightness) {
+  for (const char* name : {"damage", "ember", "lagoon"}) {
+    const ColourMap map = load_colour_map(name);
+    const double first = lightness(map.colours.front()), last = lightness(map.colours.back());
+    EXPECT_GT(std::abs(last - first), 0.6) << name;
+    for (std::size_t k = 1; k < 256; ++k) {
+      // Rounding to 8 bits moves the lightness by up to 0.004.
+      const double even = first + (last - first) * static_cast<double>(k) / 255.0;
+      EXPECT_NEAR(lightness(map.colours[k]), even, 0.006) << name << ' ' << k;
+    }
   }
 }
 

@@ -13,6 +13,7 @@
 #include "render/colour_map.hpp"
 #include "render/overlay/layout.hpp"
 #include "render/overlay/overlay.hpp"
+#include "render/theme.hpp"
 
 namespace hackle {
 namespace {
@@ -110,6 +111,63 @@ TEST(PlatePainter, CracksAreGapsAndDamageAsOfARoughFaceIsNot) {
   const Image image = PlatePainter(s).paint(f);
   expect_near(cell(image, s, 2, 1), background_colour);
   expect_near(cell(image, s, 3, 1), load_colour_map("damage").colours.back());
+}
+
+// Both the open crack and the plate ahead of it would be white on a light ground.
+TEST(PlatePainter, CracksAreDarkOnALightGround) {
+  PictureStyle s = style(8, 8);
+  s.background = Background::light;
+  s.field.colour_map = "ember";
+  Shot f = shot(s, 0.0F);
+  f.gaps.assign(f.values.size(), 0);
+  f.gaps[s.grid.index(2, 1)] = 105;
+  const Image image = PlatePainter(s).paint(f);
+  expect_near(cell(image, s, 2, 1), theme_of(Background::light).gap);
+  expect_near(cell(image, s, 3, 1), load_colour_map("ember").colours.front());
+}
+
+// Neither a bond nor damage decides whether a node is drawn, only whether there is material.
+TEST(PlatePainter, EveryNodeHasItsDot) {
+  PictureStyle s = style(8, 6);
+  Shot f = shot(s, 0.0F);
+  f.values[s.grid.index(5, 2)] = std::nanf("");
+  f.bonds = {{1, 1, 0, 1, true}, {2, 2, 1, 0, false}};
+  const Image without = PlatePainter(s).paint(f);
+  s.bonds = true;
+  const Image image = PlatePainter(s).paint(f);
+  for (int j = 0; j < 6; ++j)
+    for (int i = 0; i < 8; ++i) {
+      const bool is_void = i == 5 && j == 2;
+      expect_near(cell(without, s, i, j),
+                  is_void ? background_colour : load_colour_map("damage").colours.front());
+      expect_near(cell(image, s, i, j), is_void ? background_colour : Colour{255, 255, 255});
+    }
+}
+
+// The range of a film jumps where what is seen no longer fits, and stays as it is from then on.
+TEST(PlatePainter, ARangeThatWidensStaysWide) {
+  PictureStyle s = style(8, 8);
+  s.field.max = 1.0;
+  s.field.widens = true;
+  const ColourMap map = load_colour_map("damage");
+  PlatePainter painter(s);
+  const auto seen = [&](float value) { return cell(painter.paint(shot(s, value)), s, 3, 3); };
+  expect_near(seen(1.0F), map.colours[255]);
+  expect_near(seen(4.0F), map.colours[204]);  // of a range of 5
+  expect_near(seen(1.0F), map.colours[51]);
+  expect_near(seen(100.0F), map.colours[255]);
+  expect_near(seen(10.0F), map.colours[25]);
+}
+
+// Beside the bar, where nothing else is: above its middle line at the right end.
+TEST(PlatePainter, MarksTheBarWhereValuesLieBeyond) {
+  PictureStyle s = style(8, 8);
+  const Rectangle bar = layout_of(s).bars.at(0).colours;
+  const auto beside = [&](float value) {
+    return pixel(PlatePainter(s).paint(shot(s, value)), bar.right() + 2, bar.y + bar.height / 2);
+  };
+  expect_near(beside(0.5F), background_colour);
+  expect_near(beside(0.6F), load_colour_map("damage").colours.back());
 }
 
 TEST(PlatePainter, FringesAreDarkAtWholeOrders) {

@@ -40,6 +40,28 @@ TEST(Theme, ATransparentGroundIsMadeForPaper) {
   EXPECT_TRUE(transparent.text == light.text);
 }
 
+// Cracks as gaps are seen on the least and the largest value of a field, and are open on a dark
+// ground and on none.
+TEST(Theme, GapsAreSeenOnALightPlate) {
+  const Theme& light = theme_of(ground_of(Look::light));
+  for (const std::string_view usual : {"damage", "inferno", "viridis", "vik"}) {
+    const ColourMap map = load_colour_map(std::string(colours_for(Look::light, usual)));
+    EXPECT_GT(contrast(light.gap, map.colours[usual == "vik" ? 128 : 0]), 7.0) << usual;
+  }
+  EXPECT_TRUE(theme_of(Background::dark).gap == background_colour);
+}
+
+TEST(Theme, ALightPlateIsNearlyWhiteWhereValuesAreLeast) {
+  for (const std::string_view usual : {"damage", "inferno", "viridis"}) {
+    const auto colours = load_colour_map(std::string(colours_for(Look::light, usual))).colours;
+    const Colour least = colours.front();
+    EXPECT_GE(std::min({least.red, least.green, least.blue}), 235) << usual;
+    EXPECT_GT(contrast(least, colours.back()), 10.0) << usual;
+    EXPECT_EQ(colours_for(Look::dark, usual), usual);
+  }
+  EXPECT_EQ(colours_for(Look::light, "vik"), "vik");
+}
+
 TEST(Theme, EveryBackgroundHasItsName) {
   EXPECT_EQ(name_of(Background::dark), "dark");
   EXPECT_EQ(name_of(Background::light), "light");

@@ -48,7 +48,7 @@ std::vector<SheetPicture> pictures_of(const Session& session, const SheetOptions
   return pictures;
 }
 
-// Existing pictures take no options of painting.
+// Existing pictures take no options of painting; the theme is that of the sheet, too.
 void check_kind(Arguments& arguments) {
   const bool recorded = arguments.has("recordings");
   if (arguments.good({"pictures", "recordings"}) && arguments.has("pictures") == recorded)
@@ -57,7 +57,7 @@ void check_kind(Arguments& arguments) {
                            "a list of PNGs, or recordings = { ... }: one of the two");
   if (recorded || !arguments.has("pictures")) return;
   for (const Option& option : unsized_picture_options)
-    if (arguments.has(option.name))
+    if (option.name != "theme" && arguments.has(option.name))
       arguments.problems.add(
           fmt::format("contact_sheet: {} cannot change pictures that exist", option.name),
           "it is for recordings");
@@ -65,8 +65,8 @@ void check_kind(Arguments& arguments) {
     arguments.problems.add("contact_sheet: times is given without recordings");
 }
 
-SheetLayout layout_of(const SheetOptions& options) {
-  return {.columns = options.columns, .width = options.width};
+SheetLayout layout_of(const SheetOptions& options, Look look) {
+  return {.columns = options.columns, .width = options.width, .look = look};
 }
 
 // Paints each picture at least as large as the smallest allowed.
@@ -74,7 +74,7 @@ Image sheet_of_recordings(const Arguments& arguments, const Tiles& tiles,
                           const SheetOptions& sheet) {
   auto picture = noun_of<PictureOptions>(arguments);
   picture.width = std::max(min_picture_width, sheet.width + sheet.width % 2);
-  return sheet_of(tiles, sheet.times, picture, layout_of(sheet));
+  return sheet_of(tiles, sheet.times, picture, layout_of(sheet, picture.look));
 }
 
 int make_contact_sheet(lua_State* L) {
@@ -89,7 +89,8 @@ int make_contact_sheet(lua_State* L) {
   arguments.problems.throw_if_any();
   session.write_picture("contact_sheet", arguments.text("file"), [&] {
     return recorded ? sheet_of_recordings(arguments, tiles, options)
-                    : contact_sheet(pictures, layout_of(options));
+                    : contact_sheet(pictures,
+                                    layout_of(options, noun_of<PictureOptions>(arguments).look));
   });
   return 0;
 }

@@ -107,6 +107,7 @@ class Composition {
   Composition(Tiles tiles, const MovieOptions& options, int columns)
       : tiles_(std::move(tiles)), options_(options.picture) {
     layout_.columns = columns;
+    layout_.look = options_.look;
     layout_.width = options_.width;
     layout_.even = true;
     layout_.font = title_size;
@@ -163,6 +164,27 @@ std::vector<double> frame_times(const char* who, const Tiles& tiles, const Momen
   return times;
 }
 
+namespace {
+
+// Calls visit(view) for each run at each time, or at its end.
+void for_all(const Tiles& tiles, const std::vector<double>& times, const auto& visit) {
+  for (const Tile& tile : tiles)
+    for (const double time : times.empty() ? std::vector{the_end} : times) {
+      throw_if_interrupted();
+      show_at(*tile.recording, time);
+      visit(tile.recording->view());
+    }
+}
+
+// Brings displaced plates to their last record: a window that suits it suits those before.
+void show_last(const Tiles& tiles, const std::vector<double>& times,
+               const PictureOptions& options) {
+  if (!options.deformed) return;
+  for (const Tile& tile : tiles) show_at(*tile.recording, times.empty() ? the_end : times.back());
+}
+
+}  // namespace
+
 PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
                                  const std::vector<double>& times) {
   if (options.range) return options;
@@ -171,13 +193,14 @@ PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
   for (const Tile& tile : tiles) {
     const Ends usual = usual_ends(options, tile.recording->view());
     widest = {std::min(widest.min, usual.min), std::max(widest.max, usual.max)};
-    if (!options.percentile) continue;
-    for (const double time : times.empty() ? std::vector{the_end} : times) {
-      throw_if_interrupted();
-      show_at(*tile.recording, time);
-      seen.add(tile.recording->view());
-    }
   }
+  const bool looks = options.percentile || first_field(options).is_unlimited();
+  for_all(looks ? tiles : Tiles(), times, [&](const View& view) {
+    if (options.percentile)
+      seen.add(view);
+    else
+      widest = fitting_range(options, view, widest);
+  });
   options.range = options.percentile ? seen.ends() : widest;
   options.percentile.reset();
   return options;
@@ -192,6 +215,7 @@ void film(const std::shared_ptr<Recording>& recording, const fs::path& path, Mov
   options.every = times.size() > 1 ? times[1] - times[0] : recording->view().dt();
   options.every = std::max(options.every, recording->view().dt());
   options.picture = with_common_range(options.picture, tiles, times);
+  show_last(tiles, times, options.picture);
   MovieOutput movie(path, options, recording->view(), recording->origin(), threads, talk,
                     std::move(names));
   make_all(
@@ -210,6 +234,7 @@ void film_side_by_side(const Tiles& tiles, const fs::path& path, MovieOptions op
   check_all("side_by_side", tiles, options.picture);
   options.every = times.size() > 1 ? times[1] - times[0] : 0.0;
   options.picture = with_common_range(options.picture, tiles, times);
+  show_last(tiles, times, options.picture);
   Composition composition(tiles, options, columns);
   const Recording& first = *tiles.front().recording;
   MovieFile movie(path, options, first.origin(), threads, talk);
@@ -226,7 +251,9 @@ Image sheet_of(const Tiles& tiles, const std::vector<double>& times, PictureOpti
   layout.height = 0;
   layout.font = title_size;
   layout.titled = is_titled(tiles);
+  layout.look = options.look;
   options = with_common_range(options, tiles, times);
+  show_last(tiles, times, options);
   for (const Tile& tile : tiles) {
     PlatePainter painter(style_of(options, tile.recording->view()));
     layout.height = std::max(layout.height, painter.height() * layout.width / painter.width());

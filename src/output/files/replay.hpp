@@ -33,7 +33,7 @@ std::vector<double> frame_times(const char* who, const Tiles& tiles, const Momen
 
 // Returns the options with a common range for these runs at all these times, or at the end: the
 // given range, that of their percentile over all visible values, or the widest of the field's
-// defaults.
+// defaults, widened until it fits every state.
 PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
                                  const std::vector<double>& times);
 

@@ -2,18 +2,22 @@
 #include "output/picture/field_choice.hpp"
 
 #include <limits>
+#include <string_view>
 
 namespace hackle {
 
 FieldChoice first_field(const PictureOptions& options) {
   const Scalar& scalar = scalar_of(options.field);
   const bool logarithmic = options.scale ? *options.scale == Scale::log : scalar.logarithmic;
-  return {scalar, options.range, options.colours, logarithmic, options.thickness};
+  const std::string_view usual = colours_for(options.look, scalar.colours);
+  const std::string colours = options.colours.empty() ? std::string(usual) : options.colours;
+  return {scalar, options.range, colours, logarithmic, options.thickness};
 }
 
 FieldChoice second_field(const PictureOptions& options) {
   const Scalar& scalar = scalar_of(*options.second);
-  return {scalar, options.second_range, "", scalar.logarithmic, options.thickness};
+  const std::string colours(colours_for(options.look, scalar.colours));
+  return {scalar, options.second_range, colours, scalar.logarithmic, options.thickness};
 }
 
 Ends usual_ends(const FieldChoice& field, const View& view) {

@@ -20,6 +20,8 @@ struct FieldChoice {
   double thickness = 0.0;  // m
 
   bool is_fringes() const { return scalar.name == fringes_name; }
+  // Returns whether its values have no natural limit, as shares and counts have.
+  bool is_unlimited() const { return is_fringes() || !scalar.unit.empty(); }
 };
 
 // Return the fields of a picture; the second only if the options have one.

@@ -7,11 +7,13 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "measure/gaps.hpp"
 #include "measure/links.hpp"
 #include "output/picture/automatic_range.hpp"
 #include "output/picture/chart_data.hpp"
 #include "output/picture/field_choice.hpp"
 #include "output/picture/view.hpp"
+#include "render/seen_range.hpp"
 #include "scene/check_members.hpp"
 #include "solver/divergence.hpp"
 
@@ -20,7 +22,7 @@ namespace {
 
 FieldStyle style_of(const FieldChoice& field, const View& view) {
   FieldStyle style;
-  style.colour_map = field.colours.empty() ? std::string(field.scalar.colours) : field.colours;
+  style.colour_map = field.colours;
   const Ends ends = field.range.value_or(usual_ends(field, view));
   style.min = ends.min;
   style.max = ends.max;
@@ -28,6 +30,8 @@ FieldStyle style_of(const FieldChoice& field, const View& view) {
   style.sampling = field.scalar.sampling;
   style.label = field.scalar.label;
   style.unit = field.scalar.unit;
+  style.whole = field.is_fringes();
+  style.widens = !field.range && field.is_unlimited();
   return style;
 }
 
@@ -120,7 +124,8 @@ PictureStyle style_of(const PictureOptions& options, const View& view) {
   style.magnification = magnification_of(options, view);
   if (style.magnification > 0.0)
     style.note = fmt::format("displacements × {:.4g}", style.magnification);
-  style.background = options.background;
+  style.background = options.background.value_or(ground_of(options.look));
+  style.bonds = options.bonds;
   set_size(style, options);
   FieldChoice first = first_field(options);
   if (options.percentile) first.range = automatic_range(options, view);
@@ -130,6 +135,15 @@ PictureStyle style_of(const PictureOptions& options, const View& view) {
   style.overlay = options.overlay;
   style.title = title_of(options, view);
   return style;
+}
+
+Ends fitting_range(const PictureOptions& options, const View& view, const Ends& ends) {
+  FieldStyle field = style_of(first_field(options), view);
+  field.min = ends.min;
+  field.max = ends.max;
+  const std::vector<float> values = field_values(options, view);
+  field = widened(field, widening(field, {values, {}}));
+  return {field.min, field.max};
 }
 
 Image paint(const View& view, const PictureOptions& options, const std::optional<Extent>& bare) {
@@ -159,7 +173,7 @@ Shot shot_of(const PictureOptions& options, const View& view) {
   shot.time = view.time();
   shot.discs = impactors(view);
   if (options.cracks && options.field != "damage" && options.second != "damage")
-    shot.gaps = in_255ths(damage(view).values);
+    shot.gaps = in_255ths(gaps(view));
   if (magnification_of(options, view) > 0.0) {
     shot.displacement = displacement(view).values;
     shot.links = links(view);

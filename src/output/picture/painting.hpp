@@ -27,6 +27,10 @@ void check_opaque(const char* output, const PictureOptions& options);
 // field's default. Throws Error (refused) if the materials lack a value that the field needs.
 PictureStyle style_of(const PictureOptions& options, const View& view);
 
+// Returns the range of the field, widened from `ends` until it fits all values of the state, as
+// pictures do for those that are seen; unchanged for a field that does not widen.
+Ends fitting_range(const PictureOptions& options, const View& view, const Ends& ends);
+
 // The size of a picture without texts and bars, stretched to fill these px.
 struct Extent {
   int width = 0, height = 0;

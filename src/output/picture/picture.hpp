@@ -57,8 +57,9 @@ struct PictureOptions {
   bool deformed = false;                         // displacements are shown,
   std::optional<double> magnification;  // factor on displacements; default: depends on the plate
   bool bonds = false;                   // drawn one by one
-  Background background = Background::dark;
-  OverlayOptions overlay;  // texts and marks around the plate and on it
+  Look look = Look::dark;
+  std::optional<Background> background;  // default: that of the look
+  OverlayOptions overlay;                // texts and marks around the plate and on it
 };
 
 // px, of the width of a picture.
@@ -82,7 +83,9 @@ inline constexpr auto description_of<PictureOptions> = describe_noun(
            {.fallback = "damage", .choices = scalar_names, .sentence = "Field to paint."}),
     member("range", &PictureOptions::range,
            {.fallback = suits_the_field,
-            .sentence = "Values at the two ends of the colour bar, in SI units."}),
+            .sentence = "Values at the two ends of the colour bar, in SI units. The default "
+                        "follows from the material; where over 1 % of what is seen lies beyond, it "
+                        "widens 2, 5, 10, ... times, which the picture says."}),
     member(
         "percentile", &PictureOptions::percentile,
         {.range = between(50.0, 100.0),
@@ -138,8 +141,12 @@ inline constexpr auto description_of<PictureOptions> = describe_noun(
     member("bonds", &PictureOptions::bonds,
            {.fallback = "false",
             .sentence = "Draws every visible bond, for a zoom on a few nodes."}),
-    member("background", &PictureOptions::background,
+    member("theme", &PictureOptions::look,
            {.fallback = "dark",
+            .sentence = "Ground, texts and colour maps: light has a plate that is nearly white "
+                        "where nothing happens."}),
+    member("background", &PictureOptions::background,
+           {.fallback = "that of the theme",
             .sentence = "Background around the plate; transparent only in a PNG."}),
     member("", &PictureOptions::overlay));
 

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
 #include "base/units.hpp"
 #include "measure/cracks.hpp"
+#include "measure/field.hpp"
 #include "render/bond_drawing.hpp"
 
 namespace hackle {
@@ -70,6 +72,8 @@ double usual_displacement(const View& view) {
   return scalar_of("displacement").ends(view).max;
 }
 
+constexpr double most_margin = 5.0;  // in sides of the plate
+
 // Returns the margin in cells for a displaced plate. Fragments keep moving: by 32 us the edges of
 // the paper's first plate have moved 11.5 times as far as usual.
 int margin_of(const PictureOptions& options, const View& view) {
@@ -78,6 +82,34 @@ int margin_of(const PictureOptions& options, const View& view) {
   const double reach =
       flight * magnification_of(options, view) * usual_displacement(view) / grid.dx;
   return static_cast<int>(std::ceil(std::min(reach, 0.5 * std::min(grid.nx, grid.ny))));
+}
+
+// Returns how many cells a whole window turned by `rotation` (rad) must be wider on each side, so
+// that it contains this point, in cells from the centre of the lattice; 0 or less if it does.
+double outside_by(const Grid& grid, double rotation, const Vec2& cells) {
+  const double c = std::cos(rotation), s = std::sin(rotation);
+  const Vec2 turned(c * cells.x() - s * cells.y(), s * cells.x() + c * cells.y());
+  const Vec2 half = 0.5 * turned_size({grid.nx, grid.ny}, rotation);
+  return (turned.cwiseAbs() - half).maxCoeff();
+}
+
+// Returns the margin in cells that the plate needs as it is displaced now. Nodes without any bond,
+// which may fly far, do not count.
+int needed_margin(const PictureOptions& options, const View& view) {
+  const double times = magnification_of(options, view);
+  const Grid& grid = view.lattice().grid;
+  if (times == 0.0) return 0;
+  const std::vector<float> lost = damage(view).values;
+  double most = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      if (view.lattice().is_void(i, j) || lost[grid.index(i, j)] == 1.0F) continue;
+      const Vec2 place = grid.from_centre(i, j) + times / grid.dx * view.displacement(i, j);
+      // Half a cell lies around the node.
+      most = std::max(most, outside_by(grid, options.rotation, place) + std::numbers::sqrt2 / 2.0);
+    }
+  const double max = most_margin * std::max(grid.nx, grid.ny);
+  return static_cast<int>(std::ceil(std::min(most, max)));
 }
 
 double nodes_seen(const PictureOptions& options, const Grid& grid) {
@@ -118,7 +150,8 @@ double magnification_of(const PictureOptions& options, const View& view) {
 Window window_of(const PictureOptions& options, const View& view) {
   const Grid& grid = view.lattice().grid;
   if (options.zoom) return moved(window_of(*options.zoom, grid), options.zoom->centre, grid);
-  return whole_window(grid, options.rotation, margin_of(options, view));
+  return whole_window(grid, options.rotation,
+                      std::max(margin_of(options, view), needed_margin(options, view)));
 }
 
 Window followed(Window window, const PictureOptions& options, const View& view) {

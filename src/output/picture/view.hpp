@@ -18,7 +18,8 @@ void check_view(const char* output, const PictureOptions& options, const Grid& g
 // its shorter side.
 double magnification_of(const PictureOptions& options, const View& view);
 
-// Returns the visible cells: a given zoom, or else the whole plate with room for its displacements.
+// Returns the visible cells: a given zoom, or else the whole plate with room for its displacements:
+// those that it has now, and those that it is likely to get.
 Window window_of(const PictureOptions& options, const View& view);
 
 // Returns the window moved to the foremost damage, displaced as shown; unchanged if there is none.

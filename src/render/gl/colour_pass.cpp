@@ -13,7 +13,7 @@ constexpr std::array samplers{"values", "second", "damage", "colour_map", "secon
 }  // namespace
 
 ColourPass::ColourPass(const GlFunctions& gl, const std::array<float, 4>& background,
-                       const Colouring& colouring)
+                       const std::array<float, 4>& gap, const Colouring& colouring)
     : gl_(gl),
       program_(gl, "colours"),
       triangle_(gl),
@@ -29,7 +29,13 @@ ColourPass::ColourPass(const GlFunctions& gl, const std::array<float, 4>& backgr
     gl_.Uniform1i(program_.uniform(samplers[unit]), static_cast<GLint>(unit));
   gl_.Uniform4f(program_.uniform("background"), background[0], background[1], background[2],
                 background[3]);
+  gl_.Uniform4f(program_.uniform("gap_colour"), gap[0], gap[1], gap[2], gap[3]);
   gl_.Uniform1i(program_.uniform("arrangement"), 0);
+  set_first(colouring);
+}
+
+void ColourPass::set_first(const Colouring& colouring) {
+  program_.use();
   set_colouring(colouring, map_, "range", "logarithmic");
 }
 

@@ -31,9 +31,12 @@ struct Points {
 
 class ColourPass {
  public:
-  // `background`, premultiplied red, green, blue and alpha, shows where a value is nan.
+  // `background` shows where a value is nan, `gap` in cracks: premultiplied red, green, blue and
+  // alpha.
   ColourPass(const GlFunctions& gl, const std::array<float, 4>& background,
-             const Colouring& colouring);
+             const std::array<float, 4>& gap, const Colouring& colouring);
+  // Changes the colours of the first values of points from now on.
+  void set_first(const Colouring& colouring);
   // Also shows the second values of points from now on.
   void set_second(const Colouring& colouring, Arrangement arrangement);
 

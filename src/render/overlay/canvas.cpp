@@ -32,6 +32,11 @@ void Canvas::fill(double x, double y, double width, double height) {
   cairo_fill(cairo_.get());
 }
 
+void Canvas::fill(std::span<const Vec2> corners) {
+  for (const Vec2& corner : corners) cairo_line_to(cairo_.get(), corner.x(), corner.y());
+  cairo_fill(cairo_.get());
+}
+
 void Canvas::outline(const Rectangle& r, int width) {
   fill(r.x - width, r.y - width, r.width + 2 * width, width);
   fill(r.x - width, r.bottom(), r.width + 2 * width, width);
@@ -39,12 +44,12 @@ void Canvas::outline(const Rectangle& r, int width) {
   fill(r.right(), r.y, width, r.height);
 }
 
-// A point nearer than half a pixel to the last one is invisible.
 void Canvas::clip(const Rectangle& r) {
   cairo_rectangle(cairo_.get(), r.x, r.y, r.width, r.height);
   cairo_clip(cairo_.get());
 }
 
+// A point nearer than half a pixel to the last one is invisible.
 void Canvas::line(std::span<const Vec2> points, double width) {
   if (points.empty()) return;
   constexpr double min = 0.5;

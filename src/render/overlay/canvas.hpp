@@ -26,6 +26,8 @@ class Canvas {
 
   void colour(Colour colour, double opacity = 1.0);
   void fill(double x, double y, double width, double height);
+  // Fills a polygon.
+  void fill(std::span<const Vec2> corners);
   // Draws a frame of this width around the rectangle.
   void outline(const Rectangle& r, int width);
   // Restricts later drawing to the rectangle.

@@ -2,6 +2,7 @@
 #include "render/overlay/colour_bar.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -17,12 +18,10 @@ double share_of(double value, const BarText& text) {
   return (0.5 * value - 0.5 * text.min) / (0.5 * text.max - 0.5 * text.min);
 }
 
-// The colours at the ends also stand for everything beyond them.
-std::string beyond(double value, const BarText& text) {
-  constexpr double end = 1e-6;
-  const double share = share_of(value, text);
-  if (share > 1.0 - end) return "≥";
-  return share < end && value != 0.0 ? "≤" : "";
+std::vector<double> values_at(const BarText& text, int intervals) {
+  if (text.logarithmic) return decades(text.min, text.max, intervals);
+  if (text.whole) return whole_values(text.min, text.max, intervals);
+  return neat_values(text.min, text.max, intervals);
 }
 
 // Positions and size of the numbers, px.
@@ -47,16 +46,14 @@ PlacedText number(const Numbers& all, const Font& font, const std::string& text,
 }
 
 Ticks ticks(const Numbers& numbers, const BarText& text, const Font& font, int intervals) {
-  const std::vector<double> values = text.logarithmic ? decades(text.min, text.max, intervals)
-                                                      : neat_values(text.min, text.max, intervals);
+  const std::vector<double> values = values_at(text, intervals);
   const std::vector<std::string> texts = tick_texts(values);
   Ticks all;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double share = std::clamp(share_of(values[k], text), 0.0, 1.0);
     all.marks.push_back(numbers.bar.x +
                         static_cast<int>(std::lround(share * (numbers.bar.width - 1))));
-    all.numbers.push_back(
-        number(numbers, font, beyond(values[k], text) + texts[k], all.marks.back()));
+    all.numbers.push_back(number(numbers, font, texts[k], all.marks.back()));
   }
   return all;
 }
@@ -101,18 +98,40 @@ ColourBar::ColourBar(const Layout& layout, const BarRoom& room, const BarText& t
   const double base = room.label.y + std::round(0.8 * layout.font);
   texts_.push_back(font.place(font.fitting(text.label, layout.font, room.label.width), room.label.x,
                               base, layout.font, 0.0, theme.text));
+  if (text.remark.empty()) return;
+  texts_.push_back(font.place(font.fitting(text.remark, layout.small_font, room.label.width),
+                              room.label.x, room.colours.bottom() + below, layout.small_font, 0.0,
+                              theme.quiet));
 }
 
 void ColourBar::draw(Canvas& canvas, const ColourMap& map) const {
   const std::size_t last = map.colours.size() - 1;
   const std::size_t pixels = std::max<std::size_t>(2, static_cast<std::size_t>(bar_.width)) - 1;
+  // Each colour reaches to the end, under the next ones: so there is no seam where px are not
+  // whole.
   for (int x = 0; x < bar_.width; ++x) {
     canvas.colour(map.colours[static_cast<std::size_t>(x) * last / pixels]);
-    canvas.fill(bar_.x + x, bar_.y, 1, bar_.height);
+    canvas.fill(bar_.x + x, bar_.y, bar_.width - x, bar_.height);
   }
   const int left = (hairline_ - 1) / 2;
   canvas.colour(colour_);
   for (const int mark : marks_) canvas.fill(mark - left, bar_.bottom(), hairline_, mark_);
+}
+
+void ColourBar::draw_ends(Canvas& canvas, const ColourMap& map, const Beyond& beyond) const {
+  if (beyond.below) draw_end(canvas, map.colours.front(), bar_.x, -1);
+  if (beyond.above) draw_end(canvas, map.colours.back(), bar_.right(), 1);
+}
+
+// The rim makes it seen where the colour is that of the ground.
+void ColourBar::draw_end(Canvas& canvas, Colour colour, int from, int towards) const {
+  const double tip = from + towards * 0.7 * bar_.height;
+  const std::array<Vec2, 3> corners{Vec2(from, bar_.y), Vec2(tip, bar_.y + 0.5 * bar_.height),
+                                    Vec2(from, bar_.bottom())};
+  canvas.colour(colour);
+  canvas.fill(corners);
+  canvas.colour(colour_);
+  canvas.line(corners, hairline_);
 }
 
 }  // namespace hackle

@@ -6,8 +6,6 @@
 #include <cstring>
 
 #include "render/overlay/canvas.hpp"
-#include "render/overlay/colour_bar.hpp"
-#include "render/overlay/scale_bar.hpp"
 #include "render/overlay/strip_chart.hpp"
 
 namespace hackle {
@@ -32,35 +30,45 @@ double base_line(const Rectangle& line, double font) {
 Overlay::Overlay(const Layout& layout, const OverlayText& text, const std::vector<ColourMap>& maps,
                  double pixels_a_metre)
     : layout_(layout),
+      text_(text),
+      maps_(maps),
+      pixels_a_metre_(pixels_a_metre),
       theme_(theme_of(text.background)),
       slow_motion_(slow_motion_text(text.slow_motion)) {
   if (layout.font == 0.0) return;
   font_.emplace();
-  markers_ = text.parts.markers;
-  draw_once(text, maps, pixels_a_metre);
+  draw_once();
 }
 
-void Overlay::draw_once(const OverlayText& text, const std::vector<ColourMap>& maps,
-                        double pixels_a_metre) {
-  write_caption(text);
-  std::vector<ColourBar> bars;
+void Overlay::set_bars(const std::vector<BarText>& bars, const std::vector<ColourMap>& maps) {
+  text_.bars = bars;
+  maps_ = maps;
+  if (font_) draw_once();
+}
+
+void Overlay::draw_once() {
+  lasting_.clear();
+  strips_.clear();
+  bars_.clear();
+  write_caption();
   for (std::size_t k = 0; k < layout_.bars.size(); ++k) {
     const ColourBar& bar =
-        bars.emplace_back(layout_, layout_.bars[k], text.bars[k], theme_, *font_);
+        bars_.emplace_back(layout_, layout_.bars[k], text_.bars[k], theme_, *font_);
     lasting_.insert(lasting_.end(), bar.texts().begin(), bar.texts().end());
   }
-  std::optional<ScaleBar> scale;
   if (!layout_.scale.empty()) {
-    scale.emplace(layout_, text, *font_, 1.0 / pixels_a_metre);
-    lasting_.push_back(scale->text());
+    scale_.emplace(layout_, text_, *font_, 1.0 / pixels_a_metre_);
+    lasting_.push_back(scale_->text());
   }
-  const auto draw_all = [&](Canvas& canvas) {
-    for (std::size_t k = 0; k < bars.size(); ++k) bars[k].draw(canvas, maps[k]);
-    if (scale) scale->draw(canvas);
-    for (const PlacedText& one : lasting_) canvas.write(*font_, one);
-  };
+  const auto draw_all = [this](Canvas& canvas) { draw_lasting(canvas); };
   keep({0, 0, layout_.width, layout_.caption.bottom()}, draw_all);
   keep({0, layout_.foot, layout_.width, layout_.height - layout_.foot}, draw_all);
+}
+
+void Overlay::draw_lasting(Canvas& canvas) const {
+  for (std::size_t k = 0; k < bars_.size(); ++k) bars_[k].draw(canvas, maps_[k]);
+  if (scale_) scale_->draw(canvas);
+  for (const PlacedText& one : lasting_) canvas.write(*font_, one);
 }
 
 void Overlay::keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all) {
@@ -72,15 +80,15 @@ void Overlay::keep(const Rectangle& area, const std::function<void(Canvas&)>& dr
   draw_all(canvas);
 }
 
-void Overlay::write_caption(const OverlayText& text) {
+void Overlay::write_caption() {
   const auto write = [&](const std::string& words, const Rectangle& line, double size,
                          Colour colour) {
     if (line.empty()) return;
     lasting_.push_back(font_->place(font_->fitting(words, size, line.width), line.x,
                                     base_line(line, layout_.font), size, 0.0, colour));
   };
-  write(text.title, layout_.title, layout_.font, theme_.text);
-  write(text.note, layout_.note, layout_.small_font, theme_.quiet);
+  write(text_.title, layout_.title, layout_.font, theme_.text);
+  write(text_.note, layout_.note, layout_.small_font, theme_.quiet);
 }
 
 void Overlay::draw_marks(Image& image, const Rectangle& plate, const Camera& camera,
@@ -95,7 +103,7 @@ void Overlay::draw_marks(Image& image, const Rectangle& plate, const Camera& cam
     canvas.disc(camera.pixel(disc.centre), disc.radius * scale.x(), disc.radius * scale.y(),
                 theme_.disc);
   if (!font_) return;
-  const auto placed = place_markers(markers_, layout_, plate, camera, *font_);
+  const auto placed = place_markers(text_.parts.markers, layout_, plate, camera, *font_);
   hackle::draw(canvas, placed, layout_, *font_);
   placed_.insert(placed_.end(), placed.begin(), placed.end());
 }
@@ -138,6 +146,8 @@ void Overlay::draw(Image& image, const std::vector<Camera>& cameras, const Momen
 void Overlay::draw_fleeting(Image& image, const Moment& moment) {
   Canvas canvas(image);
   fleeting_.clear();
+  const std::size_t marked = std::min(bars_.size(), moment.beyond.size());
+  for (std::size_t k = 0; k < marked; ++k) bars_[k].draw_ends(canvas, maps_[k], moment.beyond[k]);
   write_clock(moment.time);
   for (const PlacedText& one : fleeting_) canvas.write(*font_, one);
   draw_chart(canvas, layout_.load_curve, loads_, moment.load_curve, moment.time);

@@ -12,10 +12,12 @@
 #include "render/camera.hpp"
 #include "render/colour_map.hpp"
 #include "render/overlay/chart.hpp"
+#include "render/overlay/colour_bar.hpp"
 #include "render/overlay/font.hpp"
 #include "render/overlay/layout.hpp"
 #include "render/overlay/markers.hpp"
 #include "render/overlay/overlay_text.hpp"
+#include "render/overlay/scale_bar.hpp"
 
 namespace hackle {
 
@@ -23,7 +25,8 @@ namespace hackle {
 struct Moment {
   double time = 0.0;  // s
   std::vector<Circle> discs;
-  Chart load_curve, energy;  // used if the layout has room for them
+  Chart load_curve, energy;         // used if the layout has room for them
+  std::vector<Beyond> beyond = {};  // for each bar; none if there is nothing beyond
 };
 
 class Overlay {
@@ -32,6 +35,9 @@ class Overlay {
   // discs. Throws what Font throws.
   Overlay(const Layout& layout, const OverlayText& text, const std::vector<ColourMap>& maps,
           double pixels_a_metre);
+
+  // Changes the colour bars of the pictures to come.
+  void set_bars(const std::vector<BarText>& bars, const std::vector<ColourMap>& maps);
 
   // Draws on a picture of the layout's size, over anything there that extends beyond the plate.
   // Takes a camera per plate. Moments of a series must be drawn in order: charts show the earlier
@@ -47,10 +53,10 @@ class Overlay {
     Image pixels;
   };
 
-  void draw_once(const OverlayText& text, const std::vector<ColourMap>& maps,
-                 double pixels_a_metre);
+  void draw_once();
+  void draw_lasting(Canvas& canvas) const;
   void keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all);
-  void write_caption(const OverlayText& text);
+  void write_caption();
   void draw_marks(Image& image, const Rectangle& plate, const Camera& camera, const Moment& moment);
   void draw_fleeting(Image& image, const Moment& moment);
   void write_clock(double time);
@@ -58,12 +64,16 @@ class Overlay {
                   double time);
 
   Layout layout_;
+  OverlayText text_;
+  std::vector<ColourMap> maps_;
+  double pixels_a_metre_;
   Theme theme_;
   std::string slow_motion_;
   std::optional<Font> font_;  // empty on a bare picture, which has no text
+  std::vector<ColourBar> bars_;
+  std::optional<ScaleBar> scale_;
   std::vector<Strip> strips_;
-  std::vector<Marker> markers_;
-  std::vector<PlacedMarker> placed_;  // of markers_, as last drawn
+  std::vector<PlacedMarker> placed_;  // of the markers, as last drawn
   ChartHistory loads_, energy_;
   std::vector<PlacedText> lasting_, fleeting_;
 };

@@ -68,6 +68,8 @@ struct BarText {
   std::string label = "damage";
   double min = 0.0, max = 1.0;  // at its ends, in the unit of the label
   bool logarithmic = false;
+  bool whole = false;       // only whole numbers are written
+  std::string remark = {};  // below the label; may be empty
 };
 
 // All texts of a picture, the same for a whole series. Any text may be empty.

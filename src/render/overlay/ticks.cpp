@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 
 #include <fmt/format.h>
 
@@ -12,9 +13,9 @@ namespace {
 
 constexpr double slack = 1e-9;  // so that a round end gets its tick
 
-double neat_at_least(double min) {
+double neat_at_least(double min, std::initializer_list<double> factors = {1.0, 2.0, 2.5, 5.0}) {
   const double decade = std::pow(10.0, std::floor(std::log10(min)));
-  for (const double factor : {1.0, 2.0, 2.5, 5.0})
+  for (const double factor : factors)
     if (factor * decade >= min) return factor * decade;
   return 10.0 * decade;
 }
@@ -50,6 +51,12 @@ std::string printed(const std::string& text) {
 
 std::vector<double> neat_values(double min, double max, int intervals) {
   const double step = step_of(min, max, intervals);
+  return multiples(step, std::ceil(min / step - slack), std::floor(max / step + slack));
+}
+
+std::vector<double> whole_values(double min, double max, int intervals) {
+  const double share = (max / intervals - min / intervals) * (1.0 - slack);
+  const double step = neat_at_least(std::max(share, 1.0), {1.0, 2.0, 5.0});
   return multiples(step, std::ceil(min / step - slack), std::floor(max / step + slack));
 }
 

@@ -11,6 +11,9 @@ namespace hackle {
 // ascending, as many as make at most `intervals` intervals (at least 1).
 std::vector<double> neat_values(double min, double max, int intervals);
 
+// Returns such values that are whole numbers: multiples of 1, 2 or 5 times a power of ten.
+std::vector<double> whole_values(double min, double max, int intervals);
+
 // Returns such values, extended to reach beyond both ends.
 std::vector<double> enclosing_values(double min, double max, int intervals);
 

@@ -545,7 +545,8 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
       "second = 'speed', second_range = {3, 4}, arrange = 'right', cracks = false, thickness = "
       "6*mm, zoom = {7*mm, 8*mm, 9*mm}, follow = 'up', rotate = 0.5, deformed = true, magnify = "
       "11, "
-      "bonds = true, background = 'light', title = 'T', clock = false, bar = true, scale_bar = "
+      "bonds = true, theme = 'light', background = 'dark', title = 'T', clock = false, bar = true, "
+      "scale_bar = "
       "false, load_curve = true, energy = false, markers = {{1*mm, 2*mm, 'm'}} }";
   std::string known = options + " px_per_mm = percentile =";  // alternatives to other options
   expect_all_named(movie_doc, known);
@@ -577,7 +578,8 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
   EXPECT_TRUE(picture.deformed);
   EXPECT_EQ(picture.magnification, 11.0);
   EXPECT_TRUE(picture.bonds);
-  EXPECT_EQ(picture.background, Background::light);
+  EXPECT_EQ(picture.look, Look::light);
+  EXPECT_EQ(picture.background, Background::dark);
   EXPECT_EQ(picture.overlay.title, "T");
   EXPECT_FALSE(picture.overlay.clock);
   EXPECT_TRUE(picture.overlay.bar);

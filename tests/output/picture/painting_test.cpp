@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/picture/painting.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -72,6 +73,86 @@ TEST(Painting, TheOverlayIsAsTheOptionsHaveIt) {
   options.overlay.load_curve = true;
   options.overlay.bar = true;
   EXPECT_GT(paint(simulation, options).height, plain.height);
+}
+
+// A light theme changes ground and map; either can be chosen by itself.
+TEST(Painting, AThemeIsGroundAndColours) {
+  const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  PictureOptions options;
+  options.look = Look::light;
+  EXPECT_EQ(style_of(options, simulation).background, Background::light);
+  EXPECT_EQ(style_of(options, simulation).field.colour_map, "ember");
+  options.second = "von_mises";
+  EXPECT_EQ(style_of(options, simulation).second->colour_map, "lagoon");
+  options.colours = "viridis";
+  options.background = Background::transparent;
+  EXPECT_EQ(style_of(options, simulation).field.colour_map, "viridis");
+  EXPECT_EQ(style_of(options, simulation).background, Background::transparent);
+}
+
+TEST(Painting, OnlyFieldsWithoutALimitWiden) {
+  const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  PictureOptions options;
+  const auto widens = [&](const char* field) {
+    options.field = field;
+    return style_of(options, simulation).field.widens;
+  };
+  for (const char* field : {"damage", "stretch", "fragments", "strength"})
+    EXPECT_FALSE(widens(field)) << field;
+  for (const char* field : {"speed", "stress_xx", "fringes", "displacement"})
+    EXPECT_TRUE(widens(field)) << field;
+  options.range = Ends{0.0, 1.0};
+  EXPECT_FALSE(widens("speed"));
+}
+
+// The plate flies at 30 m/s, far beyond the speeds at which glass breaks.
+TEST(Painting, ARangeFitsWhatIsSeen) {
+  Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  State state = simulation.state();
+  const double unit = simulation.dt() / simulation.lattice().grid.dx;
+  for (int j = 0; j < 40; ++j)
+    for (int i = 0; i < 100; ++i) state.set_v(i, j, {30.0 * unit, 0.0});
+  simulation.restore(std::move(state));
+  PictureOptions options;
+  options.field = "speed";
+  const Ends usual = usual_ends(options, simulation);
+  ASSERT_LT(usual.max, 30.0);
+  const Ends fitting = fitting_range(options, simulation, usual);
+  EXPECT_EQ(fitting.min, usual.min);
+  EXPECT_GE(fitting.max, 30.0);
+  EXPECT_LT(fitting.max, 2.5 * 30.0);
+  const Image shown = paint(simulation, options);
+  options.range = fitting;
+  const Image same = paint(simulation, options);
+  ASSERT_EQ(shown.pixels.size(), same.pixels.size());
+  const Rectangle plate = layout_of(style_of(options, simulation)).plate;
+  int differing = 0;
+  for (int y = plate.y; y < plate.bottom(); ++y)
+    differing += std::equal(&shown.pixels[static_cast<std::size_t>(y * shown.stride())],
+                            &shown.pixels[static_cast<std::size_t>((y + 1) * shown.stride())],
+                            &same.pixels[static_cast<std::size_t>(y * same.stride())])
+                     ? 0
+                     : 1;
+  EXPECT_EQ(differing, 0);
+  EXPECT_NE(shown.pixels, same.pixels) << "the picture says that it was widened";
+}
+
+TEST(Painting, AnAbsentCrackIsAGapInEveryFieldButDamage) {
+  Plate plate = test::edge_crack(12e6);
+  plate.cracks[0].born = Born::absent;
+  const Simulation simulation(plate, test::numerics(1e-3, 4e-3), {1});
+  const Simulation broken(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  PictureOptions options;
+  EXPECT_TRUE(shot_of(options, simulation).gaps.empty());
+  for (const char* field : {"stress_yy", "strength"}) {
+    options.field = field;
+    EXPECT_EQ(shot_of(options, simulation).gaps, shot_of(options, broken).gaps) << field;
+  }
+  const Image image = paint(simulation, options);
+  const Rectangle seen = layout_of(style_of(options, simulation)).plate;
+  const auto* pixel = &image.pixels[static_cast<std::size_t>(
+      (seen.y + seen.height / 2) * image.stride() + 4 * (seen.x + seen.width / 4))];
+  EXPECT_EQ(pixel[2], background_colour.red);
 }
 
 TEST(Painting, ChartsArePaidForOnlyWhereAskedFor) {

@@ -138,6 +138,30 @@ TEST(View, TheUsualMagnificationIsNeatAndHasRoom) {
   EXPECT_EQ(window_of(options, simulation).bottom, -40);
 }
 
+// However it moves, no node of the plate lies outside; half of it moves up and left.
+TEST(View, EnclosesThePlateAsItIsDisplaced) {
+  Simulation simulation = plate();
+  simulation.restore(test::displaced(
+      simulation, [](const Vec2& x) { return x.y() > 0.0 ? Vec2(-0.5, 0.9) : Vec2(0, 0); }));
+  for (const double rotation : {0.0, 0.4, -1.3}) {
+    PictureOptions options;
+    options.deformed = true;
+    options.magnification = 100.0;
+    options.rotation = rotation;
+    const Window window = window_of(options, simulation);
+    const Grid& grid = simulation.lattice().grid;
+    const Camera camera(grid, window, rotation, {0, 0, 1000, 1000});
+    double most = 0.0;
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i) {
+        const Vec2 u = 100.0 / grid.dx * simulation.displacement(i, j);
+        most = std::max(most, camera.share(Vec2(i + 0.5, j + 0.5) + u).cwiseAbs().maxCoeff());
+      }
+    EXPECT_LE(most, 1.0) << rotation;
+    EXPECT_GT(most, 0.95) << rotation << ": not much wider than needed";
+  }
+}
+
 // A cross whose arms end 20 mm right and left of its centre and 10 mm above and below it.
 TEST(View, FollowsInEveryDirection) {
   Plate cross = test::bare_plate(200, 80);

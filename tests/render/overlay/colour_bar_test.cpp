@@ -55,16 +55,55 @@ TEST_F(Bar, OfALogarithmHasItsDecadesEquallyFarApart) {
   expect_at(places, "1000", 0.75);
 }
 
-// Values beyond an end have its colour; only below 0 there is nothing.
-TEST_F(Bar, SaysAtItsEndsWhatLiesBeyond) {
-  const auto both = numbers({"stress", -10.0, 10.0, false});
-  EXPECT_TRUE(both.contains("≤−10") && both.contains("≥10"));
-  const auto damage = numbers({"damage", 0.0, 0.5, false});
-  EXPECT_TRUE(damage.contains("0") && damage.contains("≥0.5"));
-  for (const auto& [text, place] : both)
-    EXPECT_TRUE(place < 0.1 || place > 0.9 ||
-                (text.find("≤") == std::string::npos && text.find("≥") == std::string::npos))
-        << text;
+TEST_F(Bar, OfWholeNumbersHasNoOthers) {
+  const auto few = numbers({"fringes", 0.0, 2.3, false, true});
+  EXPECT_EQ(few.size(), 4U);  // with the label
+  expect_at(few, "0", 0.0);
+  expect_at(few, "1", 1.0 / 2.3);
+  expect_at(few, "2", 2.0 / 2.3);
+  EXPECT_TRUE(numbers({"fringes", 0.0, 13.0, false, true}).contains("5"));
+  EXPECT_TRUE(numbers({"fringes", 0.0, 2.3, false}).contains("0.5"));
+}
+
+TEST_F(Bar, HasARemarkBelowItsLabel) {
+  const auto plain = numbers({"speed", 0.0, 1.0, false});
+  const auto remarked = numbers({"speed", 0.0, 1.0, false, false, "× 5"});
+  EXPECT_EQ(remarked.size(), plain.size() + 1);
+  EXPECT_TRUE(remarked.contains("× 5"));
+  EXPECT_LT(remarked.at("× 5"), 0.0);
+}
+
+// Counts the pixels of a colour left of the bar and right of it.
+std::pair<int, int> ends_drawn(const Beyond& beyond) {
+  OverlayText all;
+  const Layout layout = make_layout({200, 80, 1e-3, {0, 0}}, 1280, all);
+  const ColourBar bar(layout, layout.bars.at(0), all.bars[0], theme_of(Background::dark), Font());
+  const ColourMap map{"two", {{200, 0, 0}, {0, 0, 200}}};
+  Image image(layout.width, layout.height);
+  {
+    Canvas canvas(image);
+    bar.draw_ends(canvas, map, beyond);
+  }
+  const Rectangle& seen = layout.bars[0].colours;
+  const auto count = [&](const Rectangle& area, Colour colour) {
+    return area.width * area.height - test::differing(image, area, colour);
+  };
+  return {count({0, 0, seen.x, layout.height}, map.colours.front()),
+          count({seen.right(), 0, layout.width - seen.right(), layout.height}, map.colours.back())};
+}
+
+// A triangle of 0.7 times the height of the bar, in the colour of its end, less its rim.
+TEST(BarEnds, AreMarkedWhereValuesLieBeyond) {
+  EXPECT_EQ(ends_drawn({}), std::pair(0, 0));
+  OverlayText all;
+  const double height = make_layout({200, 80, 1e-3, {0, 0}}, 1280, all).bars.at(0).colours.height;
+  const double area = 0.5 * 0.7 * height * height, rim = 2.5 * height;
+  const auto below = ends_drawn({true, false}), above = ends_drawn({false, true});
+  EXPECT_NEAR(below.first, area, rim);
+  EXPECT_GT(below.first, 0.3 * area);
+  EXPECT_EQ(below.second, 0);
+  EXPECT_EQ(above.first, 0);
+  EXPECT_GT(above.second, 0.3 * area);
 }
 
 TEST_F(Bar, GoesThroughItsColoursFromTheLeft) {

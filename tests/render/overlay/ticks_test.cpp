@@ -21,6 +21,13 @@ TEST(Ticks, AreNeatWhateverTheRange) {
   EXPECT_THAT(neat_values(0.123, 0.789, 5), Pointwise(DoubleNear(close), {0.2, 0.4, 0.6}));
 }
 
+TEST(Ticks, AreWholeWhereAsked) {
+  EXPECT_THAT(whole_values(0.0, 2.3, 5), ElementsAre(0.0, 1.0, 2.0));
+  EXPECT_THAT(whole_values(0.0, 12.0, 5), ElementsAre(0.0, 5.0, 10.0));
+  EXPECT_THAT(whole_values(-0.4, 0.6, 5), ElementsAre(0.0));
+  EXPECT_THAT(whole_values(0.2, 0.6, 5), ElementsAre());
+}
+
 TEST(Ticks, NeverMakeMoreIntervalsThanAsked) {
   for (const double min : {-1e300, -7.0, 0.0, 1e-9, 1e9})
     for (const double span : {1e-6, 1.0, 3.7, 1e12, 1e300})
