@@ -2,6 +2,7 @@
 #include "app/command_render.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <stdexcept>
 #include <system_error>
@@ -54,8 +55,10 @@ bool is_run_file(const std::string& name) {
   return ends_in(name, ".h5") || ends_in(name, ".hdf5");
 }
 
+constexpr std::array<std::string_view, 3> picture_endings{".png", ".pdf", ".svg"};
+
 void check_out(const std::string& name) {
-  std::vector<std::string_view> endings{".png"};
+  std::vector<std::string_view> endings(picture_endings.begin(), picture_endings.end());
   for (const MovieKind& kind : movie_kinds()) endings.push_back(kind.ending);
   if (std::ranges::any_of(endings, [&](std::string_view ending) { return ends_in(name, ending); }))
     return;
@@ -71,7 +74,8 @@ const FunctionDoc& function_for(const RenderJob& job) {
   const auto has = [&](std::string_view name) {
     return std::ranges::any_of(job.options, [&](const auto& given) { return given.first == name; });
   };
-  const bool picture = ends_in(job.out, ".png");
+  const bool picture = std::ranges::any_of(
+      picture_endings, [&](std::string_view ending) { return ends_in(job.out, ending); });
   if (picture && (job.runs.size() > 1 || has("times"))) return doc_of("", "contact_sheet");
   if (job.runs.size() > 1) return doc_of("", "side_by_side");
   return picture ? doc_of("r", "frame") : doc_of("r", "movie");

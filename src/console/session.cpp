@@ -11,7 +11,6 @@
 #include "base/machine.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
-#include "output/files/picture_files.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -60,10 +59,11 @@ fs::path Session::claim(const std::string& who, const fs::path& name, FileKind k
 }
 
 fs::path Session::write_picture(const std::string& who, const fs::path& name,
-                                const std::function<Image()>& make) {
+                                const std::function<void(const fs::path&)>& write) {
   fs::path path = claim(who, name, FileKind::picture);
   if (settings.purpose != Purpose::results) return path;
-  write_picture_file(make(), path);
+  make_folder_of(path);
+  write(path);
   return path;
 }
 

@@ -71,9 +71,11 @@ class Session {
   // path that cannot be written, and a file that somebody else is writing.
   std::filesystem::path claim(const std::string& who, const std::filesystem::path& name,
                               FileKind kind);
-  // Writes a picture, which is made only then, unless the script is only checked. Returns its path.
-  std::filesystem::path write_picture(const std::string& who, const std::filesystem::path& name,
-                                      const std::function<Image()>& make);
+  // Calls `write` for the path of a picture, in a folder that exists, unless the script is only
+  // checked. Returns the path.
+  std::filesystem::path write_picture(
+      const std::string& who, const std::filesystem::path& name,
+      const std::function<void(const std::filesystem::path&)>& write);
   // Returns the folder of the script; at the prompt "", the current folder.
   std::filesystem::path script_folder() const;
   Sandbox sandbox() const;

@@ -129,11 +129,7 @@ Values by_material(const View& view, Of of) {
 }
 
 Values fringes(const View& view) {
-  check_fringes(view.lattice());
-  const std::vector<Stress> all = stresses(view);
-  return by_material(view, [&](std::size_t node, const Material& material) {
-    return 2.0 * all[node].shear() * fringes_per_stress(material);
-  });
+  return fringes_of(view, stresses(view));
 }
 
 Values strengths(const View& view) {
@@ -199,6 +195,13 @@ constexpr std::array<Scalar, scalar_names.size()> all{{
 static_assert(std::ranges::equal(all, scalar_names, {}, &Scalar::name));
 
 }  // namespace
+
+std::vector<float> fringes_of(const View& view, const std::vector<Stress>& stresses) {
+  check_fringes(view.lattice());
+  return by_material(view, [&](std::size_t node, const Material& material) {
+    return 2.0 * stresses[node].shear() * fringes_per_stress(material);
+  });
+}
 
 std::span<const Scalar> scalars() {
   return all;

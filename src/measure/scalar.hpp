@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/described.hpp"
+#include "measure/bond_field.hpp"
 #include "measure/field.hpp"
 
 namespace hackle {
@@ -58,5 +59,7 @@ const Scalar& scalar_of(std::string_view name);
 // (refused), as its values do, if a material of the lattice has no f.
 inline constexpr std::string_view fringes_name = "fringes";
 void check_fringes(const Lattice& lattice);
+// Returns the fringes of these stresses, by Grid::index, for a plate 1 m thick.
+std::vector<float> fringes_of(const View& view, const std::vector<Stress>& stresses);
 
 }  // namespace hackle

@@ -41,22 +41,23 @@ void draw_bonds(Canvas& canvas, const std::vector<BondLine>& bonds, const DrawnN
                 const Rectangle& plate) {
   const double cell = camera.pixels_a_metre().x() * grid.dx;
   const double width = std::clamp(0.02 * cell, 0.6, 3.0);
-  canvas.clip(plate);
-  for (const BondLine& bond : bonds) {
-    const std::array ends{
-        place_of(bond.i, bond.j, grid, displaced, camera),
-        place_of(bond.i + bond.column, bond.j + bond.row, grid, displaced, camera)};
-    canvas.colour(bond.holds ? holding : broken,
-                  bond.holds ? opacity_of_holding : opacity_of_broken);
-    canvas.line(ends, width);
-  }
-  const double radius = std::clamp(0.1 * cell, 1.5, 12.0);
-  for (const Vec2& node : places_of(nodes, grid, displaced, camera)) {
-    canvas.colour(rim);
-    canvas.dot(node, radius + 1.0);
-    canvas.colour(holding);
-    canvas.dot(node, radius);
-  }
+  canvas.within(plate, [&] {
+    for (const BondLine& bond : bonds) {
+      const std::array ends{
+          place_of(bond.i, bond.j, grid, displaced, camera),
+          place_of(bond.i + bond.column, bond.j + bond.row, grid, displaced, camera)};
+      canvas.colour(bond.holds ? holding : broken,
+                    bond.holds ? opacity_of_holding : opacity_of_broken);
+      canvas.line(ends, width);
+    }
+    const double radius = std::clamp(0.1 * cell, 1.5, 12.0);
+    for (const Vec2& node : places_of(nodes, grid, displaced, camera)) {
+      canvas.colour(rim);
+      canvas.dot(node, radius + 1.0);
+      canvas.colour(holding);
+      canvas.dot(node, radius);
+    }
+  });
 }
 
 }  // namespace hackle

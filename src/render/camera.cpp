@@ -41,6 +41,14 @@ Vec2 Camera::pixel_of_cells(const Vec2& cells) const {
           plate_.y + 0.5 * plate_.height * (1.0 - at.y())};
 }
 
+Vec2 Camera::place(const Vec2& pixel) const {
+  const Vec2 share(2.0 * (pixel.x() - plate_.x) / plate_.width - 1.0,
+                   1.0 - 2.0 * (pixel.y() - plate_.y) / plate_.height);
+  const Vec2 turned = share.cwiseProduct(half_);
+  const Vec2 cells(cos_ * turned.x() + sin_ * turned.y(), -sin_ * turned.x() + cos_ * turned.y());
+  return grid_.centre + grid_.dx * (middle_ + cells - 0.5 * Vec2(grid_.nx, grid_.ny));
+}
+
 Vec2 Camera::pixels_a_metre() const {
   return {0.5 * plate_.width / (half_.x() * grid_.dx),
           0.5 * plate_.height / (half_.y() * grid_.dx)};

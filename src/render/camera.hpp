@@ -19,6 +19,8 @@ class Camera {
   Vec2 pixel_of_cells(const Vec2& cells) const;
   // Maps a point in m to px of the picture.
   Vec2 pixel(const Vec2& place) const;
+  // Returns the point in m that is seen at these px.
+  Vec2 place(const Vec2& pixel) const;
   // Returns px per metre along x and y; they differ in a stretched picture.
   Vec2 pixels_a_metre() const;
 

@@ -9,8 +9,6 @@
 namespace hackle {
 namespace {
 
-// Nodes around a corner of the lattice: lower left, lower right, upper left, upper right.
-constexpr int around = 4;
 using Places = std::array<Vec2, around>;
 
 class Corners {
@@ -25,7 +23,7 @@ class Corners {
     Places places;
     places.fill(at_rest);
     if (displaced_.displacement.empty()) return places;
-    std::array<unsigned, around> group = groups(i, j);
+    const std::array<unsigned, around> group = joined_around(grid_, displaced_.links, i, j);
     for (int k = 0; k < around; ++k)
       places[static_cast<std::size_t>(k)] += mean(i, j, group[static_cast<std::size_t>(k)]);
     return places;
@@ -33,27 +31,6 @@ class Corners {
 
  private:
   bool has(int i, int j) const { return grid_.contains(i, j); }
-  bool linked(int i, int j, std::uint8_t bit) const {
-    return has(i, j) && (displaced_.links[grid_.index(i, j)] & bit) != 0;
-  }
-
-  // For each surrounding node, bits of the nodes it is joined to, itself included.
-  std::array<unsigned, around> groups(int i, int j) const {
-    std::array<unsigned, around> group{1, 2, 4, 8};
-    const auto join = [&](std::size_t one, std::size_t other) {
-      const unsigned both = group[one] | group[other];
-      for (std::size_t k = 0; k < around; ++k)
-        if ((both >> k & 1U) != 0) group[k] = both;
-    };
-    if (linked(i - 1, j - 1, Link::right)) join(0, 1);
-    if (linked(i - 1, j, Link::right)) join(2, 3);
-    if (linked(i - 1, j - 1, Link::above)) join(0, 2);
-    if (linked(i, j - 1, Link::above)) join(1, 3);
-    if (linked(i - 1, j - 1, Link::above_right)) join(0, 3);
-    if (linked(i, j - 1, Link::above_left)) join(1, 2);
-    return group;
-  }
-
   // Returns the mean magnified displacement of the nodes in a group, in cells.
   Vec2 mean(int i, int j, unsigned group) const {
     Vec2 sum(0, 0);
@@ -80,6 +57,26 @@ double farthest(const Displaced& displaced) {
 }
 
 }  // namespace
+
+std::array<unsigned, around> joined_around(const Grid& grid, std::span<const std::uint8_t> links,
+                                           int i, int j) {
+  std::array<unsigned, around> group{1, 2, 4, 8};
+  const auto join = [&](std::size_t one, std::size_t other) {
+    const unsigned both = group[one] | group[other];
+    for (std::size_t k = 0; k < around; ++k)
+      if ((both >> k & 1U) != 0) group[k] = both;
+  };
+  const auto linked = [&](int column, int row, std::uint8_t bit) {
+    return grid.contains(column, row) && (links[grid.index(column, row)] & bit) != 0;
+  };
+  if (linked(i - 1, j - 1, Link::right)) join(0, 1);
+  if (linked(i - 1, j, Link::right)) join(2, 3);
+  if (linked(i - 1, j - 1, Link::above)) join(0, 2);
+  if (linked(i, j - 1, Link::above)) join(1, 3);
+  if (linked(i - 1, j - 1, Link::above_right)) join(0, 3);
+  if (linked(i, j - 1, Link::above_left)) join(1, 2);
+  return group;
+}
 
 Blocks blocks_of(const Window& window, const Window& seen, int width, int height) {
   Blocks blocks;

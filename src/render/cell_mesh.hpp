@@ -3,6 +3,7 @@
 // the bonds between neighbours are broken, the plate opens.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,6 +33,14 @@ struct Displaced {
   std::span<const std::uint8_t> links;  // of Link
   double magnification = 1.0;           // factor on the displacement
 };
+
+// The four nodes around a corner of the lattice: lower left, lower right, upper left, upper right.
+inline constexpr int around = 4;
+// Returns, for each node around the corner between columns i - 1 and i and rows j - 1 and j, bits
+// of those among the four that it is joined to, itself included. Nodes beyond the lattice are
+// joined to none.
+std::array<unsigned, around> joined_around(const Grid& grid, std::span<const std::uint8_t> links,
+                                           int i, int j);
 
 // Returns the cells that may be visible in the window, turned by `rotation` (rad): displacements
 // may move outside cells into it.

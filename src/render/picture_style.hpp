@@ -39,7 +39,10 @@ struct PictureStyle {
   std::optional<Window> window;  // visible part of the plate; default: all
   double rotation = 0.0;         // rad, anticlockwise, about the centre of the visible part
   double magnification = 0.0;    // of displacements; 0 shows the undeformed plate
+  bool encloses = false;         // the window grows where the displaced plate leaves it
   int width = 1280;              // px, even
+  double dpi = 300.0;            // px per inch of paper, in a file of vectors
+  double font = 0.0;             // px, of titles, time and names; 0: suits the width
   double cell = 0.0;             // px; 0: as large as the width allows
   int bare_height = 0;           // px; if above 0, the plate alone is stretched to fill the picture
   FieldStyle field;
@@ -50,6 +53,7 @@ struct PictureStyle {
   Background background = Background::dark;
   std::string note;          // describes the view, "deformed × 100"; may be empty
   double slow_motion = 0.0;  // slow-motion factor; 0: not shown
+  bool smooth = false;       // interpolates between nodes, where cells are larger than px
   bool bonds = false;        // draws bonds and nodes one by one
 };
 

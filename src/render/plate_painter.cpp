@@ -13,48 +13,22 @@
 #include "render/bond_drawing.hpp"
 #include "render/camera.hpp"
 #include "render/cell_mesh.hpp"
-#include "render/colour_map.hpp"
 #include "render/gl/colour_pass.hpp"
 #include "render/gl/gl_context.hpp"
 #include "render/gl/mesh_pass.hpp"
+#include "render/interpolation.hpp"
 #include "render/overlay/layout.hpp"
 #include "render/overlay/overlay.hpp"
 #include "render/samples.hpp"
 #include "render/seen_range.hpp"
+#include "render/style_text.hpp"
+#include "render/vector_file.hpp"
 
 namespace hackle {
 namespace {
 
 Window window_of(const PictureStyle& style) {
   return style.window.value_or(Window{0, 0, style.grid.nx, style.grid.ny});
-}
-
-// The unit of the colour bar, with the prefix that suits its larger end.
-PrefixedUnit unit_of(const FieldStyle& field) {
-  return prefixed(std::max(std::abs(field.min), std::abs(field.max)), field.unit);
-}
-
-std::string bar_label(const FieldStyle& field) {
-  return field.unit.empty()
-             ? field.label
-             : fmt::format("{} ({})", field.label, printed_unit(unit_of(field).name));
-}
-
-BarText bar_of(const FieldStyle& field) {
-  const double unit = unit_of(field).factor;
-  return {bar_label(field), field.min / unit, field.max / unit, field.logarithmic, field.whole, ""};
-}
-
-OverlayText text_of(const PictureStyle& style) {
-  OverlayText text;
-  text.parts = style.overlay;
-  text.title = style.title;
-  text.note = style.note;
-  text.slow_motion = style.slow_motion;
-  text.bars = {bar_of(style.field)};
-  if (style.second) text.bars.push_back(bar_of(*style.second));
-  text.background = style.background;
-  return text;
 }
 
 // Premultiplied by the opacity of the theme.
@@ -72,19 +46,8 @@ std::array<float, 4> gap_of(const PictureStyle& style) {
   return with_opacity(theme, theme.gap);
 }
 
-ColourMap map_of(const FieldStyle& field) {
-  if (field.colour_map == fringes_name) return fringe_map(field.min, field.max);
-  return load_colour_map(field.colour_map);
-}
-
-std::vector<ColourMap> maps_of(const PictureStyle& style) {
-  std::vector<ColourMap> maps{map_of(style.field)};
-  if (style.second) maps.push_back(map_of(*style.second));
-  return maps;
-}
-
 Colouring colouring_of(const FieldStyle& field) {
-  return {map_of(field), field.min, field.max, field.logarithmic};
+  return {colour_map_of(field), field.min, field.max, field.logarithmic};
 }
 
 bool is_beside(const PictureStyle& style) {
@@ -105,7 +68,7 @@ int points_for(int cells, int pixels) {
 
 Layout layout_of(const PictureStyle& style) {
   if (style.bare_height > 0) return bare_layout(style.width, style.bare_height);
-  return make_layout(part(style.grid, window_of(style)), style.width, text_of(style),
+  return make_layout(part(style.grid, window_of(style)), style.width, overlay_text_of(style),
                      {style.cell, is_beside(style)});
 }
 
@@ -113,7 +76,7 @@ struct PlatePainter::Parts {
   explicit Parts(PictureStyle style_)
       : style(std::move(style_)),
         layout(layout_of(style)),
-        overlay(layout, text_of(style), maps_of(style),
+        overlay(layout, overlay_text_of(style), colour_maps_of(style),
                 camera(layout.plate, window_of(style)).pixels_a_metre().x()),
         context(layout.width, layout.height),
         first_pass(gl, background_of(style), gap_of(style), colouring_of(style.field)) {
@@ -151,8 +114,9 @@ struct PlatePainter::Parts {
 
   void draw_cells(ColourPass& pass, const Rectangle& plate, const Shot& shot,
                   const Window& window) {
-    const int width = points_for(window.nx, plate.width);
-    const int height = points_for(window.ny, plate.height);
+    const bool smooth = is_smooth(plate, window);
+    const int width = smooth ? plate.width : points_for(window.nx, plate.width);
+    const int height = smooth ? plate.height : points_for(window.ny, plate.height);
     const Points points = points_of(pass, shot, window, width, height);
     fit_ranges(pass, points);
     if (width == plate.width && height == plate.height)
@@ -181,10 +145,16 @@ struct PlatePainter::Parts {
     copy_to_picture(mesh_pass->framebuffer(), plate.width, plate.height, plate);
   }
 
+  bool is_smooth(const Rectangle& plate, const Window& window) const {
+    return style.smooth && plate.width > window.nx && plate.height > window.ny;
+  }
+
   // Spreads the points evenly over the window.
   Points points_of(const ColourPass& pass, const Shot& shot, const Window& window, int width,
                    int height) const {
+    const bool smooth = !mesh_pass && is_smooth({0, 0, width, height}, window);
     const auto sampled = [&](const std::vector<float>& values, const FieldStyle& field) {
+      if (smooth) return interpolated(values, shot.links, style.grid, window, width, height);
       return samples(values, style.grid, window, width, height, field.sampling);
     };
     Points points{width, height, {}, {}, {}, {}};
@@ -195,6 +165,39 @@ struct PlatePainter::Parts {
     points.middle = {width * (0.5 * style.grid.nx - window.left) / window.nx,
                      height * (0.5 * style.grid.ny - window.bottom) / window.ny};
     return points;
+  }
+
+  Window window_for(const Shot& shot) {
+    if (shot.window) return *shot.window;
+    if (style.encloses && !shot.displacement.empty()) enclose(shot);
+    return window_of(style);
+  }
+
+  // Grows the window by halves until it contains all nodes that are joined to others.
+  void enclose(const Shot& shot) {
+    const Window before = window_of(style);
+    Window window = before;
+    const int most = 10 * std::max(style.grid.nx, style.grid.ny);
+    while (leaves(shot, window) && std::max(window.nx, window.ny) < most)
+      window = {window.left - window.nx / 4, window.bottom - window.ny / 4,
+                window.nx + 2 * (window.nx / 4), window.ny + 2 * (window.ny / 4)};
+    if (window.nx == before.nx) return;
+    style.window = window;
+    overlay.set_scale(camera(layout.plate, window).pixels_a_metre().x());
+  }
+
+  bool leaves(const Shot& shot, const Window& window) const {
+    const Camera seen = camera(layout.plate, window);
+    const double cells_a_metre = style.magnification / style.grid.dx;
+    for (int j = 0; j < style.grid.ny; ++j)
+      for (int i = 0; i < style.grid.nx; ++i) {
+        const std::size_t node = style.grid.index(i, j);
+        if (shot.links[node] == 0) continue;
+        const Vec2 u(shot.displacement[2 * node], shot.displacement[2 * node + 1]);
+        if (seen.share(Vec2(i + 0.5, j + 0.5) + cells_a_metre * u).cwiseAbs().maxCoeff() > 1.0)
+          return true;
+      }
+    return false;
   }
 
   bool is_second(const ColourPass& pass) const { return second_pass && &pass == &*second_pass; }
@@ -225,10 +228,10 @@ struct PlatePainter::Parts {
 
   void update_bars() {
     if (!bars_changed) return;
-    std::vector<BarText> bars = text_of(style).bars;
+    std::vector<BarText> bars = overlay_text_of(style).bars;
     for (std::size_t k = 0; k < bars.size(); ++k)
       if (widened_by[k] > 1.0) bars[k].remark = fmt::format("range × {:g}", widened_by[k]);
-    overlay.set_bars(bars, maps_of(style));
+    overlay.set_bars(bars, colour_maps_of(style));
     bars_changed = false;
   }
 
@@ -251,11 +254,32 @@ struct PlatePainter::Parts {
                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
 
-  void draw_lattice(Image& image, const Shot& shot, const Window& window) const {
+  // Paints the plates, with nothing on them or around them.
+  Image painted(const Shot& shot, const Window& window) {
+    context.make_current();
+    draw_all(shot, window);
+    update_bars();
+    return context.finish();
+  }
+
+  Moment moment(const Shot& shot) const {
+    return {shot.time, shot.discs, shot.load_curve, shot.energy, beyond};
+  }
+
+  void draw_page(Canvas& canvas, const Image& plates, const Shot& shot, const Window& window) {
+    const Theme& theme = theme_of(style.background);
+    canvas.colour(theme.background, theme.opacity);
+    canvas.fill(0, 0, layout.width, layout.height);
+    for (const Rectangle& plate : {layout.plate, layout.second_plate})
+      canvas.copy(plates, plate, plate.x, plate.y);
+    draw_lattice(canvas, shot, window);
+    overlay.draw(canvas, cameras(window), moment(shot));
+  }
+
+  void draw_lattice(Canvas& canvas, const Shot& shot, const Window& window) const {
     for (const Rectangle& plate : {layout.plate, layout.second_plate}) {
       if (plate.empty() || !style.bonds) continue;
       const Displaced displaced{shot.displacement, shot.links, style.magnification};
-      Canvas canvas(image);
       draw_bonds(canvas, shot.bonds,
                  {seen_cells(window, style.rotation, style.grid, displaced), shot.values},
                  style.grid, displaced, camera(plate, window), plate);
@@ -285,17 +309,26 @@ int PlatePainter::width() const {
 int PlatePainter::height() const {
   return parts_->layout.height;
 }
+const std::vector<Beyond>& PlatePainter::beyond() const {
+  return parts_->beyond;
+}
 
 Image PlatePainter::paint(const Shot& shot) {
-  const Window window = shot.window.value_or(window_of(parts_->style));
-  parts_->context.make_current();
-  parts_->draw_all(shot, window);
-  Image image = parts_->context.finish();
-  parts_->draw_lattice(image, shot, window);
-  parts_->update_bars();
-  parts_->overlay.draw(image, parts_->cameras(window),
-                       {shot.time, shot.discs, shot.load_curve, shot.energy, parts_->beyond});
+  const Window window = parts_->window_for(shot);
+  Image image = parts_->painted(shot, window);
+  if (parts_->style.bonds) {
+    Canvas canvas(image);
+    parts_->draw_lattice(canvas, shot, window);
+  }
+  parts_->overlay.draw(image, parts_->cameras(window), parts_->moment(shot));
   return image;
+}
+
+void PlatePainter::write_vectors(const Shot& shot, const std::filesystem::path& path) {
+  const Window window = parts_->window_for(shot);
+  const Image plates = parts_->painted(shot, window);
+  hackle::write_vectors(path, {width(), height(), parts_->style.dpi},
+                        [&](Canvas& canvas) { parts_->draw_page(canvas, plates, shot, window); });
 }
 
 }  // namespace hackle

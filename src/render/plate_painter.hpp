@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "measure/bond_lines.hpp"
 #include "measure/field.hpp"
 #include "render/overlay/chart.hpp"
+#include "render/overlay/colour_bar.hpp"
 #include "render/picture_style.hpp"
 
 namespace hackle {
@@ -21,7 +23,7 @@ struct Shot {
   std::vector<float> second;        // of the second field, if the style has one
   std::vector<std::uint8_t> gaps;   // damage in 1/255, shown as gaps; may be empty
   std::vector<float> displacement;  // m, x and y; empty for the undeformed plate
-  std::vector<std::uint8_t> links;  // of Link, if there are displacements
+  std::vector<std::uint8_t> links;  // of Link, if there are displacements or the style is smooth
   std::vector<BondLine> bonds;      // drawn one by one
   double time = 0.0;                // s
   std::vector<Circle> discs;
@@ -42,10 +44,16 @@ class PlatePainter {
 
   int width() const;   // px, even unless bare
   int height() const;  // px, even, from the shape of the visible part; or as the style says
+  // Returns at which ends of each bar values of the last picture lie beyond it.
+  const std::vector<Beyond>& beyond() const;
 
-  // Widens the range of a field that does so, from this picture on, where what is seen does not
-  // fit. Discs are drawn at their positions, over the plate, displaced or not.
+  // From this picture on, widens the range of a field that does so, and the window of a style that
+  // encloses the plate, where what is seen does not fit. Discs are drawn at their positions, over
+  // the plate, displaced or not.
   Image paint(const Shot& shot);
+  // Writes the same picture as vectors, with the plate as an embedded image: texts, bars, axes,
+  // marks and bonds. Throws what write_vectors throws.
+  void write_vectors(const Shot& shot, const std::filesystem::path& path);
 
  private:
   struct Parts;

@@ -72,9 +72,11 @@ void check_size(const std::filesystem::path& path, const Reader& reader) {
 
 }  // namespace
 
-void check_png(const std::filesystem::path& path) {
+PictureSize size_of_png(const std::filesystem::path& path) {
   check_is_there(path);
-  check_size(path, Reader(path));
+  const Reader reader(path);
+  check_size(path, reader);
+  return {static_cast<int>(reader.width()), static_cast<int>(reader.height())};
 }
 
 GreyImage read_png(const std::filesystem::path& path) {

@@ -21,8 +21,13 @@ inline constexpr std::int64_t max_pixels = std::int64_t{1} << 24;
 // more than max_pixels.
 GreyImage read_png(const std::filesystem::path& path);
 
-// Throws what read_png() throws for a file that is not a PNG or is too large, without reading its
-// pixels.
-void check_png(const std::filesystem::path& path);
+// In px.
+struct PictureSize {
+  int width = 0, height = 0;
+};
+
+// Returns the size of a PNG without reading its pixels. Throws what read_png() throws for a file
+// that is none or is too large.
+PictureSize size_of_png(const std::filesystem::path& path);
 
 }  // namespace hackle

@@ -44,6 +44,7 @@ std::string script(const std::vector<std::string>& words) {
 TEST(RenderScript, CallsTheFunctionThatMakesIt) {
   EXPECT_EQ(script({"a.h5", "x.png", "time=20*us"}),
             "(recording \"a.h5\"):frame { \"x.png\", time = 20*us }");
+  EXPECT_EQ(script({"a.h5", "x.pdf"}), "(recording \"a.h5\"):frame { \"x.pdf\" }");
   EXPECT_EQ(script({"a.h5", "x.webm"}), "(recording \"a.h5\"):movie { \"x.webm\" }");
   EXPECT_EQ(script({"a.h5", "x.PNG", "times={0,1*us}"}),
             "contact_sheet { \"x.PNG\", times = {0,1*us}, recordings = { recording \"a.h5\" } }");

@@ -57,10 +57,9 @@ TEST(OneWriter, WithinAScript) {
 
 TEST(OneWriter, EndingsDecideKinds) {
   for (const auto& [call, says] : std::vector<Pair>{
-           {"s:frame { 'x.pdf' }",
-            "frame: 'x.pdf' ends in '.pdf', which is no picture (one of .png)"},
-           {"s:frame { 'x.svg' }", "no picture"},
-           {"s:frame { 'x.jpg' }", "no picture"},
+           {"s:frame { 'x.jpg' }",
+            "frame: 'x.jpg' ends in '.jpg', which is no picture (one of .png, .pdf, .svg)"},
+           {"contact_sheet { 'x.pdf', pictures = { 'b.png' } }", "would hold pixels only"},
            {"s:frame { 'a.mp4' }", "movie{} makes .mp4"},
            {"s:frame { 'a' }", "has no ending"},
            {"s:record { 'x.lua', every = 1*us }", "script{} makes .lua"},

@@ -46,12 +46,50 @@ TEST(ContactSheet, LaysPicturesOutInColumns) {
   EXPECT_EQ(painted(sheet, 4 + 75 + 10), 0);
 }
 
-TEST(ContactSheet, AFlatPictureLiesInTheMiddleOfItsCell) {
+TEST(ContactSheet, ARowIsAsHighAsItsHighestPicture) {
   const test::Folder folder;
-  const Image sheet = contact_sheet({{white_png(folder.path, 400, 100), ""}}, {4, 100});
-  EXPECT_EQ(painted(sheet, 4 + 37), 100);
-  EXPECT_EQ(painted(sheet, 4 + 20), 0);
-  EXPECT_EQ(painted(sheet, 4 + 55), 0);
+  const auto flat = white_png(folder.path, 400, 100);
+  const Image sheet = contact_sheet({{flat, ""}}, {4, 100});
+  EXPECT_EQ(sheet.height, 4 + 25 + 22 + 2 + 0);
+  EXPECT_EQ(painted(sheet, 4 + 12), 100);
+  std::filesystem::rename(flat, folder.path / "flat.png");
+  const auto high = white_png(folder.path, 100, 50);
+  const Image both = contact_sheet({{folder.path / "flat.png", ""}, {high, ""}}, {2, 100});
+  EXPECT_EQ(both.height, 4 + 50 + 22 + 2);
+  EXPECT_EQ(painted(both, 4 + 2), 100) << "only the higher one";
+  EXPECT_EQ(painted(both, 4 + 25), 200) << "the flat one lies in the middle";
+}
+
+TEST(ContactSheet, LettersStandBeforeTheTitles) {
+  const test::Folder folder;
+  const auto file = white_png(folder.path, 400, 100);
+  SheetLayout layout{2, 100};
+  layout.titled = false;
+  const int without = contact_sheet({{file, ""}, {file, ""}}, layout).height;
+  layout.letters = true;
+  const Image sheet = contact_sheet({{file, ""}, {file, ""}}, layout);
+  EXPECT_GT(sheet.height, without);
+  int left = 0, right = 0;
+  for (int y = 4 + 25 + 1; y < sheet.height; ++y)
+    for (int x = 0; x < sheet.width; ++x)
+      if (red_at(sheet, x, y) != background_colour.red) ++(x < 4 + 100 + 2 ? left : right);
+  EXPECT_GT(left, 10);
+  EXPECT_GT(right, 10);
+}
+
+TEST(ContactSheet, HasTheGroundOfItsLookAndItsLegend) {
+  const test::Folder folder;
+  SheetLayout layout{1, 100};
+  layout.look = Look::light;
+  std::vector<SheetImage> images{{Image(100, 50), ""}};
+  const int plain = contact_sheet(images, layout).height;
+  Image legend(104, 9);
+  std::ranges::fill(legend.pixels, std::uint8_t{255});
+  for (std::size_t k = 2; k < legend.pixels.size(); k += 4) legend.pixels[k] = 77;
+  const Image sheet = contact_sheet(images, layout, legend);
+  EXPECT_EQ(sheet.height, plain + 9);
+  EXPECT_EQ(red_at(sheet, 1, 1), 255);
+  EXPECT_EQ(red_at(sheet, 50, sheet.height - 5), 77);
 }
 
 TEST(ContactSheet, TitlesStandBelowAndStayInTheirCell) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/plate_painter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -8,12 +9,14 @@
 
 #include <gtest/gtest.h>
 
+#include "measure/links.hpp"
 #include "render/camera.hpp"
 #include "render/cell_mesh.hpp"
 #include "render/colour_map.hpp"
 #include "render/overlay/layout.hpp"
 #include "render/overlay/overlay.hpp"
 #include "render/theme.hpp"
+#include "support/pixels.hpp"
 
 namespace hackle {
 namespace {
@@ -168,6 +171,58 @@ TEST(PlatePainter, MarksTheBarWhereValuesLieBeyond) {
   };
   expect_near(beside(0.5F), background_colour);
   expect_near(beside(0.6F), load_colour_map("damage").colours.back());
+}
+
+// Values 0 left and 1 right of the middle: a smooth picture has a value between them where they
+// meet, unless no bond joins the two halves.
+TEST(PlatePainter, ASmoothPictureInterpolatesButNotAcrossCracks) {
+  PictureStyle s = style(8, 8);
+  s.smooth = true;
+  s.field.max = 1.0;
+  Shot f = shot(s, 0.0F);
+  f.links.assign(s.grid.nodes(), Link::right | Link::above_right | Link::above | Link::above_left);
+  for (int j = 0; j < 8; ++j)
+    for (int i = 4; i < 8; ++i) f.values[s.grid.index(i, j)] = 1.0F;
+  const ColourMap map = load_colour_map("damage");
+  const Rectangle plate = layout_of(s).plate;
+  const auto beside_the_middle = [&](const Shot& shown, int px) {
+    return pixel(PlatePainter(s).paint(shown), plate.x + plate.width / 2 + px,
+                 plate.y + plate.height / 2);
+  };
+  const double share = 0.5 + 0.5 / (plate.width / 8);  // of a cell, half a px from the middle
+  expect_near(beside_the_middle(f, 0), map.colours[static_cast<std::size_t>(255.0 * share)]);
+  for (int j = 0; j < 8; ++j) {
+    f.links[s.grid.index(3, j)] = Link::above | Link::above_left;
+    f.links[s.grid.index(4, j)] = Link::right | Link::above | Link::above_right;
+  }
+  expect_near(beside_the_middle(f, 0), map.colours.back());
+  expect_near(beside_the_middle(f, -1), map.colours.front());
+}
+
+// A plate that flies off its frame, as in a film whose frame was chosen before: it is smaller from
+// then on, and whole.
+TEST(PlatePainter, AWindowGrowsAroundADisplacedPlate) {
+  PictureStyle s = style(16, 8);
+  s.magnification = 100.0;
+  Shot f = shot(s, 1.0F);
+  f.links.assign(s.grid.nodes(), Link::right | Link::above_right | Link::above | Link::above_left);
+  f.displacement.assign(2 * s.grid.nodes(), 0.0F);
+  for (std::size_t node = 0; node < s.grid.nodes(); ++node) f.displacement[2 * node] = -60e-6F;
+  const Rectangle plate = layout_of(s).plate;
+  const Colour bright = load_colour_map("damage").colours.back();
+  const auto seen = [&](const Image& image) {
+    return plate.width * plate.height - test::differing(image, plate, bright);
+  };
+  const int cut = seen(PlatePainter(s).paint(f));
+  EXPECT_NEAR(cut, 10.0 / 16.0 * plate.width * plate.height, 2.0 * plate.height);
+  s.encloses = true;
+  PlatePainter painter(s);
+  const Image whole = painter.paint(f);
+  // 6 cells of 16 to the left: a window of 24 by 12 cells is 4 short, one of 36 by 18 is not.
+  EXPECT_NEAR(seen(whole), 16.0 * 8.0 / (36.0 * 18.0) * plate.width * plate.height,
+              0.02 * plate.width * plate.height);
+  std::ranges::fill(f.displacement, 0.0F);
+  EXPECT_NEAR(seen(painter.paint(f)), seen(whole), 0.005 * plate.width * plate.height);
 }
 
 TEST(PlatePainter, FringesAreDarkAtWholeOrders) {

@@ -12,8 +12,11 @@
 #include "console/lua/guard.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/session.hpp"
+#include "output/files/panels.hpp"
 #include "output/files/replay.hpp"
 #include "render/contact_sheet.hpp"
+#include "render/png.hpp"
+#include "render/vector_file.hpp"
 
 namespace hackle {
 namespace {
@@ -41,9 +44,10 @@ constexpr FunctionDoc contact_sheet_doc{
 std::vector<SheetPicture> pictures_of(const Session& session, const SheetOptions& options,
                                       Problems& problems) {
   std::vector<SheetPicture> pictures;
-  for (const std::string& name : options.pictures)
-    pictures.push_back(
-        {session.written_path("contact_sheet", name), std::filesystem::path(name).stem().string()});
+  const std::vector<std::string> names =
+      panel_names({options.pictures.begin(), options.pictures.end()});
+  for (std::size_t k = 0; k < names.size(); ++k)
+    pictures.push_back({session.written_path("contact_sheet", options.pictures[k]), names[k]});
   set_titles("contact_sheet", "pictures", options.titles, pictures, problems);
   return pictures;
 }
@@ -66,7 +70,8 @@ void check_kind(Arguments& arguments) {
 }
 
 SheetLayout layout_of(const SheetOptions& options, Look look) {
-  return {.columns = options.columns, .width = options.width, .look = look};
+  return {
+      .columns = options.columns, .width = options.width, .look = look, .letters = options.letters};
 }
 
 // Paints each picture at least as large as the smallest allowed.
@@ -75,6 +80,13 @@ Image sheet_of_recordings(const Arguments& arguments, const Tiles& tiles,
   auto picture = noun_of<PictureOptions>(arguments);
   picture.width = std::max(min_picture_width, sheet.width + sheet.width % 2);
   return sheet_of(tiles, sheet.times, picture, layout_of(sheet, picture.look));
+}
+
+void refuse_vectors(const std::filesystem::path& path) {
+  if (!is_vector_file(path)) return;
+  throw Error(ErrorKind::refused,
+              fmt::format("contact_sheet: '{}' would hold pixels only", path.filename().string()),
+              "name a PNG; frame{} writes PDF and SVG");
 }
 
 int make_contact_sheet(lua_State* L) {
@@ -87,10 +99,13 @@ int make_contact_sheet(lua_State* L) {
   const auto pictures =
       recorded ? std::vector<SheetPicture>{} : pictures_of(session, options, arguments.problems);
   arguments.problems.throw_if_any();
-  session.write_picture("contact_sheet", arguments.text("file"), [&] {
-    return recorded ? sheet_of_recordings(arguments, tiles, options)
-                    : contact_sheet(pictures,
-                                    layout_of(options, noun_of<PictureOptions>(arguments).look));
+  refuse_vectors(arguments.text("file"));
+  session.write_picture("contact_sheet", arguments.text("file"), [&](const auto& path) {
+    const Image sheet =
+        recorded
+            ? sheet_of_recordings(arguments, tiles, options)
+            : contact_sheet(pictures, layout_of(options, noun_of<PictureOptions>(arguments).look));
+    write_png(sheet, path);
   });
   return 0;
 }

@@ -33,7 +33,9 @@ inline constexpr std::array file_option{
            .sentence = "File name; relative to the output folder."}};
 
 // Where the size is given otherwise, or by the terminal.
-inline constexpr auto unsized_picture_options =
-    without("width", without("px_per_mm", options_of<PictureOptions>));
+inline constexpr auto unsized_picture_options = without(
+    "width",
+    without("px_per_mm",
+            without("paper", without("dpi", without("font_size", options_of<PictureOptions>)))));
 
 }  // namespace hackle

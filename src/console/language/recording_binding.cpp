@@ -14,6 +14,7 @@
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
 #include "console/session.hpp"
+#include "output/files/panels.hpp"
 #include "output/files/replay.hpp"
 #include "output/picture/chart_data.hpp"
 #include "output/picture/painting.hpp"
@@ -49,9 +50,9 @@ int frame(lua_State* L) {
   check("frame", options, recording.view().lattice().grid);
   check_recorded("frame", options);
   check_alone("frame", options);
-  session.write_picture("frame", arguments.text("file"), [&] {
+  session.write_picture("frame", arguments.text("file"), [&](const std::filesystem::path& path) {
     show_record(recording, noun_of<ShownRecord>(arguments));
-    return paint(recording.view(), options);
+    write_picture(recording.view(), options, path);
   });
   return 0;
 }
@@ -98,7 +99,8 @@ int side_by_side(lua_State* L) {
     const auto options = noun_of<SideBySideOptions>(arguments);
     auto movie = noun_of<MovieOptions>(arguments);
     movie.picture.width = options.width;
-    film_side_by_side(tiles, path, movie, noun_of<Moments>(arguments), options.columns,
+    film_side_by_side(tiles, path, movie, noun_of<Moments>(arguments),
+                      {.columns = options.columns, .letters = options.letters},
                       session.settings.execution.thread_count(), session.settings.talk,
                       *session.names);
   });
@@ -161,7 +163,11 @@ constexpr std::array recording_fields{
 Tiles tiles_of(Arguments& arguments, const char* who) {
   Tiles tiles;
   for (const auto& recording : arguments.get<Recordings>("recordings", {}))
-    tiles.push_back({recording, recording->path().stem().string()});
+    tiles.push_back({recording, ""});
+  std::vector<std::filesystem::path> paths;
+  for (const Tile& tile : tiles) paths.push_back(tile.recording->path());
+  const std::vector<std::string> names = panel_names(paths);
+  for (std::size_t k = 0; k < tiles.size(); ++k) tiles[k].title = names[k];
   if (tiles.size() == 1) tiles.front().title.clear();  // its pictures say enough
   set_titles(who, "recordings", arguments.texts("titles"), tiles, arguments.problems);
   return tiles;

@@ -34,7 +34,7 @@ inline constexpr auto recorded_frame_options =
 inline constexpr FunctionDoc recorded_frame_doc{
     .name = "frame",
     .owner = "r",
-    .sentence = "Writes a picture of one record, a PNG.",
+    .sentence = "Writes a picture of one record: .png, .pdf or .svg.",
     .options = recorded_frame_options,
     .example = "r:frame { \"crack.png\", time = 1*us, field = \"stress_1\" }"};
 

@@ -98,7 +98,8 @@ void show_in_file(Session& session, Run* run, const View& view, const PictureOpt
   if (run != nullptr)
     run->frame(path, options);
   else
-    session.write_picture("show", name, [&] { return paint(view, options); });
+    session.write_picture("show", name,
+                          [&](const auto& file) { write_picture(view, options, file); });
   std::FILE* file = session.settings.print_to_stderr ? stderr : stdout;
   write_to(file, fmt::format("{}: {}\n", caption(view, options), path.string()));
   flush(file);

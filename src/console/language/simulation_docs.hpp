@@ -65,9 +65,14 @@ inline constexpr auto frame_options = joined(file_option, options_of<PictureOpti
 
 inline constexpr FunctionDoc frame_doc{.name = "frame",
                                        .owner = "s",
-                                       .sentence = "Writes a picture of the present state, a PNG.",
+                                       .sentence =
+                                           "Writes a picture of the present state: .png, or .pdf "
+                                           "or .svg with texts and lines as vectors.",
                                        .options = frame_options,
-                                       .example = "s:frame { \"crack.png\", width = 640 }"};
+                                       .example =
+                                           "s:frame { \"crack.png\", width = 640 }\n"
+                                           "s:frame { \"crack.pdf\", paper = 85*mm, theme = "
+                                           "\"light\", axes = true }"};
 
 inline constexpr auto record_options = joined(file_option, options_of<RecordOptions>);
 

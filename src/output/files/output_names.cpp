@@ -40,7 +40,7 @@ const std::array<Endings, 4>& all_endings() {
   static const std::array<Endings, 4> all{
       Endings{FileKind::movie, "movie", "movie", movie_endings()},
       Endings{FileKind::run_file, "run file", "record", {".h5", ".hdf5"}},
-      Endings{FileKind::picture, "picture", "frame", {".png"}},
+      Endings{FileKind::picture, "picture", "frame", {".png", ".pdf", ".svg"}},
       Endings{FileKind::script, "script", "script", {".lua"}}};
   return all;
 }

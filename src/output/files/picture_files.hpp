@@ -3,21 +3,18 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <vector>
 
-#include "base/image.hpp"
+#include "output/picture/picture.hpp"
 #include "output/report/summary.hpp"
+#include "solver/view.hpp"
 
 namespace hackle {
 
-// Makes the folder, too. Throws what write_png throws.
-void write_picture_file(const Image& image, const std::filesystem::path& path);
-
 class PictureFiles {
  public:
-  // Writes what `make` paints. Throws what that and write_png throw.
-  void write(const std::filesystem::path& path, const std::function<Image()>& make);
+  // Writes a picture of the present state, and makes its folder. Throws what write_picture throws.
+  void write(const std::filesystem::path& path, const View& view, const PictureOptions& options);
 
   // Adds the files and the wall time so far.
   void add_to(Summary& summary) const;
@@ -25,7 +22,6 @@ class PictureFiles {
  private:
   std::vector<std::filesystem::path> files_;
   double render_seconds_ = 0.0;
-  double store_seconds_ = 0.0;
 };
 
 }  // namespace hackle

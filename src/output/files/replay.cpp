@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "base/units.hpp"
 #include "output/files/movie_file.hpp"
 #include "output/files/movie_output.hpp"
+#include "output/files/panels.hpp"
 #include "output/picture/automatic_range.hpp"
 #include "output/picture/chart_data.hpp"
 #include "output/picture/field_choice.hpp"
@@ -24,16 +24,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double max_frames = 1e5;
-constexpr double title_size = 0.03;  // of a run's title, in widths of its picture
 constexpr double the_end = std::numeric_limits<double>::infinity();
 
 void show_at(Recording& recording, double time) {
   const std::size_t record = recording.nearest(time);
   if (record != recording.shown()) recording.go_to(record);
-}
-
-bool is_titled(const Tiles& tiles) {
-  return !std::ranges::all_of(tiles, &std::string::empty, &Tile::title);
 }
 
 // Returns the mean interval of the records of the run with the most; one step for a single record.
@@ -101,42 +96,6 @@ void make_all(const std::vector<double>& times, Talk talk, Make make, Finish fin
   finish();
 }
 
-// A painter per tile; combines all pictures of one time.
-class Composition {
- public:
-  Composition(Tiles tiles, const MovieOptions& options, int columns)
-      : tiles_(std::move(tiles)), options_(options.picture) {
-    layout_.columns = columns;
-    layout_.look = options_.look;
-    layout_.width = options_.width;
-    layout_.even = true;
-    layout_.font = title_size;
-    layout_.titled = is_titled(tiles_);
-    for (const Tile& tile : tiles_) {
-      PictureStyle style = style_of(options_, tile.recording->view());
-      if (options.every > 0.0) style.slow_motion = slow_motion_of(options);
-      painters_.emplace_back(std::move(style));
-      layout_.height = std::max(layout_.height, painters_.back().height());
-    }
-  }
-
-  Image at(double time) {
-    std::vector<SheetImage> images;
-    for (std::size_t k = 0; k < tiles_.size(); ++k) {
-      show_at(*tiles_[k].recording, time);
-      images.push_back(
-          {painters_[k].paint(shot_of(options_, tiles_[k].recording->view())), tiles_[k].title});
-    }
-    return contact_sheet(images, layout_);
-  }
-
- private:
-  Tiles tiles_;
-  PictureOptions options_;
-  SheetLayout layout_;
-  std::deque<PlatePainter> painters_;
-};
-
 void check_all(const char* who, const Tiles& tiles, const PictureOptions& options) {
   for (const Tile& tile : tiles) check(who, options, tile.recording->view().lattice().grid);
   check_recorded(who, options);
@@ -185,23 +144,36 @@ void show_last(const Tiles& tiles, const std::vector<double>& times,
 
 }  // namespace
 
-PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
-                                 const std::vector<double>& times) {
-  if (options.range) return options;
-  AutomaticRange seen(options);
-  Ends widest = usual_ends(options, tiles.front().recording->view());
+namespace {
+
+// Returns the widest of the default ranges of one of the fields, widened until it fits all states.
+Ends common_range(const FieldChoice& field, const Tiles& tiles, const std::vector<double>& times) {
+  Ends widest = usual_ends(field, tiles.front().recording->view());
   for (const Tile& tile : tiles) {
-    const Ends usual = usual_ends(options, tile.recording->view());
+    const Ends usual = usual_ends(field, tile.recording->view());
     widest = {std::min(widest.min, usual.min), std::max(widest.max, usual.max)};
   }
-  const bool looks = options.percentile || first_field(options).is_unlimited();
-  for_all(looks ? tiles : Tiles(), times, [&](const View& view) {
-    if (options.percentile)
-      seen.add(view);
-    else
-      widest = fitting_range(options, view, widest);
-  });
-  options.range = options.percentile ? seen.ends() : widest;
+  if (!field.is_unlimited()) return widest;
+  for_all(tiles, times, [&](const View& view) { widest = fitting_range(field, view, widest); });
+  return widest;
+}
+
+Ends range_of_percentile(const PictureOptions& options, const Tiles& tiles,
+                         const std::vector<double>& times) {
+  AutomaticRange seen(options);
+  for_all(tiles, times, [&](const View& view) { seen.add(view); });
+  return seen.ends();
+}
+
+}  // namespace
+
+PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
+                                 const std::vector<double>& times) {
+  if (options.second && !options.second_range)
+    options.second_range = common_range(second_field(options), tiles, times);
+  if (options.range) return options;
+  options.range = options.percentile ? range_of_percentile(options, tiles, times)
+                                     : common_range(first_field(options), tiles, times);
   options.percentile.reset();
   return options;
 }
@@ -228,43 +200,47 @@ void film(const std::shared_ptr<Recording>& recording, const fs::path& path, Mov
 }
 
 void film_side_by_side(const Tiles& tiles, const fs::path& path, MovieOptions options,
-                       const Moments& moments, int columns, int threads, Talk talk,
+                       const Moments& moments, SheetLayout layout, int threads, Talk talk,
                        const OutputNames& names) {
   const std::vector<double> times = frame_times("side_by_side", tiles, moments);
   check_all("side_by_side", tiles, options.picture);
   options.every = times.size() > 1 ? times[1] - times[0] : 0.0;
   options.picture = with_common_range(options.picture, tiles, times);
   show_last(tiles, times, options.picture);
-  Composition composition(tiles, options, columns);
+  layout.width = options.picture.width;
+  layout.even = true;
+  Panels panels(tiles, options.picture, layout,
+                options.every > 0.0 ? slow_motion_of(options) : 0.0);
   const Recording& first = *tiles.front().recording;
   MovieFile movie(path, options, first.origin(), threads, talk);
   movie.begin([&](const fs::path& other) { return names.is_claimed(other); });
   make_all(
-      times, talk, [&](double time) { movie.add(composition.at(time)); }, [&] { movie.finish(); });
+      times, talk,
+      [&](double time) {
+        for (std::size_t k = 0; k < tiles.size(); ++k) {
+          show_at(*tiles[k].recording, time);
+          panels.add(k);
+        }
+        movie.add(panels.sheet());
+      },
+      [&] { movie.finish(); });
 }
 
 Image sheet_of(const Tiles& tiles, const std::vector<double>& times, PictureOptions options,
                SheetLayout layout) {
   check_all("contact_sheet", tiles, options);
   check_alone("contact_sheet", options);
-  std::vector<SheetImage> images;
-  layout.height = 0;
-  layout.font = title_size;
-  layout.titled = is_titled(tiles);
-  layout.look = options.look;
   options = with_common_range(options, tiles, times);
   show_last(tiles, times, options);
-  for (const Tile& tile : tiles) {
-    PlatePainter painter(style_of(options, tile.recording->view()));
-    layout.height = std::max(layout.height, painter.height() * layout.width / painter.width());
+  if (tiles.size() > 1 && times.size() > 1) layout.columns = static_cast<int>(times.size());
+  Panels panels(tiles, options, layout, 0.0);
+  for (std::size_t k = 0; k < tiles.size(); ++k)
     for (const double time : times.empty() ? std::vector{the_end} : times) {
       throw_if_interrupted();
-      show_at(*tile.recording, time);
-      images.push_back({painter.paint(shot_of(options, tile.recording->view())), tile.title});
+      show_at(*tiles[k].recording, time);
+      panels.add(k);
     }
-  }
-  if (tiles.size() > 1 && times.size() > 1) layout.columns = static_cast<int>(times.size());
-  return contact_sheet(images, layout);
+  return panels.sheet();
 }
 
 }  // namespace hackle

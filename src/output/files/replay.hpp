@@ -12,17 +12,11 @@
 #include "base/progress.hpp"
 #include "output/files/output_names.hpp"
 #include "output/files/replay_options.hpp"
+#include "output/files/tile.hpp"
 #include "render/contact_sheet.hpp"
 #include "store/recording.hpp"
 
 namespace hackle {
-
-// One of several recorded runs.
-struct Tile {
-  std::shared_ptr<Recording> recording;
-  std::string title;  // may be empty
-};
-using Tiles = std::vector<Tile>;
 
 // Brings the recording to it.
 void show_record(Recording& recording, const ShownRecord& record);
@@ -31,9 +25,9 @@ void show_record(Recording& recording, const ShownRecord& record);
 // names the calling function.
 std::vector<double> frame_times(const char* who, const Tiles& tiles, const Moments& moments);
 
-// Returns the options with a common range for these runs at all these times, or at the end: the
-// given range, that of their percentile over all visible values, or the widest of the field's
-// defaults, widened until it fits every state.
+// Returns the options with a common range, also of the second field, for these runs at all these
+// times, or at the end: the given range, that of their percentile over all visible values, or the
+// widest of the field's defaults, widened until it fits every state.
 PictureOptions with_common_range(PictureOptions options, const Tiles& tiles,
                                  const std::vector<double>& times);
 
@@ -44,10 +38,11 @@ void film(const std::shared_ptr<Recording>& recording, const std::filesystem::pa
           MovieOptions options, const Moments& moments, int threads, Talk talk,
           std::shared_ptr<const OutputNames> names);
 
-// Makes a movie of several runs with a common clock and range, side by side in `columns` columns.
+// Makes a movie of several runs with a common clock and range, side by side in the columns of
+// the layout, and one legend.
 // The width is that of each run. Throws the same.
 void film_side_by_side(const Tiles& tiles, const std::filesystem::path& path, MovieOptions options,
-                       const Moments& moments, int columns, int threads, Talk talk,
+                       const Moments& moments, SheetLayout layout, int threads, Talk talk,
                        const OutputNames& names);
 
 // Paints each run at each time, with a common range: one row per run, one column per time; a single

@@ -46,12 +46,16 @@ inline constexpr auto description_of<ShownRecord> =
                           .fallback = "the end",
                           .sentence = "Time of the record to show, of a recording."}));
 
-inline constexpr About about_titles{
-    .range = at_least(1.0), .fallback = "the file names", .sentence = "Caption below each."};
+inline constexpr About about_titles{.range = at_least(1.0),
+                                    .fallback = "the names of the files, or of their folders",
+                                    .sentence = "Caption below each."};
+inline constexpr About about_letters{.fallback = "false",
+                                     .sentence = "Puts (a), (b), (c), ... before each caption."};
 
 // Several runs on one clock.
 struct SideBySideOptions {
   std::vector<std::string> titles;  // one for each run, or none
+  bool letters = false;
   int columns = 2;
   int width = 640;  // px, of each run
 };
@@ -59,6 +63,7 @@ struct SideBySideOptions {
 template <>
 inline constexpr auto description_of<SideBySideOptions> = describe_noun(
     "side_by_side", "side by side", member("titles", &SideBySideOptions::titles, about_titles),
+    member("letters", &SideBySideOptions::letters, about_letters),
     member("columns", &SideBySideOptions::columns,
            {.range = between(1.0, 16.0), .fallback = "2", .sentence = "Number of runs per row."}),
     member("width", &SideBySideOptions::width,
@@ -72,6 +77,7 @@ struct SheetOptions {
   std::vector<std::string> pictures;  // PNGs; or runs, in which case there are none
   std::vector<double> times;          // s, of runs
   std::vector<std::string> titles;    // one for each picture or run, or none
+  bool letters = false;
   int columns = 4;
   int width = 320;  // px, of each picture
 };
@@ -90,6 +96,7 @@ inline constexpr auto description_of<SheetOptions> = describe_noun(
             .sentence = "Times of recordings: one column per time; of one recording, in columns "
                         "like pictures."}),
     member("titles", &SheetOptions::titles, about_titles),
+    member("letters", &SheetOptions::letters, about_letters),
     member(
         "columns", &SheetOptions::columns,
         {.range = between(1.0, 64.0), .fallback = "4", .sentence = "Number of pictures per row."}),
@@ -98,6 +105,7 @@ inline constexpr auto description_of<SheetOptions> = describe_noun(
             .range = between(64.0, 4096.0),
             .fallback = "320",
             .sentence =
-                "Width of each picture; its height is 3/4 of that, that of a record as needed."}));
+                "Width of each picture; a row is as high as its highest picture, of a PNG at most "
+                "3/4 of the width."}));
 
 }  // namespace hackle

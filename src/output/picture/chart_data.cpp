@@ -79,8 +79,8 @@ Chart load_curve(const View& view) {
       amplitudes, [](const LoadAmplitude& one) { return one.stress.has_value(); });
   chart.heading = amplitudes.empty() ? "no loads" : stresses ? "load" : "load factor";
   if (stresses && !amplitudes.empty()) chart.unit = "Pa";
-  chart.until = view.until();
-  if (chart.until == 0.0) chart.until = 1.25 * last_moment(amplitudes);
+  // The whole course, also what is to come; constant loads have no end of their own.
+  chart.until = std::max(view.until(), 1.25 * last_moment(amplitudes));
   if (chart.until == 0.0) chart.until = 100.0 * view.dt();
   for (const LoadAmplitude& one : amplitudes)
     chart.curves.push_back(

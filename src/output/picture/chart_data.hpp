@@ -8,10 +8,11 @@
 
 namespace hackle {
 
-// Returns the amplitude of every load: the whole curve up to the end of the run if it is known, or
-// the present value of a function of time. If all loads are stresses, each uniform on its edge or
-// rim, the curves are stresses; otherwise they are the factors of all loads. Only present loads are
-// included: a view does not know earlier ones. Throws what Amplitude::at throws.
+// Returns the amplitude of every load: the whole curve up to the end of the run, if it is known,
+// and past its last point, or the present value of a function of time. If all loads are stresses,
+// each uniform on its edge or rim, the curves are stresses; otherwise they are the factors of all
+// loads. Only present loads are included: a view does not know earlier ones. Throws what
+// Amplitude::at throws.
 Chart load_curve(const View& view);
 
 // Returns the present kinetic, strain and broken energy, and the released energy if there is any.

@@ -18,6 +18,7 @@ struct FieldChoice {
   std::string colours;
   bool logarithmic = false;
   double thickness = 0.0;  // m
+  bool average = false;    // over a horizon
 
   bool is_fringes() const { return scalar.name == fringes_name; }
   // Returns whether its values have no natural limit, as shares and counts have.

@@ -13,7 +13,9 @@
 #include "output/picture/chart_data.hpp"
 #include "output/picture/field_choice.hpp"
 #include "output/picture/view.hpp"
+#include "render/png.hpp"
 #include "render/seen_range.hpp"
+#include "render/vector_file.hpp"
 #include "scene/check_members.hpp"
 #include "solver/divergence.hpp"
 
@@ -62,9 +64,41 @@ std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
   return bytes;
 }
 
+constexpr double points_an_inch = 72.0, inch = 25.4e-3;
+constexpr double usual_font = 8.0;  // pt, as journals have it
+
+// Returns the even width in px of a picture of that width on paper.
+int paper_pixels(const PictureOptions& options) {
+  return 2 * static_cast<int>(std::lround(0.5 * *options.paper / inch * options.dpi));
+}
+
+// Texts must leave room for the plate, and be legible.
+void check_paper(const char* output, const PictureOptions& options, Problems& problems) {
+  if (options.paper && options.pixels_a_mm)
+    problems.add(fmt::format("{}: paper and px_per_mm are given", output),
+                 "paper is the width of the picture, px_per_mm that of the plate");
+  const int width = options.paper ? paper_pixels(options) : options.width;
+  if (width < min_picture_width || width > max_picture_width)
+    problems.add(fmt::format("{}: {} of paper at {} dpi are {} px, it must be between {} and {}",
+                             output, quantity(*options.paper, "m"), shortest(options.dpi), width,
+                             min_picture_width, max_picture_width),
+                 "another dpi");
+  constexpr double least = 6.0, most_share = 0.05;  // px, and of the width
+  const double font = options.font_size.value_or(usual_font) / points_an_inch * options.dpi;
+  if ((options.paper || options.font_size) && !(font >= least && font <= most_share * width))
+    problems.add(
+        fmt::format("{}: a font_size of {} pt is {:.3g} px of a width of {}", output,
+                    shortest(options.font_size.value_or(usual_font)), font, width),
+        fmt::format("it must lie between {} px and {} % of the width", least, 100.0 * most_share));
+}
+
 // Throws Error (refused) if the picture would be too large.
 void set_size(PictureStyle& style, const PictureOptions& options) {
   style.width = options.width;
+  style.dpi = options.dpi;
+  if (options.paper) style.width = paper_pixels(options);
+  if (options.paper || options.font_size)
+    style.font = std::round(options.font_size.value_or(usual_font) / points_an_inch * options.dpi);
   if (!options.pixels_a_mm) return;
   style.cell = 1e3 * *options.pixels_a_mm * style.grid.dx;
   const Grid seen = part(style.grid, *style.window);
@@ -106,6 +140,9 @@ void check(const char* output, const PictureOptions& options, const Grid& grid) 
   check_members(options.overlay, output, problems);
   if (options.width % 2 != 0)
     problems.add(fmt::format("{}: width is {} px, it must be even", output, options.width));
+  check_paper(output, options, problems);
+  if (options.overlay.axes && options.rotation != 0.0)
+    problems.add(fmt::format("{}: axes cannot be turned", output), "leave out axes or rotate");
   check_view(output, options, grid, problems);
   problems.throw_if_any();
   check_range(output, "range", first_field(options), problems);
@@ -122,10 +159,12 @@ PictureStyle style_of(const PictureOptions& options, const View& view) {
   style.window = window_of(options, view);
   style.rotation = options.rotation;
   style.magnification = magnification_of(options, view);
+  style.encloses = !options.zoom && style.magnification > 0.0;
   if (style.magnification > 0.0)
     style.note = fmt::format("displacements × {:.4g}", style.magnification);
   style.background = options.background.value_or(ground_of(options.look));
   style.bonds = options.bonds;
+  style.smooth = options.smooth;
   set_size(style, options);
   FieldChoice first = first_field(options);
   if (options.percentile) first.range = automatic_range(options, view);
@@ -137,11 +176,11 @@ PictureStyle style_of(const PictureOptions& options, const View& view) {
   return style;
 }
 
-Ends fitting_range(const PictureOptions& options, const View& view, const Ends& ends) {
-  FieldStyle field = style_of(first_field(options), view);
+Ends fitting_range(const FieldChoice& choice, const View& view, const Ends& ends) {
+  FieldStyle field = style_of(choice, view);
   field.min = ends.min;
   field.max = ends.max;
-  const std::vector<float> values = field_values(options, view);
+  const std::vector<float> values = values_of(choice, view);
   field = widened(field, widening(field, {values, {}}));
   return {field.min, field.max};
 }
@@ -154,6 +193,13 @@ Image paint(const View& view, const PictureOptions& options, const std::optional
     style.bare_height = bare->height;
   }
   return PlatePainter(style).paint(shot_of(options, view));
+}
+
+void write_picture(const View& view, const PictureOptions& options,
+                   const std::filesystem::path& path) {
+  if (!is_vector_file(path)) return write_png(paint(view, options), path);
+  check_finite(view);
+  PlatePainter(style_of(options, view)).write_vectors(shot_of(options, view), path);
 }
 
 int widest_picture(const PictureOptions& options, const View& view, const Extent& max) {
@@ -176,6 +222,8 @@ Shot shot_of(const PictureOptions& options, const View& view) {
     shot.gaps = in_255ths(gaps(view));
   if (magnification_of(options, view) > 0.0) {
     shot.displacement = displacement(view).values;
+    shot.links = links(view);
+  } else if (options.smooth) {
     shot.links = links(view);
   }
   const Window window = followed(window_of(options, view), options, view);

@@ -2,9 +2,11 @@
 // Makes the picture that the user's options describe.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
+#include "output/picture/field_choice.hpp"
 #include "output/picture/picture.hpp"
 #include "render/plate_painter.hpp"
 #include "solver/view.hpp"
@@ -29,7 +31,7 @@ PictureStyle style_of(const PictureOptions& options, const View& view);
 
 // Returns the range of the field, widened from `ends` until it fits all values of the state, as
 // pictures do for those that are seen; unchanged for a field that does not widen.
-Ends fitting_range(const PictureOptions& options, const View& view, const Ends& ends);
+Ends fitting_range(const FieldChoice& choice, const View& view, const Ends& ends);
 
 // The size of a picture without texts and bars, stretched to fill these px.
 struct Extent {
@@ -40,6 +42,11 @@ struct Extent {
 // Throws Error (run_failed) if the state is not finite, and what PlatePainter throws.
 Image paint(const View& view, const PictureOptions& options,
             const std::optional<Extent>& bare = {});
+
+// Writes the same picture, as the ending of the path says: PNG, PDF or SVG. Throws what these
+// throw.
+void write_picture(const View& view, const PictureOptions& options,
+                   const std::filesystem::path& path);
 
 // Returns the width in px of the largest picture with texts that fits into these px, at most
 // `most.width`; 0 if the smallest does not fit.

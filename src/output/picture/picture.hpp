@@ -18,7 +18,7 @@ namespace hackle {
 // lattice.
 struct Zoom {
   Vec2 centre{0, 0};        // m; the window must show some of the plate
-  double half_width = 0.0;  // m, from one spacing to the plate's width
+  double half_width = 0.0;  // m, from one spacing to ten widths of the plate
 };
 
 template <>
@@ -42,6 +42,9 @@ struct PictureOptions {
   std::string field = "damage";       // one of scalar_names
   int width = 1280;                   // px, even; the height follows from the plate
   std::optional<double> pixels_a_mm;  // instead of the width
+  std::optional<double> paper;        // m, the width on paper, instead
+  double dpi = 300.0;                 // px per inch of paper
+  std::optional<double> font_size;    // pt, on paper; default: suits the width
   std::optional<Ends> range;          // of the colour bar, SI; default: depends on the field
   std::optional<double> percentile;   // %, instead of a range: it spans this share of the values
   std::optional<Scale> scale;         // default: depends on the field
@@ -50,6 +53,8 @@ struct PictureOptions {
   std::optional<Ends> second_range;   // as range
   Arrangement arrangement = Arrangement::below;  // of the second field
   bool cracks = true;                            // cracks are gaps, except in a picture of damage
+  bool smooth = false;                           // between nodes
+  bool average = false;                          // over a horizon
   double thickness = 5e-3;                       // m, of the plate, for fringes
   std::optional<Zoom> zoom;                      // default: the whole plate
   std::optional<Toward> follow;                  // the zoom follows the foremost damage
@@ -67,6 +72,7 @@ inline constexpr int min_picture_width = 320, max_picture_width = 7680;
 
 inline constexpr auto second_names = or_none(scalar_names);
 inline constexpr std::string_view suits_the_field = "depends on the field";
+inline constexpr std::string_view suits_the_theme = "that of the theme";
 
 template <>
 inline constexpr auto description_of<PictureOptions> = describe_noun(
@@ -79,6 +85,21 @@ inline constexpr auto description_of<PictureOptions> = describe_noun(
     member(
         "px_per_mm", &PictureOptions::pixels_a_mm,
         {.range = above(0.0), .alternative = true, .sentence = "Instead of the width: px per mm."}),
+    member("paper", &PictureOptions::paper,
+           {.unit = "m",
+            .range = between(0.01, 2.0),
+            .alternative = true,
+            .sentence = "Instead of the width: that on paper, as in 85*mm; its texts have 8 pt."}),
+    member("dpi", &PictureOptions::dpi,
+           {.range = between(30.0, 2400.0),
+            .fallback = "300",
+            .sentence = "Pixels per inch of paper; those of the plate in a PDF or SVG."}),
+    member("font_size", &PictureOptions::font_size,
+           {.unit = "pt",
+            .range = between(2.0, 72.0),
+            .fallback = "suits the width",
+            .sentence = "Size of the texts on paper, in points of 1/72 inch; numbers have 0.8 of "
+                        "it."}),
     member("field", &PictureOptions::field,
            {.fallback = "damage", .choices = scalar_names, .sentence = "Field to paint."}),
     member("range", &PictureOptions::range,
@@ -111,6 +132,14 @@ inline constexpr auto description_of<PictureOptions> = describe_noun(
     member("cracks", &PictureOptions::cracks,
            {.fallback = "true",
             .sentence = "Shows cracks as gaps, except in a picture of damage."}),
+    member("smooth", &PictureOptions::smooth,
+           {.fallback = "false",
+            .sentence = "Interpolates between nodes that are joined; cracks stay sharp. Not in a "
+                        "deformed or turned plate."}),
+    member("average", &PictureOptions::average,
+           {.fallback = "false",
+            .sentence = "Averages over a horizon, not across cracks: takes short waves out, as in "
+                        "fringes after a fork."}),
     member("thickness", &PictureOptions::thickness,
            {.unit = "m",
             .range = above(0.0),
@@ -146,7 +175,7 @@ inline constexpr auto description_of<PictureOptions> = describe_noun(
             .sentence = "Ground, texts and colour maps: light has a plate that is nearly white "
                         "where nothing happens."}),
     member("background", &PictureOptions::background,
-           {.fallback = "that of the theme",
+           {.fallback = suits_the_theme,
             .sentence = "Background around the plate; transparent only in a PNG."}),
     member("", &PictureOptions::overlay));
 

@@ -28,13 +28,15 @@ Vec2 half_size(const Zoom& zoom, const Grid& grid) {
   return zoom.half_width * Vec2(1.0, static_cast<double>(grid.ny) / grid.nx);
 }
 
+constexpr double farthest_zoom = 10.0;  // half a width, in widths of the plate
+
 void check(const char* output, const Zoom& zoom, const Grid& grid, Problems& problems) {
-  const double max = grid.nx * grid.dx;
+  const double max = farthest_zoom * grid.nx * grid.dx;
   if (!(zoom.half_width >= grid.dx && zoom.half_width <= max)) {
     problems.add(
         fmt::format("{}: half the width of zoom is {}, it must lie between {} and {}", output,
                     quantity(zoom.half_width, "m"), quantity(grid.dx, "m"), quantity(max, "m")),
-        "the spacing of nodes, and the width of the plate");
+        "the spacing of nodes, and ten widths of the plate");
     return;
   }
   const Vec2 half = half_size(grid), reach = half + half_size(zoom, grid);

@@ -104,7 +104,7 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
   check_alone("frame", options);
   parts_->outputs.names()->claim_checked("frame", path, FileKind::picture);
   if (parts_->rehearsing) return;
-  parts_->pictures.write(path, [&] { return paint(parts_->simulation, options); });
+  parts_->pictures.write(path, parts_->simulation, options);
 }
 
 void Run::share_names(std::shared_ptr<OutputNames> names) {

@@ -19,8 +19,23 @@ Canvas::Canvas(Image& image, int x, int y)
   cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
 }
 
+Canvas::Canvas(cairo_surface_t* vectors, double unit)
+    : surface_(vectors), cairo_(cairo_create(surface_.get())), vectors_(true) {
+  if (cairo_status(cairo_.get()) != CAIRO_STATUS_SUCCESS)
+    throw Error(ErrorKind::run_failed, "Cairo cannot draw vectors");
+  cairo_scale(cairo_.get(), unit, unit);
+  cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
+}
+
 Canvas::~Canvas() {
   cairo_surface_flush(surface_.get());
+}
+
+cairo_status_t Canvas::finish() {
+  const cairo_status_t drawn = cairo_status(cairo_.get());
+  cairo_.reset();
+  cairo_surface_finish(surface_.get());
+  return drawn == CAIRO_STATUS_SUCCESS ? cairo_surface_status(surface_.get()) : drawn;
 }
 
 void Canvas::colour(Colour c, double opacity) {
@@ -44,9 +59,25 @@ void Canvas::outline(const Rectangle& r, int width) {
   fill(r.right(), r.y, width, r.height);
 }
 
-void Canvas::clip(const Rectangle& r) {
+void Canvas::within(const Rectangle& r, const std::function<void()>& draw) {
+  cairo_save(cairo_.get());
   cairo_rectangle(cairo_.get(), r.x, r.y, r.width, r.height);
   cairo_clip(cairo_.get());
+  draw();
+  cairo_restore(cairo_.get());
+}
+
+void Canvas::copy(const Image& image, const Rectangle& part, int x, int y) {
+  if (part.empty()) return;
+  // Cairo only reads the pixels here, though its interface takes a non-const pointer.
+  auto* first = const_cast<std::uint8_t*>(image.pixels.data()) +
+                static_cast<std::ptrdiff_t>(part.y) * image.stride() + 4 * part.x;
+  const std::unique_ptr<cairo_surface_t, Free> pixels(cairo_image_surface_create_for_data(
+      first, CAIRO_FORMAT_ARGB32, part.width, part.height, image.stride()));
+  cairo_set_source_surface(cairo_.get(), pixels.get(), x, y);
+  cairo_pattern_set_filter(cairo_get_source(cairo_.get()), CAIRO_FILTER_NEAREST);
+  cairo_rectangle(cairo_.get(), x, y, part.width, part.height);
+  cairo_fill(cairo_.get());
 }
 
 // A point nearer than half a pixel to the last one is invisible.
@@ -93,7 +124,14 @@ void Canvas::picture(cairo_surface_t* from, double x, double y, double scale) {
 }
 
 void Canvas::set_font(const Font& font, double size) {
-  cairo_set_scaled_font(cairo_.get(), font.scaled(size).get());
+  if (!vectors_) return cairo_set_scaled_font(cairo_.get(), font.scaled(size).get());
+  const std::unique_ptr<cairo_font_options_t, void (*)(cairo_font_options_t*)> options(
+      cairo_font_options_create(), cairo_font_options_destroy);
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_set_font_face(cairo_.get(), font.face());
+  cairo_set_font_size(cairo_.get(), size);
+  cairo_set_font_options(cairo_.get(), options.get());
 }
 
 void Canvas::write(const Font& font, const PlacedText& text) {
@@ -101,6 +139,7 @@ void Canvas::write(const Font& font, const PlacedText& text) {
   colour(text.colour);
   cairo_move_to(cairo_.get(), text.x, text.y);
   cairo_show_text(cairo_.get(), text.text.c_str());
+  cairo_new_path(cairo_.get());  // what is drawn next would begin where the text ends
 }
 
 void Canvas::write(const Font& font, const PlacedText& text, Colour rim) {

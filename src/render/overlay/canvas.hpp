@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Draws lines, areas and texts on the pixels of an image with Cairo. Lengths in px, y downwards.
+// Draws lines, areas and texts with Cairo, on the pixels of an image or in a file of vectors.
+// Lengths in px, y downwards.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -20,9 +22,15 @@ class Canvas {
   // Draws over the content of the image, which must outlive the canvas. The upper left corner of
   // the image has the coordinates `x`, `y`.
   explicit Canvas(Image& image, int x = 0, int y = 0);
+  // Draws vectors on the surface, of which it takes hold; `unit` is the length of a px there. Texts
+  // are as the printer or the screen has them, not fitted to px.
+  Canvas(cairo_surface_t* vectors, double unit);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
+
+  // Completes what is drawn; nothing may be drawn after it. Returns whether all of it succeeded.
+  cairo_status_t finish();
 
   void colour(Colour colour, double opacity = 1.0);
   void fill(double x, double y, double width, double height);
@@ -30,12 +38,14 @@ class Canvas {
   void fill(std::span<const Vec2> corners);
   // Draws a frame of this width around the rectangle.
   void outline(const Rectangle& r, int width);
-  // Restricts later drawing to the rectangle.
-  void clip(const Rectangle& r);
+  // Draws only inside the rectangle.
+  void within(const Rectangle& r, const std::function<void()>& draw);
   void line(std::span<const Vec2> points, double width);
   // Draws a translucent disc with a bright rim.
   void disc(const Vec2& centre, double radius_x, double radius_y, Colour colour);
   void dot(const Vec2& centre, double radius);
+  // Draws a part of an image px by px, with its upper left corner at x, y.
+  void copy(const Image& image, const Rectangle& part, int x, int y);
   // Draws an image with its upper left corner at x, y, scaled.
   void picture(cairo_surface_t* from, double x, double y, double scale);
 
@@ -52,6 +62,7 @@ class Canvas {
   };
   std::unique_ptr<cairo_surface_t, Free> surface_;
   std::unique_ptr<cairo_t, Free> cairo_;
+  bool vectors_ = false;
 };
 
 }  // namespace hackle

@@ -38,6 +38,7 @@ class Font {
   // Hinted and in shades of grey: whole pixels and crisp stems.
   using Scaled = std::unique_ptr<cairo_scaled_font_t, void (*)(cairo_scaled_font_t*)>;
   Scaled scaled(double size) const;
+  cairo_font_face_t* face() const { return face_.get(); }
 
  private:
   std::unique_ptr<cairo_font_face_t, void (*)(cairo_font_face_t*)> face_;

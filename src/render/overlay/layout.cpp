@@ -44,10 +44,11 @@ class Composer {
   Composer(const Grid& grid, int width, const OverlayText& text, const PlateSize& size)
       : grid_(grid), text_(text), parts_(text.parts), size_(size) {
     layout_.width = width;
-    layout_.font = font_for(width);
+    layout_.font = text.font > 0.0 ? text.font : font_for(width);
     layout_.small_font = std::max(9.0, std::round(0.8 * layout_.font));
     layout_.hairline = std::max(1, whole(0.05 * layout_.font));
-    margin_ = margin_for(width);
+    margin_ = whole(1.5 * layout_.font);
+    if (parts_.axes) left_of_plate_ = axis_mark(layout_.small_font) + axis_numbers();
     gap_ = raised_to(layout_.font);
   }
 
@@ -66,6 +67,12 @@ class Composer {
     int left = 0, right = 0;  // px used on either side
   };
 
+  // The widest number is not known yet: it has room for five letters.
+  int axis_numbers() const { return needed("000.0", layout_.small_font); }
+  int below_plate() const {
+    return parts_.axes ? axis_mark(layout_.small_font) + raised_to(1.4 * layout_.small_font) : 0;
+  }
+
   int room() const { return layout_.width - 2 * side_; }
   int needed(const std::string& text, double size) const {
     return raised_to(font_.width_of(text, size));
@@ -73,16 +80,17 @@ class Composer {
 
   // Captions and legend are as wide as the plates, unless these are too narrow for them.
   void size_plate() {
-    const int inner = layout_.width - 2 * margin_;
+    const int inner = layout_.width - 2 * margin_ - left_of_plate_;
     const bool across = lies_across(grid_, size_);
-    const int room_for_one = across ? (inner - gap_) / 2 : inner;
+    const int between = gap_ + left_of_plate_;
+    const int room_for_one = across ? (inner - between) / 2 : inner;
     const double cell =
         size_.cell > 0.0 ? size_.cell : cell_size(grid_, room_for_one, layout_.width);
     layout_.plate.width = std::max(1, whole(cell * grid_.nx));
     layout_.plate.height = std::max(1, whole(cell * grid_.ny));
-    plates_width_ = layout_.plate.width * (across ? 2 : 1) + (across ? gap_ : 0);
+    plates_width_ = layout_.plate.width * (across ? 2 : 1) + (across ? between : 0);
     const bool wide = plates_width_ > inner * 9 / 10;
-    side_ = wide ? (layout_.width - plates_width_) / 2 : margin_;
+    side_ = wide ? (layout_.width - plates_width_ - left_of_plate_) / 2 : margin_;
   }
 
   // Returns the first line with room, starting from that of the last text, or else a new line.
@@ -122,16 +130,16 @@ class Composer {
 
   void place_plate() {
     Rectangle& plate = layout_.plate;
-    plate.x = (layout_.width - plates_width_) / 2;
+    plate.x = (layout_.width - plates_width_ + left_of_plate_) / 2;
     plate.y = y_;
-    y_ = plate.bottom();
+    y_ = plate.bottom() + below_plate();
     if (size_.twice) {
       layout_.second_plate = plate;
       if (lies_across(grid_, size_))
-        layout_.second_plate.x = plate.right() + gap_;
+        layout_.second_plate.x = plate.right() + gap_ + left_of_plate_;
       else
-        layout_.second_plate.y = plate.bottom() + gap_;
-      y_ = layout_.second_plate.bottom();
+        layout_.second_plate.y = plate.bottom() + below_plate() + gap_;
+      y_ = layout_.second_plate.bottom() + below_plate();
     }
     layout_.foot = y_ + margin_ / 2;
   }
@@ -204,6 +212,7 @@ class Composer {
   const PlateSize& size_;
   Font font_;
   Layout layout_;
+  int left_of_plate_ = 0;  // px, for axes
   int margin_ = 0, gap_ = 0, side_ = 0, plates_width_ = 0, y_ = 0;
   std::vector<Line> lines_;  // of the caption
   std::size_t first_line_ = 0;
@@ -230,6 +239,10 @@ int width_for(const Grid& grid, const PlateSize& size) {
   };
   while (needed() > width) width += std::max(2, even(0.5 * (needed() - width)));
   return width;
+}
+
+int axis_mark(double small_font) {
+  return whole(0.4 * small_font);
 }
 
 Layout bare_layout(int width, int height) {

@@ -57,6 +57,9 @@ struct PlateSize {
 Layout make_layout(const Grid& grid, int width, const OverlayText& text = {},
                    const PlateSize& size = {});
 
+// Returns the length of the marks of axes, px, whose numbers have this size.
+int axis_mark(double small_font);
+
 // Returns the smallest even width, px, of a picture that holds plates of the given size.
 int width_for(const Grid& grid, const PlateSize& size);
 

@@ -26,7 +26,7 @@ double radius(const Layout& layout) {
   return std::max(2.5, std::round(0.22 * layout.small_font));
 }
 
-Box around(const Vec2& place, double half) {
+Box box_around(const Vec2& place, double half) {
   return {place.x() - half, place.y() - half, place.x() + half, place.y() + half};
 }
 
@@ -106,7 +106,7 @@ std::vector<PlacedMarker> place_markers(const std::vector<Marker>& markers, cons
   for (const Marker& marker : markers) {
     const Vec2 place = camera.pixel(marker.place);
     if (!is_seen(place, plate)) continue;
-    placer.take(around(place, radius(layout) + 1.0));
+    placer.take(box_around(place, radius(layout) + 1.0));
     placed.push_back({place, {}});
     labels.push_back(&marker.label);
   }

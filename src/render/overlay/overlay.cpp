@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "render/overlay/axes.hpp"
 #include "render/overlay/canvas.hpp"
 #include "render/overlay/strip_chart.hpp"
 
@@ -43,6 +44,11 @@ Overlay::Overlay(const Layout& layout, const OverlayText& text, const std::vecto
 void Overlay::set_bars(const std::vector<BarText>& bars, const std::vector<ColourMap>& maps) {
   text_.bars = bars;
   maps_ = maps;
+  if (font_) draw_once();
+}
+
+void Overlay::set_scale(double pixels_a_metre) {
+  pixels_a_metre_ = pixels_a_metre;
   if (font_) draw_once();
 }
 
@@ -91,9 +97,16 @@ void Overlay::write_caption() {
   write(text_.note, layout_.note, layout_.small_font, theme_.quiet);
 }
 
-void Overlay::draw_marks(Image& image, const Rectangle& plate, const Camera& camera,
+void Overlay::draw_axes(Canvas& canvas, const Rectangle& plate, const Camera& camera) {
+  if (!text_.parts.axes) return;
+  const Axes axes(plate, camera, layout_, theme_, *font_);
+  axes.draw(canvas);
+  for (const PlacedText& one : axes.texts()) canvas.write(*font_, one);
+  fleeting_.insert(fleeting_.end(), axes.texts().begin(), axes.texts().end());
+}
+
+void Overlay::draw_marks(Canvas& canvas, const Rectangle& plate, const Camera& camera,
                          const Moment& moment) {
-  Canvas canvas(image);
   if (font_) {
     canvas.colour(theme_.outline);
     canvas.outline(plate, layout_.hairline);
@@ -103,6 +116,7 @@ void Overlay::draw_marks(Image& image, const Rectangle& plate, const Camera& cam
     canvas.disc(camera.pixel(disc.centre), disc.radius * scale.x(), disc.radius * scale.y(),
                 theme_.disc);
   if (!font_) return;
+  draw_axes(canvas, plate, camera);
   const auto placed = place_markers(text_.parts.markers, layout_, plate, camera, *font_);
   hackle::draw(canvas, placed, layout_, *font_);
   placed_.insert(placed_.end(), placed.begin(), placed.end());
@@ -134,22 +148,40 @@ void Overlay::write_clock(double time) {
                                    theme_.quiet));
 }
 
-void Overlay::draw(Image& image, const std::vector<Camera>& cameras, const Moment& moment) {
+void Overlay::draw_all_marks(Canvas& canvas, const std::vector<Camera>& cameras,
+                             const Moment& moment) {
   placed_.clear();
-  draw_marks(image, layout_.plate, cameras.front(), moment);
+  fleeting_.clear();
+  draw_marks(canvas, layout_.plate, cameras.front(), moment);
   if (!layout_.second_plate.empty())
-    draw_marks(image, layout_.second_plate, cameras.back(), moment);
-  for (const Strip& strip : strips_) copy(strip.pixels, image, strip.area);
-  if (font_) draw_fleeting(image, moment);
+    draw_marks(canvas, layout_.second_plate, cameras.back(), moment);
 }
 
-void Overlay::draw_fleeting(Image& image, const Moment& moment) {
+void Overlay::draw(Image& image, const std::vector<Camera>& cameras, const Moment& moment) {
+  {
+    Canvas canvas(image);
+    draw_all_marks(canvas, cameras, moment);
+  }
+  for (const Strip& strip : strips_) copy(strip.pixels, image, strip.area);
   Canvas canvas(image);
-  fleeting_.clear();
+  if (font_) draw_fleeting(canvas, moment);
+}
+
+void Overlay::draw(Canvas& canvas, const std::vector<Camera>& cameras, const Moment& moment) {
+  const Rectangle between{0, layout_.caption.bottom(), layout_.width,
+                          layout_.foot - layout_.caption.bottom()};
+  canvas.within(between, [&] { draw_all_marks(canvas, cameras, moment); });
+  if (!font_) return;
+  draw_lasting(canvas);
+  draw_fleeting(canvas, moment);
+}
+
+void Overlay::draw_fleeting(Canvas& canvas, const Moment& moment) {
   const std::size_t marked = std::min(bars_.size(), moment.beyond.size());
   for (std::size_t k = 0; k < marked; ++k) bars_[k].draw_ends(canvas, maps_[k], moment.beyond[k]);
+  const std::size_t before = fleeting_.size();
   write_clock(moment.time);
-  for (const PlacedText& one : fleeting_) canvas.write(*font_, one);
+  for (std::size_t k = before; k < fleeting_.size(); ++k) canvas.write(*font_, fleeting_[k]);
   draw_chart(canvas, layout_.load_curve, loads_, moment.load_curve, moment.time);
   draw_chart(canvas, layout_.energy, energy_, moment.energy, moment.time);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Texts, bars and charts around a plate and marks on it, drawn with Cairo on the pixels of a
-// picture. Parts that all pictures of a series share are drawn once and copied.
+// picture, or as vectors. Parts that all pictures of a series share are drawn once and copied.
 #pragma once
 
 #include <functional>
@@ -39,10 +39,16 @@ class Overlay {
   // Changes the colour bars of the pictures to come.
   void set_bars(const std::vector<BarText>& bars, const std::vector<ColourMap>& maps);
 
+  // Changes the scale bar of the pictures to come.
+  void set_scale(double pixels_a_metre);
+
   // Draws on a picture of the layout's size, over anything there that extends beyond the plate.
   // Takes a camera per plate. Moments of a series must be drawn in order: charts show the earlier
   // ones.
   void draw(Image& image, const std::vector<Camera>& cameras, const Moment& moment);
+
+  // Draws the same as vectors on a page with the ground and the plates.
+  void draw(Canvas& canvas, const std::vector<Camera>& cameras, const Moment& moment);
 
   // Returns all texts of the last draw().
   std::vector<PlacedText> texts() const;
@@ -57,8 +63,11 @@ class Overlay {
   void draw_lasting(Canvas& canvas) const;
   void keep(const Rectangle& area, const std::function<void(Canvas&)>& draw_all);
   void write_caption();
-  void draw_marks(Image& image, const Rectangle& plate, const Camera& camera, const Moment& moment);
-  void draw_fleeting(Image& image, const Moment& moment);
+  void draw_all_marks(Canvas& canvas, const std::vector<Camera>& cameras, const Moment& moment);
+  void draw_marks(Canvas& canvas, const Rectangle& plate, const Camera& camera,
+                  const Moment& moment);
+  void draw_axes(Canvas& canvas, const Rectangle& plate, const Camera& camera);
+  void draw_fleeting(Canvas& canvas, const Moment& moment);
   void write_clock(double time);
   void draw_chart(Canvas& canvas, const Rectangle& room, ChartHistory& history, const Chart& chart,
                   double time);

@@ -30,6 +30,7 @@ struct OverlayOptions {
   bool clock = true;
   bool bar = true;
   bool scale_bar = true;
+  bool axes = false;
   bool load_curve = false;
   bool energy = false;
   std::vector<Marker> markers;
@@ -49,10 +50,14 @@ inline constexpr auto description_of<OverlayOptions> = describe_noun(
     member("scale_bar", &OverlayOptions::scale_bar,
            {.fallback = "true",
             .sentence = "Shows a scale bar of a round length below the plate."}),
-    member("load_curve", &OverlayOptions::load_curve,
+    member("axes", &OverlayOptions::axes,
            {.fallback = "false",
-            .sentence =
-                "Shows the loads over time, marking the present; in a picture the present loads."}),
+            .sentence = "Shows coordinates in mm along the plate's left and lower side."}),
+    member(
+        "load_curve", &OverlayOptions::load_curve,
+        {.fallback = "false",
+         .sentence = "Shows the loads over time, marking the present; of a function of time, in a "
+                     "picture, the present value."}),
     member("energy", &OverlayOptions::energy,
            {.fallback = "false",
             .sentence = "Shows kinetic, strain and broken energy over time so far; for movies."}),
@@ -80,6 +85,7 @@ struct OverlayText {
   double slow_motion = 0.0;              // slow-motion factor; 0: not shown
   std::vector<BarText> bars{BarText{}};  // one per field
   Background background = Background::dark;
+  double font = 0.0;  // px, of titles, time and names; 0: suits the width
 };
 
 // Returns "slowed 133 000 times", to three digits; "" for 0.

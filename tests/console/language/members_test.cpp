@@ -542,13 +542,16 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
   const std::string options =
       "{ 'a.mp4', every = 1*us, width = 640, fps = 12, profile = 'paper', crf = 33, hold = 2.5, "
       "fallback = true, field = 'stress_xx', range = {1, 2}, scale = 'log', colours = 'roma', "
-      "second = 'speed', second_range = {3, 4}, arrange = 'right', cracks = false, thickness = "
+      "second = 'speed', second_range = {3, 4}, arrange = 'right', cracks = false, smooth = true, "
+      "average = true, thickness = "
       "6*mm, zoom = {7*mm, 8*mm, 9*mm}, follow = 'up', rotate = 0.5, deformed = true, magnify = "
       "11, "
       "bonds = true, theme = 'light', background = 'dark', title = 'T', clock = false, bar = true, "
       "scale_bar = "
-      "false, load_curve = true, energy = false, markers = {{1*mm, 2*mm, 'm'}} }";
-  std::string known = options + " px_per_mm = percentile =";  // alternatives to other options
+      "false, axes = true, dpi = 200, font_size = 9, load_curve = true, energy = false, markers = "
+      "{{1*mm, 2*mm, 'm'}} }";
+  std::string known =
+      options + " px_per_mm = paper = percentile =";  // alternatives to other options
   expect_all_named(movie_doc, known);
   const MovieOptions movie = noun_of<MovieOptions>(arguments(options, movie_doc));
   EXPECT_EQ(movie.fps, 12.0);
@@ -570,6 +573,8 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
   EXPECT_EQ(picture.second_range->max, 4.0);
   EXPECT_EQ(picture.arrangement, Arrangement::right);
   EXPECT_FALSE(picture.cracks);
+  EXPECT_TRUE(picture.smooth);
+  EXPECT_TRUE(picture.average);
   EXPECT_EQ(picture.thickness, 6e-3);
   EXPECT_NEAR((picture.zoom->centre - Vec2(7e-3, 8e-3)).norm(), 0.0, 1e-15);
   EXPECT_NEAR(picture.zoom->half_width, 9e-3, 1e-15);
@@ -584,6 +589,9 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
   EXPECT_FALSE(picture.overlay.clock);
   EXPECT_TRUE(picture.overlay.bar);
   EXPECT_FALSE(picture.overlay.scale_bar);
+  EXPECT_TRUE(picture.overlay.axes);
+  EXPECT_EQ(picture.dpi, 200.0);
+  EXPECT_EQ(picture.font_size, 9.0);
   EXPECT_TRUE(picture.overlay.load_curve);
   EXPECT_FALSE(picture.overlay.energy);
   ASSERT_EQ(picture.overlay.markers.size(), 1U);
@@ -597,16 +605,15 @@ TEST_F(Members, OfPicturesOneByOne) {
     return noun_of<PictureOptions>(arguments("{ 'a.png', " + option + " }", frame_doc));
   };
   EXPECT_EQ(picture("px_per_mm = 7").pixels_a_mm, 7.0);
+  EXPECT_EQ(picture("paper = 85*mm").paper, 0.085);
   EXPECT_EQ(picture("percentile = 98").percentile, 98.0);
   EXPECT_EQ(picture("scale = 'linear'").scale, Scale::linear);
   EXPECT_EQ(picture("follow = 'none'").follow, std::nullopt);
   EXPECT_EQ(picture("second = 'none'").second, std::nullopt);
   const std::pair<const char*, bool OverlayOptions::*> flags[] = {
-      {"clock", &OverlayOptions::clock},
-      {"bar", &OverlayOptions::bar},
-      {"scale_bar", &OverlayOptions::scale_bar},
-      {"energy", &OverlayOptions::energy},
-      {"load_curve", &OverlayOptions::load_curve}};
+      {"clock", &OverlayOptions::clock},         {"bar", &OverlayOptions::bar},
+      {"scale_bar", &OverlayOptions::scale_bar}, {"axes", &OverlayOptions::axes},
+      {"energy", &OverlayOptions::energy},       {"load_curve", &OverlayOptions::load_curve}};
   const OverlayOptions usual;
   for (const auto& [name, flag] : flags)
     for (const bool value : {false, true}) {
@@ -617,6 +624,8 @@ TEST_F(Members, OfPicturesOneByOne) {
     }
   const std::pair<const char*, bool PictureOptions::*> more[] = {
       {"cracks", &PictureOptions::cracks},
+      {"smooth", &PictureOptions::smooth},
+      {"average", &PictureOptions::average},
       {"deformed", &PictureOptions::deformed},
       {"bonds", &PictureOptions::bonds}};
   const PictureOptions plain;

@@ -69,9 +69,9 @@ TEST(Schema, EveryExampleRuns) {
 }
 
 TEST(Schema, EveryUnitIsOneThatIsUsed) {
-  const std::set<std::string_view> known{"",   "m",    "s",     "Pa",    "N/m3", "m/s",
-                                         "K",  "1/K",  "kg/m3", "kg/m",  "N/m",  "1/s",
-                                         "px", "J/m2", "rad",   "steps", "N/m6", "N/m4"};
+  const std::set<std::string_view> known{"",     "m",     "s",     "Pa",   "N/m3", "m/s", "K",
+                                         "1/K",  "kg/m3", "kg/m",  "N/m",  "1/s",  "px",  "pt",
+                                         "J/m2", "rad",   "steps", "N/m6", "N/m4"};
   for (const FunctionDoc* doc : all_docs())
     for (const Option& option : doc->options)
       EXPECT_TRUE(known.contains(option.unit)) << doc->name << ", " << option.name;
@@ -86,8 +86,7 @@ TEST(Schema, EveryRangeHoldsSomethingAndTheDefaultToo) {
       const double value = std::strtod(text.c_str(), &end);
       const bool number = !text.empty() && *end == '\0';
       EXPECT_TRUE(!number || option.range.holds(value)) << doc->name << ", " << option.name;
-      const bool depends =
-          option.fallback == suits_the_field || option.fallback == "that of the theme";
+      const bool depends = option.fallback == suits_the_field || option.fallback == suits_the_theme;
       const bool choice = option.type == OptionType::choice && !text.empty() && !depends;
       EXPECT_TRUE(!choice || std::ranges::count(option.choices, text) == 1)
           << doc->name << ", " << option.name;

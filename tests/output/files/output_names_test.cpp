@@ -135,10 +135,11 @@ TEST(Endings, DecideTheKindAndWrongOnesAreRefusedWithTheRightOnes) {
   EXPECT_EQ(refusal("record", "a.hdf5", FileKind::run_file), "");
   EXPECT_EQ(refusal("movie", "a.webm", FileKind::movie), "");
   EXPECT_EQ(refusal("io.open", "a.anything", FileKind::text), "");
-  EXPECT_EQ(refusal("frame", "x.pdf", FileKind::picture),
-            "frame: 'x.pdf' ends in '.pdf', which is no picture (one of .png)");
+  EXPECT_EQ(refusal("frame", "x.jpg", FileKind::picture),
+            "frame: 'x.jpg' ends in '.jpg', which is no picture (one of .png, .pdf, .svg)");
   EXPECT_EQ(refusal("frame", "a.mp4", FileKind::picture),
-            "frame: 'a.mp4' ends in '.mp4', which is no picture (one of .png; movie{} makes .mp4)");
+            "frame: 'a.mp4' ends in '.mp4', which is no picture (one of .png, .pdf, .svg; movie{} "
+            "makes .mp4)");
   EXPECT_EQ(refusal("record", "x.lua", FileKind::run_file),
             "record: 'x.lua' ends in '.lua', which is no run file (one of .h5, .hdf5; script{} "
             "makes .lua)");
@@ -147,7 +148,9 @@ TEST(Endings, DecideTheKindAndWrongOnesAreRefusedWithTheRightOnes) {
             ".hdf5)");
   EXPECT_EQ(refusal("record", "run", FileKind::run_file),
             "record: 'run' has no ending (one of .h5, .hdf5)");
-  for (const char* name : {"x.svg", "x.jpg", "x", "x.", ".png", "x.png "})
+  for (const char* name : {"x.png", "x.pdf", "x.SVG"})
+    EXPECT_EQ(refusal("frame", name, FileKind::picture), "") << name;
+  for (const char* name : {"x.eps", "x.jpg", "x", "x.", ".png", "x.png "})
     EXPECT_NE(refusal("frame", name, FileKind::picture), "") << name;
 }
 

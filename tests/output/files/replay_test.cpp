@@ -7,11 +7,13 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "output/files/panels.hpp"
 #include "output/picture/field_choice.hpp"
 #include "output/picture/painting.hpp"
 #include "solver/simulation.hpp"
 #include "store/run_file.hpp"
 #include "support/folder.hpp"
+#include "support/pixels.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
@@ -136,8 +138,8 @@ TEST_F(ReplayTest, FilmsOneRun) {
 TEST_F(ReplayTest, FilmsSeveralOfDifferentShapes) {
   MovieOptions options;
   options.picture.width = 320;
-  film_side_by_side({{a(), "one"}, {b(), "other"}}, folder_.path / "ab.mp4", options, {}, 2, 1,
-                    Talk::quiet, OutputNames());
+  film_side_by_side({{a(), "one"}, {b(), "other"}}, folder_.path / "ab.mp4", options, {},
+                    {.columns = 2}, 1, Talk::quiet, OutputNames());
   EXPECT_GT(fs::file_size(folder_.path / "ab.mp4"), 1000U);
 }
 
@@ -173,10 +175,46 @@ TEST_F(ReplayTest, ASheetHasARowForEachRunAndAColumnForEachTime) {
   layout.columns = 2;
   const Image ends = sheet_of(tiles, {}, options, layout);
   EXPECT_EQ(ends.width, 2 * (320 + gap) + gap);
-  EXPECT_EQ(grid.height - gap, 2 * (ends.height - gap));
+  options.overlay.bar = options.overlay.scale_bar = false;  // without a legend
+  const Image bare = sheet_of(tiles, {1e-6, 2e-6, 3e-6}, options, layout);
+  layout.columns = 2;
+  EXPECT_GT(grid.height, bare.height);
+  EXPECT_LT(bare.height - gap, 2 * (sheet_of(tiles, {}, options, layout).height - gap) + 1)
+      << "two rows, each as high as its run";
   layout.columns = 1;
   const Image list = sheet_of({{one, ""}}, {1e-6, 2e-6}, options, layout);
   EXPECT_EQ(list.width, 320 + 2 * gap);
+}
+
+// Runs of 20 and 12 mm: the larger is drawn as large as it can, the other to the same scale.
+TEST_F(ReplayTest, PanelsShareOneScale) {
+  PictureOptions options;
+  options.width = 320;
+  options.overlay.title = "";
+  options.overlay.clock = options.overlay.bar = options.overlay.scale_bar = false;
+  options.look = Look::light;
+  options.colours = "viridis";
+  SheetLayout layout;
+  layout.width = 320;
+  layout.columns = 2;
+  const Image sheet = sheet_of({{a(), ""}, {b(), ""}}, {}, options, layout);
+  const Colour least = load_colour_map("viridis").colours.front();
+  const int left = test::count_pixels(sheet, {0, 60, sheet.width / 2, 1}, [&](int x, int y) {
+    return test::pixel(sheet, x, y)[2] == least.red;
+  });
+  const int right =
+      test::count_pixels(sheet, {sheet.width / 2, 60, sheet.width / 2, 1},
+                         [&](int x, int y) { return test::pixel(sheet, x, y)[2] == least.red; });
+  EXPECT_NEAR(left, 280, 20);
+  EXPECT_NEAR(right, 24.0 / 40.0 * left, 2);
+}
+
+TEST(PanelNames, AreThoseOfTheFilesOrOfTheirFolders) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(panel_names({"a/one.h5", "a/two.h5"}), (Names{"one", "two"}));
+  EXPECT_EQ(panel_names({"out/2MPa/run.h5", "out/4MPa/run.h5"}), (Names{"2MPa", "4MPa"}));
+  EXPECT_EQ(panel_names({"a/run.h5", "a/run.h5", "b/run.h5"}), (Names{"a/run", "a/run", "b/run"}));
+  EXPECT_EQ(panel_names({"run.h5", "run.h5"}), (Names{"run", "run"}));
 }
 
 TEST_F(ReplayTest, APictureOnASheetShowsTheRecordOfItsTime) {

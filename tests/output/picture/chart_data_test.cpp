@@ -39,6 +39,17 @@ TEST(LoadCurve, IsInPascalWhereThereAreStressesOnly) {
   EXPECT_EQ(chart.curves[0].points, (Points{{0.0, 0.0}, {4e-6, 12e6}, {chart.until, 12e6}}));
 }
 
+// A run that ends on the way up shows where it was going.
+TEST(LoadCurve, ShowsTheWholeCourse) {
+  Loads loads;
+  loads.tractions = {traction(Edge::top, 12e6, ramp(40e-6))};
+  Simulation s = simulation(loads);
+  s.run(1e-5);
+  const Chart chart = load_curve(s);
+  EXPECT_DOUBLE_EQ(chart.until, 50e-6);
+  EXPECT_EQ(chart.curves.at(0).points, (Points{{0.0, 0.0}, {40e-6, 12e6}, {chart.until, 12e6}}));
+}
+
 TEST(LoadCurve, AFunctionIsKnownAtThePresentOnly) {
   Loads loads;
   const Amplitude wave([](double t) { return 1e5 * t; }, "a wave");

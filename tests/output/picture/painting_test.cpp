@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gmock/gmock.h>
 
@@ -33,7 +34,7 @@ TEST(Painting, RefusesAZoomThatShowsNothing) {
                                    {0.05, infinite, 0.01},
                                    {0.05, 0.02, 0.0},
                                    {0.05, 0.02, -0.01},
-                                   {0.05, 0.02, 0.11},
+                                   {0.05, 0.02, 1.01},
                                    {0.05, 0.02, 1e-4},
                                    {0.05, 0.02, nan},
                                    {0.05, 0.02, infinite}})
@@ -117,7 +118,7 @@ TEST(Painting, ARangeFitsWhatIsSeen) {
   options.field = "speed";
   const Ends usual = usual_ends(options, simulation);
   ASSERT_LT(usual.max, 30.0);
-  const Ends fitting = fitting_range(options, simulation, usual);
+  const Ends fitting = fitting_range(first_field(options), simulation, usual);
   EXPECT_EQ(fitting.min, usual.min);
   EXPECT_GE(fitting.max, 30.0);
   EXPECT_LT(fitting.max, 2.5 * 30.0);
@@ -153,6 +154,51 @@ TEST(Painting, AnAbsentCrackIsAGapInEveryFieldButDamage) {
   const auto* pixel = &image.pixels[static_cast<std::size_t>(
       (seen.y + seen.height / 2) * image.stride() + 4 * (seen.x + seen.width / 4))];
   EXPECT_EQ(pixel[2], background_colour.red);
+}
+
+std::string refusal_of(const PictureOptions& options) {
+  try {
+    check("frame", options, grid);
+    return "";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    return error.what();
+  }
+}
+
+// 85 mm at 300 px an inch are 1004 px, 8 pt are 33.
+TEST(Painting, PaperHasItsOwnSizes) {
+  const Simulation simulation(test::edge_crack(12e6), test::numerics(1e-3, 4e-3), {1});
+  PictureOptions options;
+  EXPECT_EQ(style_of(options, simulation).font, 0.0);
+  options.paper = 85e-3;
+  EXPECT_EQ(style_of(options, simulation).width, 1004);
+  EXPECT_EQ(style_of(options, simulation).font, 33.0);
+  EXPECT_EQ(layout_of(style_of(options, simulation)).font, 33.0);
+  options.dpi = 600.0;
+  options.font_size = 6.0;
+  EXPECT_EQ(style_of(options, simulation).width, 2008);
+  EXPECT_EQ(style_of(options, simulation).dpi, 600.0);
+  EXPECT_EQ(style_of(options, simulation).font, 50.0);
+  EXPECT_EQ(refusal_of(options), "");
+}
+
+TEST(Painting, PaperThatDoesNotFitIsRefused) {
+  PictureOptions options;
+  options.paper = 0.5;
+  options.dpi = 600.0;
+  EXPECT_THAT(refusal_of(options), HasSubstr("500 mm of paper at 600 dpi are 11812 px"));
+  options = {};
+  options.font_size = 40.0;
+  EXPECT_THAT(refusal_of(options), HasSubstr("a font_size of 40 pt is 167 px of a width of 1280"));
+  options = {};
+  options.paper = 85e-3;
+  options.pixels_a_mm = 4.0;
+  EXPECT_THAT(refusal_of(options), HasSubstr("paper and px_per_mm are given"));
+  options = {};
+  options.overlay.axes = true;
+  options.rotation = 0.1;
+  EXPECT_THAT(refusal_of(options), HasSubstr("axes cannot be turned"));
 }
 
 TEST(Painting, ChartsArePaidForOnlyWhereAskedFor) {

@@ -45,6 +45,7 @@ TEST(View, AZoomIsAWindowOfThePlatesShapeInWholeCells) {
                         {0.06, 0.02, 0.01, {100, 32, 40, 16}},
                         {0.0, 0.0, 0.01, {-20, -8, 40, 16}},
                         {0.1, 0.04, 0.1, {0, 0, 400, 160}},
+                        {0.05, 0.02, 1.0, {-1900, -760, 4000, 1600}},
                         {0.05, 0.02, 0.5e-3, {99, 40, 2, 1}}}) {
     SCOPED_TRACE(testing::Message() << c.x << " " << c.y << " " << c.half);
     const PictureOptions options = zoomed_at(c.x, c.y, c.half);

@@ -176,6 +176,17 @@ TEST_P(OverlayAt, MarkersStandWhereTheyAreSaidToBe) {
   EXPECT_EQ(lit(image, layout.plate), lit(image, {x - size, y - size, 3 * size, 2 * size}));
 }
 
+// Each is drawn by itself, not from where the one before ends.
+TEST_P(OverlayAt, NothingLiesBetweenMarkers) {
+  OverlayText marked = text();
+  marked.parts.markers = {{{0.01, 0.01}, "a"}, {{0.09, 0.03}, "b"}};
+  const Layout layout = make_layout(paper_plate, GetParam(), marked);
+  const Rectangle& plate = layout.plate;
+  const Rectangle between{plate.x + plate.width * 4 / 10, plate.y, plate.width * 2 / 10,
+                          plate.height};
+  EXPECT_EQ(lit(drawn(marked, GetParam(), moment(0.0)), between), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Widths, OverlayAt, testing::Values(320, 640, 1280, 3840));
 
 TEST(OverlayText, SaysTimesWithTwoDecimalsSoThatTheyDoNotDance) {
