@@ -125,15 +125,14 @@ std::optional<double> micromodulus_of(const Material& material, const Plate& pla
   return std::nullopt;
 }
 
-// A disc that crosses much of a spacing per step is not resolved, even if the step is stable.
-void check_impact(const Plate& plate, const Numerics& numerics, Problems& problems) {
-  const double longest = longest_step_of_impact(plate, numerics.spacing);
+// A body that crosses much of a spacing per step is not resolved, even if the step is stable.
+void check_bodies(const Plate& plate, const Numerics& numerics, Problems& problems) {
+  const auto [longest, who] = longest_step_of_bodies(plate, numerics.spacing);
   if (*numerics.step <= longest * (1.0 + 1e-9)) return;
-  problems.add(
-      fmt::format("impactor: in a step of {} it crosses {:.2g} spacings, {:g} are the most",
-                  quantity(*numerics.step, "s"), max_crossed * *numerics.step / longest,
-                  max_crossed),
-      fmt::format("take a step of {} or less, or leave it out", quantity(longest, "s")));
+  problems.add(fmt::format("{}: in a step of {} it crosses {:.2g} spacings, {:g} are the most", who,
+                           quantity(*numerics.step, "s"), max_crossed * *numerics.step / longest,
+                           max_crossed),
+               fmt::format("take a step of {} or less, or leave it out", quantity(longest, "s")));
 }
 
 // The limit combines the stiffest and the lightest material.
@@ -161,7 +160,7 @@ void check_step(const Plate& plate, const Numerics& numerics, bool has_family, P
   if (numerics.step && !is_positive(*numerics.step)) return;
   if (has_family) check_against_limit(plate, numerics, problems);
   if (numerics.step && numerics.spacing > 0.0 && !numerics.force_step)
-    check_impact(plate, numerics, problems);
+    check_bodies(plate, numerics, problems);
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 // (src/lattice/README.md 4.5).
 #pragma once
 
+#include <limits>
+#include <string_view>
+
 #include "lattice/symbol.hpp"
 #include "scene/plate.hpp"
 
@@ -27,15 +30,22 @@ inline constexpr double left_by_friction = 0.85;
 // diagonal ones, which together count as two, and both ends move: four times their stiffness. A
 // disc adds its own stiffness to each node that it pushes and, by its recoil, as much again times
 // the mass of those nodes over its own; the number of discs that push one node is the number that
-// come near each other on their straight paths.
+// come near each other on their straight paths. Rollers and platens do the same; they recoil where
+// a force leads them.
 Touching touching_of(const Plate& plate, double dx);
 
-// The largest share of a spacing that a disc may cross per step: it then pushes a node several
-// times before the node is deep inside.
+// The largest share of a spacing that a rigid body may cross per step: it then pushes a node
+// several times before the node is deep inside.
 inline constexpr double max_crossed = 0.1;
 
-// Returns the longest step for the discs of the plate, s; infinite without discs. The plate is
-// assumed to start at rest or to move as one.
-double longest_step_of_impact(const Plate& plate, double dx);
+// The longest step for the impactors, rollers and platens of a plate, s, and the one it is due to.
+struct StepOfBodies {
+  double longest = std::numeric_limits<double>::infinity();
+  std::string_view who;
+};
+
+// The plate is assumed to start at rest or to move as one. Bodies that are led by a force or by a
+// function of time do not count.
+StepOfBodies longest_step_of_bodies(const Plate& plate, double dx);
 
 }  // namespace hackle

@@ -52,6 +52,21 @@ double Amplitude::at(double t) const {
   return before.y() + share * (next->y() - before.y());
 }
 
+double Amplitude::largest() const {
+  double max = is_constant() ? 1.0 : 0.0;
+  for (const Vec2& point : points_) max = std::max(max, std::abs(point.y()));
+  return max;
+}
+
+double Amplitude::steepest() const {
+  double max = 0.0;
+  for (std::size_t k = 1; k < points_.size(); ++k) {
+    const Vec2 way = points_[k] - points_[k - 1];
+    if (way.y() != 0.0) max = std::max(max, std::abs(way.y()) / way.x());
+  }
+  return max;
+}
+
 double Amplitude::mean(double from, double to) const {
   if (!(to > from)) return at(from);
   if (is_function()) return gauss_mean([this](double t) { return at(t); }, from, to);

@@ -37,6 +37,11 @@ class Amplitude {
   // quadrature on sixteen subintervals. Returns at(from) if the interval is empty.
   double mean(double from, double to) const;
 
+  // Returns the largest magnitude of the factor, and of its change per s: infinite with a jump.
+  // Both only of points: a constant is 1 and does not change, a function counts as 0.
+  double largest() const;
+  double steepest() const;
+
   // Returns "constant", "0 at 0 s, 1 at 2 us", or the text of a function.
   std::string describe() const;
 

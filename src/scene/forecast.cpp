@@ -89,10 +89,11 @@ double stress_of(const Support& support, const Episode& episode, Sampler& sample
   return stress_of_motion(value, support.kind == Support::Kind::displacement, episode, sampler);
 }
 
-// Of a roller or platen that strikes at its speed, or presses as far as it goes.
-template <class Guided>
-double stress_of_guided(const Guided& guided, const Episode& episode, Sampler& sampler) {
+// Of a roller or platen that strikes at its speed, or presses as far as it goes, or by its force.
+double stress_of(const Guided& guided, const Episode& episode, Sampler& sampler) {
   const double value = guided.value.norm() * sampler.largest(guided.amplitude);
+  if (guided.guide == Guide::force)
+    return value / std::min(sampler.plate.width, sampler.plate.height);
   return stress_of_motion(value, guided.guide == Guide::displacement, episode, sampler);
 }
 
@@ -119,8 +120,8 @@ double stress_of(const Loads& loads, const Episode& episode, Sampler& sampler) {
     sum += stress_of_heat(plate, sampler.largest(load.change) * sampler.largest(load.amplitude));
   for (const Impactor& impactor : loads.impactors)
     sum += Stiffness(plate).of_velocity(impactor.velocity.norm());
-  for (const Roller& roller : loads.rollers) sum += stress_of_guided(roller, episode, sampler);
-  for (const Platen& platen : loads.platens) sum += stress_of_guided(platen, episode, sampler);
+  for_each_guided(loads,
+                  [&](const auto& body) { sum += stress_of(body.guided, episode, sampler); });
   return sum;
 }
 

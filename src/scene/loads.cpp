@@ -31,11 +31,22 @@ void check_place(const Traction& traction, Problems& problems) {
     problems.add("traction: depth is of an edge, and a rim is given", "leave it out");
 }
 
+void check_guided(const Guided& guided, std::string_view who, Problems& problems) {
+  check_members(guided, who, problems);
+  if (guided.guide != Guide::force) return;
+  if (guided.value.isZero(0.0))
+    problems.add(fmt::format("{}: its force is 0, which has no direction", who),
+                 "give a force, or leave it out: it then stands still");
+}
+
 }  // namespace
 
 void check(const Loads& loads, Problems& problems) {
   for_each_list(loads, [&](const auto& list) {
     for (const auto& load : list) check_members(load, problems);
+  });
+  for_each_guided(loads, [&](const auto& body) {
+    check_guided(body.guided, description_of<std::remove_cvref_t<decltype(body)>>.noun, problems);
   });
   for (const Traction& traction : loads.tractions) {
     check_place(traction, problems);

@@ -54,6 +54,13 @@ inline constexpr auto description_of<Loads> = describe_noun(
             .sentence = "Rayleigh's beta: bonds resist the rate of their stretch; waves of angular "
                         "frequency w decay as exp(-beta w^2 t/2), rigid motion does not."}));
 
+// Visits all rollers, then all platens.
+template <class LoadsOrConst, class Visit>
+void for_each_guided(LoadsOrConst& loads, const Visit& visit) {
+  for (auto& roller : loads.rollers) visit(roller);
+  for (auto& platen : loads.platens) visit(platen);
+}
+
 // Returns all loads of one kind.
 template <class Load>
 std::vector<Load>& all_of(Loads& loads) {

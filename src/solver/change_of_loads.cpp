@@ -3,6 +3,7 @@
 // that a load does after a step is not the one that it would have done.
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "lattice/lattice.hpp"
@@ -38,11 +39,12 @@ Terms MovingPlate::terms_for(const Plate& plate, std::int64_t last_step) {
   const std::string_view who = limits_more(plate.loads, plate_.loads);
   if (!who.empty() && !numerics_.force_step) check_step(plate, lattice_, dt_, who);
   next.tabulate(state_.clock, state_.step, std::max(state_.step, last_step) + 1, dt_);
-  const std::vector<Disc> discs = state_.discs;
+  const auto bodies = std::tie(state_.discs, state_.rollers, state_.platens);
+  const std::tuple<std::vector<Disc>, std::vector<Disc>, std::vector<Disc>> before = bodies;
   try {
     next.begin(around(next), state_);
   } catch (...) {
-    state_.discs = discs;
+    std::tie(state_.discs, state_.rollers, state_.platens) = before;
     throw;
   }
   next.go_on_from(terms_);

@@ -27,13 +27,13 @@ double default_step(double limit, double safety) {
 }
 
 double default_step(const Plate& plate, const Lattice& lattice, double safety) {
-  const double longest = longest_step_of_impact(plate, lattice.grid.dx);
+  const double longest = longest_step_of_bodies(plate, lattice.grid.dx).longest;
   return std::min(default_step(lattice.step_limit, safety), rounded_down(longest));
 }
 
 void check_step(const Plate& plate, const Lattice& lattice, double dt, std::string_view who) {
   const double limit = step_limit(lattice, plate) / step_fraction;
-  const double longest = longest_step_of_impact(plate, lattice.grid.dx);
+  const auto [longest, body] = longest_step_of_bodies(plate, lattice.grid.dx);
   const double fit = std::min(limit, longest);
   if (dt <= fit * (1.0 + 1e-9)) return;
   const std::string remedy = fmt::format(
@@ -41,9 +41,8 @@ void check_step(const Plate& plate, const Lattice& lattice, double dt, std::stri
       quantity(rounded_down(fit), "s"));
   if (limit >= longest)
     throw Error(ErrorKind::refused,
-                fmt::format("impactor: in the step of {} it crosses {:.2g} spacings, {:g} are the "
-                            "most",
-                            quantity(dt, "s"), max_crossed * dt / longest, max_crossed),
+                fmt::format("{}: in the step of {} it crosses {:.2g} spacings, {:g} are the most",
+                            body, quantity(dt, "s"), max_crossed * dt / longest, max_crossed),
                 remedy);
   throw Error(ErrorKind::refused,
               fmt::format("{}: the step is {}, above the stability limit of {} while it acts", who,

@@ -9,7 +9,7 @@ namespace hackle {
 
 // Returns the default step for a limit, s: `safety` times it, rounded down to three digits.
 double default_step(double limit, double safety = step_fraction);
-// Returns the default step, also short enough for every disc (see longest_step_of_impact).
+// Returns the default step, also short enough for every rigid body (see longest_step_of_bodies).
 double default_step(const Plate& plate, const Lattice& lattice, double safety);
 
 // Checks the step for loads that come later and limit it, of which `who` is one: "foundation";

@@ -65,6 +65,8 @@ class MovingPlate {
   Ledger ledger() const { return energy_unit() * terms_.ledger(around(), state_); }  // J/m
   // Of motion, bonds and contacts, as if u and v belonged to the same time; in energy_unit().
   double energy() const;
+  // The forces of the plate on impactors, rollers and platens, now.
+  std::vector<Reaction> reactions() const { return terms_.reactions(around(), state_); }
   std::vector<Vec2> velocities() const;  // m/s, now, by Grid::index
   // The same of one node, to rounding. Forces are not linearised (fidelity), and a bond that the
   // next step breaks still pulls.

@@ -97,6 +97,8 @@ class Simulation {
   Ledger ledger() const { return plate_.ledger(); }                                        // J/m
   double kinetic_energy() const { return view().kinetic_energy(); }            // now, J/m
   Vec2 displacement(int i, int j) const { return view().displacement(i, j); }  // m
+  // Returns the forces of the plate on impactors, rollers and platens, now.
+  std::vector<Reaction> reactions() const { return plate_.reactions(); }
   std::vector<Vec2> velocities() const { return plate_.velocities(); }  // m/s, by Grid::index
   // Returns whether the bond of node (i, j) to (i + column, j + row) is intact.
   bool holds(int i, int j, int column, int row) const { return view().holds(i, j, column, row); }

@@ -32,7 +32,7 @@ void for_each_array(const Visit& visit, Motions&... motions) {
   visit("threshold", motions.threshold...);
 }
 
-// A rigid disc in flight, in lattice units: its position from the centre of the lattice, and its
+// The place of a rigid body, in lattice units: its centre from the centre of the lattice, and its
 // velocity half a step earlier.
 struct Disc {
   Vec2 centre{0, 0};
@@ -60,6 +60,8 @@ struct State {
                                // likewise
   Vec2 origin{0, 0};           // a translation of the whole plate, removed from u
   std::vector<Disc> discs;     // in the order of the impactors of the plate
+  std::vector<Disc> rollers;   // likewise
+  std::vector<Disc> platens;
 
   Precision precision() const { return motion.index() == 0 ? Precision::f64 : Precision::f32; }
   bool is_start() const { return step == start; }
@@ -85,7 +87,8 @@ struct State {
 template <class StateOrConst, class Visit>
 void for_each_member(StateOrConst& state, const Visit& visit) {
   auto& [layout, motion, bonds, step, clock, start, external_work, damped, released, contact_lost,
-         origin, discs] = state;  // a new member breaks the build until it is visited
+         origin, discs, rollers, platens] =
+      state;  // a new member breaks the build until it is visited
   std::visit(
       [&visit](auto& arrays) {
         for_each_array([&visit](const char* name, auto& values) { visit(name, values, true); },
@@ -102,6 +105,8 @@ void for_each_member(StateOrConst& state, const Visit& visit) {
   visit("contact_lost", contact_lost, contact_lost != 0.0);
   visit("origin", origin, true);
   visit("discs", discs, true);
+  visit("rollers", rollers, true);
+  visit("platens", platens, true);
 }
 
 }  // namespace hackle

@@ -124,6 +124,12 @@ Ledger Terms::ledger(const Surroundings& around, const State& state) const {
   return ledger;
 }
 
+std::vector<Reaction> Terms::reactions(const Surroundings& around, const State& state) const {
+  std::vector<Reaction> list;
+  for (const Cloned<Term>& term : list_) term->add_reactions(around, state, list);
+  return list;
+}
+
 std::vector<TermSeconds> Terms::seconds() const {
   std::vector<TermSeconds> all;
   const auto add = [&](std::string_view name, double seconds) {

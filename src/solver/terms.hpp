@@ -57,6 +57,7 @@ class Terms {
   double stored() const;  // by all of them, in units of rho dx^4/dt^2
   // The ledger of a state, in units of rho dx^4/dt^2.
   Ledger ledger(const Surroundings& around, const State& state) const;
+  std::vector<Reaction> reactions(const Surroundings& around, const State& state) const;
   // What update() or halt() found.
   const Actions& actions() const { return actions_; }
   std::vector<TermSeconds> seconds() const;

@@ -48,13 +48,44 @@ TEST(Touching, LowersTheLimitOfTheLattice) {
   EXPECT_EQ(step_limit(alone, plate), hit.step_limit);
 }
 
+// A held body adds its stiffness; one that a force leads also recoils: 5 mm of nodes against 0.01
+// kg/m.
+TEST(Touching, CountsRollersAndPlatens) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.loads.platens.push_back({{0.0, 5e-3}, {5e-3, 6e-3}, {}});
+  EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes, 15.0);
+  Guided& guided = plate.loads.platens.front().guided;
+  guided.guide = Guide::force;
+  guided.mass = 0.01;
+  EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes,
+                   15.0 * (1.0 + 5e-3 * spacing * 2235.0 / 0.01));
+  plate.loads.rollers.assign(2, {{5e-3, 8e-3}, 2e-3, {}});
+  EXPECT_DOUBLE_EQ(touching_of(plate, spacing).nodes,
+                   30.0 * (1.0 + 5e-3 * spacing * 2235.0 / 0.01));
+}
+
+// By its largest speed: of a velocity at its largest factor, of a displacement where it is
+// steepest, 2 m/s * 3 and 1 mm in 10 us.
+TEST(Touching, RollersAndPlatensMayCrossATenthOfASpacingInAStep) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.loads.rollers.push_back({{5e-3, 8e-3}, 2e-3, {Guide::velocity, {0, -2}}});
+  plate.loads.rollers.front().guided.amplitude = Amplitude({{0.0, 1.0}, {1e-6, -3.0}});
+  EXPECT_DOUBLE_EQ(longest_step_of_bodies(plate, spacing).longest, 0.1 * spacing / 6.0);
+  EXPECT_EQ(longest_step_of_bodies(plate, spacing).who, "roller");
+  plate.loads.platens.push_back({{0, 6e-3}, {5e-3, 7e-3}, {Guide::displacement, {0, -1e-3}}});
+  plate.loads.platens.front().guided.amplitude = ramp(10e-6);
+  EXPECT_DOUBLE_EQ(longest_step_of_bodies(plate, spacing).longest, 0.1 * spacing / 100.0);
+  EXPECT_EQ(longest_step_of_bodies(plate, spacing).who, "platen");
+}
+
 TEST(Touching, ADiscMayCrossATenthOfASpacingInAStep) {
   Plate plate = test::bare_plate(20, 10);
-  EXPECT_EQ(longest_step_of_impact(plate, spacing), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(longest_step_of_bodies(plate, spacing).longest,
+            std::numeric_limits<double>::infinity());
   plate.loads.impactors = {disc(100.0), disc(-1000.0)};
-  EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, spacing), 50e-9);
+  EXPECT_DOUBLE_EQ(longest_step_of_bodies(plate, spacing).longest, 50e-9);
   plate.initial_conditions.push_back({{}, Vec2(0, 0), Vec2(1000.0, 0.0)});  // head on
-  EXPECT_DOUBLE_EQ(longest_step_of_impact(plate, spacing), 25e-9);
+  EXPECT_DOUBLE_EQ(longest_step_of_bodies(plate, spacing).longest, 25e-9);
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ State busy(Precision precision) {
   state.clock = {1e-6, 2};
   state.origin = {4.0, 5.0};
   state.discs = {{{6.0, 7.0}, {8.0, 9.0}}, {{1.0, 2.0}, {3.0, 4.0}}};
+  state.rollers = {{{1.0, 2.0}, {0.0, 1.0}}};
+  state.platens = {{{5.0, 2.0}, {0.0, 1.0}}};
   return state;
 }
 
@@ -62,6 +64,8 @@ TEST(StateHash, KnowsEveryMember) {
       {"centre of a disc", [](State& s) { s.discs[0].centre.x() = 6.5; }},
       {"centre of another", [](State& s) { s.discs[1].centre.y() = 2.5; }},
       {"velocity of a disc", [](State& s) { s.discs[0].velocity.y() = 9.5; }},
+      {"centre of a roller", [](State& s) { s.rollers[0].centre.x() = 6.5; }},
+      {"velocity of a platen", [](State& s) { s.platens[0].velocity.y() = 9.5; }},
       {"velocity of another", [](State& s) { s.discs[1].velocity.x() = 3.5; }},
   };
   for (const Precision precision : {Precision::f64, Precision::f32}) {

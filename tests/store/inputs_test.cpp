@@ -121,7 +121,8 @@ Loads every_load() {
   loads.absorbers = {{Absorber::Where::top}, {Absorber::Where::all}};
   loads.rollers = {{{0.02, 0.06}, 2e-3, Guide::velocity, {0.1, -0.2}, table, 0.3},
                    {{0.03, -0.01}, 3e-3, Guide::displacement, {0.0, 0.0}, {}, 0.0}};
-  loads.platens = {{{0.02, 0.06}, {0.04, 0.07}, Guide::displacement, {0.1, -0.2}, table, 0.4}};
+  loads.platens = {{{0.02, 0.06}, {0.04, 0.07}, Guide::displacement, {0.1, -0.2}, table, 0.4},
+                   {{0.02, -0.02}, {0.04, -0.01}, Guide::force, {0.1, 0.2}, {}, 0.5, 7.0}};
   loads.damping = 1234.5;
   loads.stiffness_damping = 6.7e-9;
   return loads;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "console/language/load_docs.hpp"
 #include "console/language/scripted_plate.hpp"
 #include "console/language/scripted_run.hpp"
@@ -33,16 +34,24 @@ void set_axes(const Arguments& arguments, Support& support) {
   support.along_y = axis != "x";
 }
 
+void check_guide(Arguments& arguments, const FunctionDoc& doc) {
+  const auto given = std::ranges::count_if(
+      enum_names<Guide>, [&](std::string_view name) { return arguments.has(name); });
+  if (given > 1)
+    arguments.problems.add(
+        fmt::format("{}: more than one of {} is given", doc.name, comma_list(enum_names<Guide>)),
+        "give one of them");
+  if (arguments.has("mass") && !arguments.has("force") && arguments.good({"force"}))
+    arguments.problems.add(fmt::format("{}: a mass goes with a force", doc.name),
+                           "leave it out, or give a force");
+}
+
 // Sets what a description cannot say: regions, axes, members with another option name.
 
 template <class Load>
 void complete(Load& load, Arguments& arguments, const Plate& plate, const FunctionDoc& doc) {
   if constexpr (requires { load.region; }) load.region = region_of(arguments, plate, doc.name);
-  if constexpr (requires { load.guide; })
-    if (arguments.has("displacement") && arguments.has("velocity"))
-      arguments.problems.add(
-          fmt::format("{}: both a displacement and a velocity are given", doc.name),
-          "give one of them");
+  if constexpr (requires { load.guided; }) check_guide(arguments, doc);
 }
 
 // A clamp prescribes velocity 0: the nodes stay where they are, even in the middle of a run.
@@ -59,11 +68,10 @@ void complete(Support& support, Arguments& arguments, const Plate& plate, const 
 }
 
 void complete(Impactor& impactor, Arguments& arguments, const Plate&, const FunctionDoc&) {
-  constexpr double steel = 7850.0;  // kg/m3
   if (arguments.has("mass") && arguments.has("density"))
     arguments.problems.add("impactor: both a mass and a density are given", "give one of them");
   const double area = std::numbers::pi * impactor.radius * impactor.radius;
-  if (!arguments.has("mass")) impactor.mass = area * arguments.number("density", steel);
+  if (!arguments.has("mass")) impactor.mass = area * arguments.number("density", density_of_steel);
 }
 
 template <class Load>
@@ -91,6 +99,22 @@ int add_to_plate(lua_State* L) {
   return return_plate(L);
 }
 
+// Replaces the load at the same place by one that comes last: it has the last word where loads
+// exclude each other. The state knows guided bodies by their number, which they keep.
+template <class Load>
+void put_in_place(Load load, std::vector<Load>& list) {
+  const auto is_there = [&](const Load& other) { return same_place(load, other); };
+  if constexpr (requires { load.guided; }) {
+    const auto found = std::ranges::find_if(list, is_there);
+    if (found != list.end()) {
+      *found = std::move(load);
+      return;
+    }
+  }
+  std::erase_if(list, is_there);
+  list.push_back(std::move(load));
+}
+
 template <class Load, const FunctionDoc& doc>
 int change_in_run(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, doc);
@@ -99,8 +123,7 @@ int change_in_run(lua_State* L) {
   auto load = load_of<Load>(arguments, plate, doc);
   Loads loads = plate.loads;
   std::vector<Load>& list = all_of<Load>(loads);
-  std::erase_if(list, [&](const Load& other) { return same_place(load, other); });
-  list.push_back(std::move(load));
+  put_in_place(std::move(load), list);
   scripted.run().set_loads(std::move(loads));
   return return_self(L);
 }

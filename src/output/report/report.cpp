@@ -61,6 +61,16 @@ std::string damage_line(const Summary& summary) {
                      grouped(summary.damage.broken_bonds), summary.damage.max);
 }
 
+// Returns "\n  bodies   ..." with the force of the plate on each rigid body, or "".
+std::string bodies_line(const std::vector<Reaction>& reactions) {
+  std::string line;
+  for (const auto& [who, number, centre, force] : reactions)
+    line += fmt::format("{}{} {} at ({}, {}) bears ({:.4g}, {:.4g}) N/m",
+                        line.empty() ? "\n  bodies   " : "; ", who, number,
+                        quantity(centre.x(), "m"), quantity(centre.y(), "m"), force.x(), force.y());
+  return line;
+}
+
 std::string energy_line(const Energy& energy) {
   const double share = energy.external != 0.0 ? 100.0 * energy.residual() / energy.external : 0.0;
   return fmt::format(
@@ -102,13 +112,13 @@ std::string tiles_line(const Summary& summary) {
 
 std::string report(const Simulation& simulation, const Summary& summary) {
   return fmt::format(
-      "{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}\n  steps    "
+      "{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}{}\n  steps    "
       "{}\n  tiles    "
       "{}\n  wall     {}\n  state    {}",
       describe(simulation.plate()), lattice_line(simulation, summary), model_line(simulation),
       time_line(summary), damage_line(summary), energy_line(summary.energy),
-      describe_features(simulation), tiles_line(summary), wall_line(simulation, summary),
-      summary.hash);
+      bodies_line(summary.reactions), describe_features(simulation), tiles_line(summary),
+      wall_line(simulation, summary), summary.hash);
 }
 
 std::vector<std::string> remarks(const Simulation& simulation) {

@@ -29,6 +29,16 @@ nlohmann::ordered_json to_json(const std::vector<Stage>& stages) {
   return json;
 }
 
+nlohmann::ordered_json to_json(const std::vector<Reaction>& reactions) {
+  auto json = nlohmann::ordered_json::array();
+  for (const auto& [who, number, centre, force] : reactions)
+    json.push_back({{"body", who},
+                    {"number", number},
+                    {"centre_m", {centre.x(), centre.y()}},
+                    {"force_N_per_m", {force.x(), force.y()}}});
+  return json;
+}
+
 // Returns shares of all tile-steps.
 nlohmann::ordered_json to_json(const PathCounts& paths) {
   const auto all =
@@ -56,6 +66,7 @@ Summary summary_of(const Simulation& simulation) {
   summary.features = kernel_features(simulation);
   summary.energy = energy(simulation);
   summary.damage = count_damage(simulation);
+  summary.reactions = simulation.reactions();
   summary.peak_rss = peak_resident_memory();
   summary.hash = simulation.state().hash();
   summary.wall.solve = simulation.solve_seconds();
@@ -82,6 +93,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   json["energy_J_per_m"] = to_json(summary.energy);
   json["residual_share"] = residual_share(summary.energy);
   json["damage"] = {{"broken_bonds", summary.damage.broken_bonds}, {"max", summary.damage.max}};
+  if (!summary.reactions.empty()) json["reactions"] = to_json(summary.reactions);
   json["peak_rss_bytes"] = summary.peak_rss;
   json["hash"] = summary.hash;
   json["files"] = nlohmann::ordered_json::array();

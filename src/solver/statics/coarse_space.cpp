@@ -7,6 +7,8 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "solver/statics/rigid_contacts.hpp"
+
 namespace hackle {
 namespace {
 
@@ -44,7 +46,8 @@ struct CoarseSpace::Factor {
   Eigen::VectorXd right, left;
 };
 
-CoarseSpace::CoarseSpace(const LinearisedBonds& net, const NodeVectors& mobile)
+CoarseSpace::CoarseSpace(const LinearisedBonds& net, const NodeVectors& mobile,
+                         const RigidContacts* contacts)
     : net_(&net), mobile_(&mobile), factor_(std::make_unique<Factor>()) {
   const Grid& grid = net.lattice().grid;
   const double widest = std::sqrt(static_cast<double>(grid.nodes()) / max_blocks);
@@ -53,7 +56,7 @@ CoarseSpace::CoarseSpace(const LinearisedBonds& net, const NodeVectors& mobile)
   find_mirrors();
   forces_.resize(block_of_part_.size());
   answers_.resize(block_of_part_.size());
-  factorise(mobile);
+  factorise(mobile, contacts);
 }
 
 CoarseSpace::~CoarseSpace() = default;
@@ -123,7 +126,7 @@ Vec2 CoarseSpace::arm(const Block& block, int i, int j) const {
 }
 
 // Bonds within one part contribute little, since it moves as a rigid body.
-void CoarseSpace::factorise(const NodeVectors& mobile) {
+void CoarseSpace::factorise(const NodeVectors& mobile, const RigidContacts* contacts) {
   const Grid& grid = net_->lattice().grid;
   const std::size_t parts = block_of_part_.size();
   if (parts == 0) return;  // without intact bonds
@@ -144,6 +147,15 @@ void CoarseSpace::factorise(const NodeVectors& mobile) {
           blocks_[static_cast<std::size_t>(block_of_part_[static_cast<std::size_t>(part)])];
       motions[grid.index(i, j)] = motion_of(arm(block, i, j), mobile.x[at], mobile.y[at]);
     }
+  const auto add_spring = [&](const RigidContacts::Spring& spring) {
+    const std::size_t node = grid.index(spring.i, spring.j);
+    const int part = part_[node];
+    if (part == none) return;
+    Eigen::Matrix2d stiff;
+    stiff << spring.stiffness.xx, spring.stiffness.xy, spring.stiffness.xy, spring.stiffness.yy;
+    coupling(part, part) += motions[node].transpose() * (stiff * motions[node]);
+  };
+  if (contacts != nullptr) std::ranges::for_each(contacts->springs(), add_spring);
   net_->for_each_stiffness([&](std::size_t one, std::size_t other, const Stiffness& k) {
     const int a = part_[one], b = part_[other];
     Eigen::Matrix2d stiff;

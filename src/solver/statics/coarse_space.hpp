@@ -16,10 +16,13 @@ namespace hackle {
 // where cracks divide them. Each part moves as a rigid body: two shifts and a rotation. On these
 // motions the tangent of the net is small enough to factorise (Galerkin's projection, Eigen's
 // sparse Cholesky).
+class RigidContacts;
+
 class CoarseSpace {
  public:
-  // Takes the tangent of the net, with the bonds that are intact now.
-  CoarseSpace(const LinearisedBonds& net, const NodeVectors& mobile);
+  // Takes the tangent of the net, with the bonds that are intact now, and the springs of contacts.
+  CoarseSpace(const LinearisedBonds& net, const NodeVectors& mobile,
+              const RigidContacts* contacts = nullptr);
   ~CoarseSpace();
 
   // Returns false if the tangent has motions of negative stiffness: then it must not be used.
@@ -44,7 +47,7 @@ class CoarseSpace {
   void cut_into_blocks();
   void find_parts(Block& block, std::vector<int>& next);
   void find_mirrors();
-  void factorise(const NodeVectors& mobile);
+  void factorise(const NodeVectors& mobile, const RigidContacts* contacts);
   Vec2 arm(const Block& block, int i, int j) const;
   Body sum_of(const Block& block, int part, const NodeVectors& r) const;
   void make_symmetric(const std::vector<int>& mirror, bool left_right);

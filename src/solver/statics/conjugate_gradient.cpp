@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/statics/rigid_contacts.hpp"
+
 namespace hackle {
 namespace {
 
@@ -21,14 +23,20 @@ Stiffness inverse_of(const Stiffness& own, double mobile_x, double mobile_y) {
   return {reciprocal(mobile_x, own.xx), 0.0, reciprocal(mobile_y, own.yy)};
 }
 
+void add(const Stiffness& more, Stiffness& sum) {
+  sum = {sum.xx + more.xx, sum.xy + more.xy, sum.yy + more.yy};
+}
+
 }  // namespace
 
 ConjugateGradient::ConjugateGradient(const LinearisedBonds& net, const Fragments& fragments,
-                                     const NodeVectors& mobile, CoarseSpace* coarse)
+                                     const NodeVectors& mobile, CoarseSpace* coarse,
+                                     const RigidContacts* contacts)
     : net_(&net),
       fragments_(&fragments),
       mobile_(&mobile),
       coarse_(coarse),
+      contacts_(contacts),
       layout_(net.layout()),
       has_free_fragments_(
           std::ranges::any_of(fragments.list(), [](const Fragment& p) { return !p.is_held; })),
@@ -43,19 +51,28 @@ ConjugateGradient::ConjugateGradient(const LinearisedBonds& net, const Fragments
 }
 
 void ConjugateGradient::invert() {
+  std::vector<Stiffness> springs(inverse_.size());
+  if (contacts_ != nullptr)
+    for (const RigidContacts::Spring& spring : contacts_->springs())
+      add(spring.stiffness, springs[net_->lattice().grid.index(spring.i, spring.j)]);
   for_rows(net_->threads(), layout_.ny, [&](int j) {
     for (int i = 0; i < layout_.nx; ++i) {
       const auto at = static_cast<std::size_t>(layout_.at(i, j));
-      inverse_[static_cast<std::size_t>(j) * static_cast<std::size_t>(layout_.nx) +
-               static_cast<std::size_t>(i)] =
-          inverse_of(net_->own_stiffness(i, j), mobile_->x[at], mobile_->y[at]);
+      const std::size_t node = net_->lattice().grid.index(i, j);
+      add(net_->own_stiffness(i, j), springs[node]);
+      inverse_[node] = inverse_of(springs[node], mobile_->x[at], mobile_->y[at]);
     }
   });
 }
 
+void ConjugateGradient::apply(const NodeVectors& p, NodeVectors& change) {
+  for_rows(net_->threads(), layout_.ny, [&](int j) { net_->apply_row(p, change, j); });
+  if (contacts_ != nullptr) contacts_->add_change(p, change);
+}
+
 void ConjugateGradient::start(const NodeVectors& force, const NodeVectors& d) {
+  apply(d, r_);
   for_rows(net_->threads(), layout_.ny, [&](int j) {
-    net_->apply_row(d, r_, j);
     for (int i = 0; i < layout_.nx; ++i) {
       const auto at = static_cast<std::size_t>(layout_.at(i, j));
       r_.x[at] = mobile_->x[at] * (force.x[at] + r_.x[at]);
@@ -66,8 +83,8 @@ void ConjugateGradient::start(const NodeVectors& force, const NodeVectors& d) {
 }
 
 double ConjugateGradient::curvature() {
+  apply(p_, q_);
   for_rows(net_->threads(), layout_.ny, [&](int j) {
-    net_->apply_row(p_, q_, j);
     for (int i = 0; i < layout_.nx; ++i) {
       const auto at = static_cast<std::size_t>(layout_.at(i, j));
       q_.x[at] *= mobile_->x[at];

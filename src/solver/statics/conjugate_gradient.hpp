@@ -11,6 +11,8 @@
 
 namespace hackle {
 
+class RigidContacts;
+
 class ConjugateGradient {
  public:
   struct Outcome {
@@ -19,9 +21,11 @@ class ConjugateGradient {
   };
 
   // `mobile` is 1 for unknown components and 0 for given ones. `coarse` is a coarse space or
-  // nullptr. All arguments must outlive the object.
+  // nullptr, `contacts` are bodies whose pushes change with the plate, or nullptr. All arguments
+  // must outlive the object.
   ConjugateGradient(const LinearisedBonds& net, const Fragments& fragments,
-                    const NodeVectors& mobile, CoarseSpace* coarse = nullptr);
+                    const NodeVectors& mobile, CoarseSpace* coarse = nullptr,
+                    const RigidContacts* contacts = nullptr);
 
   // Changes the mobile components of d until the tangent of the net, applied to the whole d,
   // balances `force` at every node: to `share` of the initial residual, or to `goal` in the units
@@ -41,6 +45,7 @@ class ConjugateGradient {
   };
 
   void invert();
+  void apply(const NodeVectors& p, NodeVectors& change);  // first-order change of all forces
   void start(const NodeVectors& force, const NodeVectors& d);
   double curvature();                        // p . K p, and q = -K p
   void go(double distance, NodeVectors& d);  // along p
@@ -52,6 +57,7 @@ class ConjugateGradient {
   const Fragments* fragments_;
   const NodeVectors* mobile_;
   CoarseSpace* coarse_;
+  const RigidContacts* contacts_;
   NodeLayout layout_;
   bool has_free_fragments_;
   std::vector<Stiffness> inverse_;  // per node

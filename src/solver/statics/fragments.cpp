@@ -25,12 +25,15 @@ void widen(Fragment& fragment, int i, int j) {
 }  // namespace
 
 Fragments::Fragments(const Lattice& lattice, const State& state, const NodeVectors& mobile,
-                     Threads threads)
+                     Threads threads, const std::vector<Hold>& holds)
     : grid_(lattice.grid), layout_(state.layout), threads_(std::move(threads)) {
   list_fragments(roots(lattice, state), mobile);
+  for (const Hold& hold : holds)
+    if (const int fragment = of_node_[grid_.index(hold.i, hold.j)]; fragment != none)
+      list_[static_cast<std::size_t>(fragment)].is_held = true;
   for (std::size_t fragment = 0; fragment < list_.size(); ++fragment) {
     measure(fragment);
-    find_motions(fragment, mobile);
+    find_motions(fragment, mobile, holds);
   }
 }
 
@@ -102,7 +105,8 @@ void Fragments::measure(std::size_t fragment) {
 
 // Finds the motions that leave every held component at rest: the null space of the sum of their
 // squares. Rotation is measured at the radius of gyration, so that all three have equal weight.
-void Fragments::find_motions(std::size_t fragment, const NodeVectors& mobile) {
+void Fragments::find_motions(std::size_t fragment, const NodeVectors& mobile,
+                             const std::vector<Hold>& holds) {
   Fragment& box = list_[fragment];
   const double radius = std::sqrt(box.inertia / box.nodes);
   const std::array<RigidMotion, 3> all{{{{1, 0}, 0}, {{0, 1}, 0}, {{0, 0}, 1.0 / radius}}};
@@ -117,6 +121,12 @@ void Fragments::find_motions(std::size_t fragment, const NodeVectors& mobile) {
       if (mobile.x[at] == 0.0) hindrance += along_x * along_x.transpose();
       if (mobile.y[at] == 0.0) hindrance += along_y * along_y.transpose();
     });
+  for (const Hold& hold : holds) {
+    if (of_node_[grid_.index(hold.i, hold.j)] != static_cast<int>(fragment)) continue;
+    const Vec2 x = grid_.from_centre(hold.i, hold.j) - box.centre, &n = hold.along;
+    const Eigen::Vector3d along(n.x(), n.y(), (x.x() * n.y() - x.y() * n.x()) / radius);
+    hindrance += along * along.transpose();
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(hindrance);
   for (int k = 0; k < 3; ++k) {
     if (modes.eigenvalues()[k] > 1e-9) continue;

@@ -25,8 +25,14 @@ struct Fragment {
   int nodes = 0;
   Vec2 centre{0, 0};                 // mean of its nodes, from the centre of the lattice
   double inertia = 0.0;              // sum of the squared distances from `centre`
-  bool is_held = false;              // a support holds some of its nodes, along at least one axis
-  std::vector<RigidMotion> motions;  // that no support prevents; three if it is not held
+  bool is_held = false;              // some of its nodes are held, along at least one axis
+  std::vector<RigidMotion> motions;  // that nothing prevents; three if it is not held
+};
+
+// A node that cannot go along a direction, a unit vector.
+struct Hold {
+  int i = 0, j = 0;
+  Vec2 along{0, 0};
 };
 
 // The resultant of forces on the nodes of a fragment.
@@ -39,7 +45,9 @@ struct Resultant {
 class Fragments {
  public:
   // `mobile` is 1 where a node is free along x (y), 0 where it is prescribed.
-  Fragments(const Lattice& lattice, const State& state, const NodeVectors& mobile, Threads threads);
+  // `holds` are nodes that something else holds along a direction.
+  Fragments(const Lattice& lattice, const State& state, const NodeVectors& mobile, Threads threads,
+            const std::vector<Hold>& holds = {});
 
   // A node without bonds belongs to no fragment.
   const std::vector<Fragment>& list() const { return list_; }
@@ -64,7 +72,8 @@ class Fragments {
   template <class Term>
   double sum(std::size_t fragment, const Term& term) const;
   void measure(std::size_t fragment);
-  void find_motions(std::size_t fragment, const NodeVectors& mobile);
+  void find_motions(std::size_t fragment, const NodeVectors& mobile,
+                    const std::vector<Hold>& holds);
 
   Grid grid_;
   NodeLayout layout_;

@@ -51,17 +51,19 @@ NodeVectors mobile_of(const NodeLayout& layout, const std::vector<PrescribedNode
 
 StaticEquilibrium::StaticEquilibrium(const Lattice& lattice, const State& state,
                                      const Actions& actions, std::span<const double> heat,
-                                     const Threads& threads)
+                                     const Threads& threads, RigidContacts contacts)
     : lattice_(&lattice),
       state_(&state),
       net_(lattice, state, threads, heat),
+      contacts_(std::move(contacts)),
       u_(displacements_of(state)),
       load_(state.layout),
       mobile_(mobile_of(state.layout, actions.prescribed)),
       move_(state.layout),
       residual_(state.layout),
       pull_(state.layout),
-      fragments_(lattice, state, mobile_, threads) {
+      push_(state.layout),
+      fragments_(fragments()) {
   take_loads(actions.forces, load_);
   take_prescribed(actions.prescribed);
   hold_lonely_nodes();
@@ -83,23 +85,46 @@ void StaticEquilibrium::hold_lonely_nodes() {
     }
 }
 
+Fragments StaticEquilibrium::fragments() const {
+  std::vector<Hold> holds;
+  for (const RigidContacts::Spring& spring : contacts_.holds(u_))
+    holds.push_back({spring.i, spring.j, spring.outward});
+  return {*lattice_, *state_, mobile_, net_.threads(), holds};
+}
+
+void StaticEquilibrium::touch() {
+  if (contacts_.bodies().empty()) return;
+  const std::size_t before = contacts_.springs().size();
+  contacts_.find(u_);
+  touches_others_ |= contacts_.springs().size() != before;
+  push_ = NodeVectors(net_.layout());
+  contacts_.add_pushes(push_);
+}
+
+NodeVectors StaticEquilibrium::all_loads() const {
+  NodeVectors sum = load_;
+  contacts_.add_pushes(sum);
+  return sum;
+}
+
 // The forces follow when they are known.
 void StaticEquilibrium::set_out() {
-  before_ = {u_, {}, load_};
+  before_ = {u_, {}, all_loads()};
 }
 
 void StaticEquilibrium::lose(const std::vector<BrokenBond>& broken_bonds) {
   net_.forget(broken_bonds);
-  fragments_ = Fragments(*lattice_, *state_, mobile_, net_.threads());
+  fragments_ = fragments();
   hold_lonely_nodes();
   max_left_ = 0.0;
   set_out();
 }
 
 void StaticEquilibrium::comes_from(const std::vector<LoadedNode>& loads,
-                                   std::span<const double> heat) {
+                                   const RigidContacts& contacts, std::span<const double> heat) {
   before_.load = NodeVectors(net_.layout());
   take_loads(loads, before_.load);
+  contacts.add_pushes(before_.load);
   if (heat.empty()) return;
   before_.pull = NodeVectors(net_.layout());
   LinearisedBonds(*lattice_, *state_, net_.threads(), heat).forces(before_.u, before_.pull);
@@ -140,12 +165,13 @@ void StaticEquilibrium::refuse(const Fragment& fragment, const Resultant& result
 }
 
 // A force shared by all nodes may be within the tolerance of each, so its resultant is checked.
-void StaticEquilibrium::check_held(const RelaxOptions& options) const {
+void StaticEquilibrium::check_held(const NodeVectors& load, double largest,
+                                   const RelaxOptions& options) const {
   for (std::size_t k = 0; k < fragments_.list().size(); ++k) {
     const Fragment& fragment = fragments_.list()[k];
     if (fragment.motions.empty()) continue;
-    const Resultant resultant = fragments_.resultant(k, load_, u_);
-    const double max = options.tolerance * largest_load_ * fragment.nodes;
+    const Resultant resultant = fragments_.resultant(k, load, u_);
+    const double max = options.tolerance * largest * fragment.nodes;
     for (const RigidMotion& motion : fragment.motions) {
       // Moments on a free fragment are balanced by rotating it, if possible.
       const double moment = fragment.is_held ? resultant.moment : 0.0;
@@ -189,17 +215,20 @@ double StaticEquilibrium::stiffest() const {
 StaticEquilibrium::Balance StaticEquilibrium::find_left() {
   const NodeLayout& layout = net_.layout();
   net_.forces(u_, pull_);
+  touch();
   Balance balance{0.0, 0.0, largest_load_, 0.0};
   std::vector<double> squares(static_cast<std::size_t>(layout.ny));
   double farthest = 0.0;
   for (int j = 0; j < layout.ny; ++j) {
     for (int i = 0; i < layout.nx; ++i) {
       const auto at = static_cast<std::size_t>(layout.at(i, j));
-      const Vec2 sum(pull_.x[at] + load_.x[at], pull_.y[at] + load_.y[at]);
+      const Vec2 sum(pull_.x[at] + (load_.x[at] + push_.x[at]),
+                     pull_.y[at] + (load_.y[at] + push_.y[at]));
       residual_.x[at] = mobile_.x[at] * sum.x();
       residual_.y[at] = mobile_.y[at] * sum.y();
       const Vec2 reaction(sum.x() - residual_.x[at], sum.y() - residual_.y[at]);
-      balance.reference = std::max(balance.reference, reaction.norm());
+      const Vec2 push(push_.x[at], push_.y[at]);
+      balance.reference = std::max({balance.reference, reaction.norm(), push.norm()});
     }
     farthest = std::max(farthest, largest_of_row(layout, u_, j));
   }
@@ -212,7 +241,8 @@ StaticEquilibrium::Balance StaticEquilibrium::find_left() {
   balance.largest = max_of_rows(max);
   balance.total = std::sqrt(sum_of_rows(squares));
   // Rounding error of displacement differences, summed over a node's bonds.
-  balance.rounding = 8.0 * std::numeric_limits<double>::epsilon() * stiffest() * farthest;
+  balance.rounding =
+      8.0 * std::numeric_limits<double>::epsilon() * stiffest() * farthest + contacts_.rounding();
   return balance;
 }
 
@@ -242,8 +272,10 @@ bool StaticEquilibrium::improve(const NodeVectors& step, Balance& balance) {
 bool StaticEquilibrium::take_tangent() {
   if (stale_) net_.linearise(u_, tangent_);
   stale_ = false;
+  if (touches_others_) coarse_.reset();
+  touches_others_ = false;
   if (!coarse_) {
-    coarse_ = std::make_unique<CoarseSpace>(net_, mobile_);
+    coarse_ = std::make_unique<CoarseSpace>(net_, mobile_, &contacts_);
     iterations_then_ = 0;
   }
   return coarse_->is_positive() || tangent_ == Tangent::positive;
@@ -267,8 +299,8 @@ NodeVectors StaticEquilibrium::newton_step(double goal, const RelaxOptions& opti
   ++result.newton_steps;
   for (;; tangent_ = Tangent::positive, stale_ = true, coarse_.reset()) {
     if (!take_tangent()) continue;
-    ConjugateGradient conjugate_gradients(net_, fragments_, mobile_,
-                                          coarse_->is_positive() ? coarse_.get() : nullptr);
+    ConjugateGradient conjugate_gradients(
+        net_, fragments_, mobile_, coarse_->is_positive() ? coarse_.get() : nullptr, &contacts_);
     NodeVectors step = move_;
     const ConjugateGradient::Outcome outcome =
         conjugate_gradients.solve(residual_, step, share_of_step, 0.3 * goal, max, look);
@@ -281,11 +313,12 @@ NodeVectors StaticEquilibrium::newton_step(double goal, const RelaxOptions& opti
 }
 
 StaticWork StaticEquilibrium::work_done() const {
-  return work_between(net_.layout(), before_, {u_, pull_, load_}, mobile_);
+  return work_between(net_.layout(), before_, {u_, pull_, all_loads()}, mobile_);
 }
 
 Equilibrium StaticEquilibrium::solve(const RelaxOptions& options) {
-  check_held(options);
+  const bool is_touched = !contacts_.bodies().empty();
+  if (!is_touched) check_held(load_, largest_load_, options);
   Balance balance = find_left();
   if (before_.pull.x.empty()) before_.pull = pull_;
   if (turn_free_fragments(options)) balance = find_left();
@@ -309,6 +342,7 @@ Equilibrium StaticEquilibrium::solve(const RelaxOptions& options) {
     move_ = NodeVectors(net_.layout());
     if (turn_free_fragments(options)) balance = find_left();
   }
+  if (is_touched) check_held(all_loads(), balance.reference, options);
   Stretches stretches = net_.stretches(u_);
   rest.result.max = stretches.max;
   rest.result.beyond = std::ssize(stretches.beyond);

@@ -13,6 +13,7 @@
 #include "solver/statics/fragments.hpp"
 #include "solver/statics/linearised_bonds.hpp"
 #include "solver/statics/rest.hpp"
+#include "solver/statics/rigid_contacts.hpp"
 #include "solver/statics/static_work.hpp"
 
 namespace hackle {
@@ -31,20 +32,24 @@ struct Equilibrium {
 // while it would increase the residual. The tangent is renewed if a step has left more than a tenth
 // of the force, the coarse space if the iterations have doubled. Prescribed displacements are
 // applied in the first step. Nodes without bonds stay. Free fragments keep their place, and rotate
-// only as far as the loads on the deformed fragment demand. Damping, contact and impactors are
-// ignored.
+// only as far as the loads on the deformed fragment demand. Rollers and platens push as they do in
+// motion, without friction; damping, contact and impactors are ignored.
 class StaticEquilibrium {
  public:
   // `actions` is what acts at rest (Terms::halt), `heat` how nodes are strained
   // (LinearisedBonds). Lattice, state and heat must outlive it.
   StaticEquilibrium(const Lattice& lattice, const State& state, const Actions& actions,
-                    std::span<const double> heat, const Threads& threads);
+                    std::span<const double> heat, const Threads& threads,
+                    RigidContacts contacts = {});
 
   ~StaticEquilibrium();
 
-  // Sets the loads and heat under which the plate stood before, if they differ from the present
-  // ones.
-  void comes_from(const std::vector<LoadedNode>& loads, std::span<const double> heat);
+  // Sets the loads, contacts and heat under which the plate stood before, if they differ from the
+  // present ones.
+  void comes_from(const std::vector<LoadedNode>& loads, const RigidContacts& contacts,
+                  std::span<const double> heat);
+  // Where bodies stand, after solve().
+  const RigidContacts& contacts() const { return contacts_; }
 
   // Throws Error (refused) if loads push or rotate a free fragment, Error (run_failed) if no
   // equilibrium is found, and Error (interrupted).
@@ -66,13 +71,16 @@ class StaticEquilibrium {
 
   void take_loads(const std::vector<LoadedNode>& forces, NodeVectors& load) const;
   void take_prescribed(const std::vector<PrescribedNode>& prescribed);
-  void check_held(const RelaxOptions& options) const;
+  void check_held(const NodeVectors& load, double largest, const RelaxOptions& options) const;
   void refuse(const Fragment& fragment, const Resultant& resultant, const std::string& who) const;
   bool turn_free_fragments(const RelaxOptions& options);  // returns whether one has rotated
   void hold_lonely_nodes();
   void set_out();
   Balance find_left();  // residual_
   double stiffest() const;
+  void touch();  // finds contacts at u_
+  NodeVectors all_loads() const;
+  Fragments fragments() const;
   NodeVectors newton_step(double goal, const RelaxOptions& options, RelaxResult& result);
   bool improve(const NodeVectors& step, Balance& balance);
   bool take_tangent();  // returns false if the tangent must be the positive one
@@ -81,14 +89,16 @@ class StaticEquilibrium {
   const Lattice* lattice_;
   const State* state_;
   LinearisedBonds net_;
-  NodeVectors u_, load_, mobile_, move_, residual_, pull_;
+  RigidContacts contacts_;
+  NodeVectors u_, load_, mobile_, move_, residual_, pull_, push_;
   Posture before_;
   Fragments fragments_;
   Tangent tangent_ = Tangent::exact;
   bool is_prescribed_ = false;  // move_ is not 0
   double largest_load_ = 0.0;
-  double max_left_ = 0.0;  // largest residual seen by conjugate gradients
-  bool stale_ = true;      // the tangent must be renewed
+  double max_left_ = 0.0;        // largest residual seen by conjugate gradients
+  bool stale_ = true;            // the tangent must be renewed
+  bool touches_others_ = false;  // the springs of contacts are not those of the coarse space
   std::unique_ptr<CoarseSpace> coarse_;
   int iterations_then_ = 0;  // in the first step with this coarse space; 0 before it
 };

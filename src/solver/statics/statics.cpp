@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "solver/statics/breakage.hpp"
-#include "solver/statics/static_equilibrium.hpp"
+#include "solver/terms/guided_bodies.hpp"
 #include "solver/terms/heat_work.hpp"
 #include "solver/view.hpp"
 
@@ -44,8 +44,14 @@ void Statics::check(const RelaxOptions& options) const {
 
 // Loads that were added to a plate at rest grow from zero; loads that have acted in steps have done
 // their work and stay unchanged.
-Statics::Departure Statics::depart() {
-  Departure from{plate_.borne(), plate_.thermal_strain()};
+Statics::Departure Statics::depart(const RelaxOptions& options) {
+  Departure from{plate_.borne(), plate_.thermal_strain(), {}};
+  if (const auto* bodies = plate_.terms().find<GuidedBodies>()) {
+    const State& state = plate_.state();
+    from.contacts = {plate_.lattice(), state, bodies->placed(plate_.lattice(), state, plate_.dt()),
+                     options.who};
+    from.contacts.find_placed(displacements_of(state));
+  }
   if (!plate_.state().is_start()) {
     plate_.halt(0.0);
     from.loads = plate_.terms().actions().forces;
@@ -56,13 +62,23 @@ Statics::Departure Statics::depart() {
   return from;
 }
 
+// Of what acts at the time of the state.
+StaticEquilibrium Statics::equilibrium(const RelaxOptions& options) const {
+  RigidContacts contacts;
+  if (const auto* bodies = plate_.terms().find<GuidedBodies>())
+    contacts = {plate_.lattice(), plate_.state(),
+                bodies->led(plate_.lattice(), plate_.state(), plate_.dt()), options.who};
+  return {plate_.lattice(),        plate_.state(),   plate_.terms().actions(),
+          plate_.thermal_strain(), plate_.threads(), std::move(contacts)};
+}
+
 // Half of the change of temperature acts in the old configuration, half in the equilibrium: exact
 // while forces are linear in both.
 Equilibrium Statics::go_to_rest(const Departure& from, StaticEquilibrium& equilibrium,
                                 const RelaxOptions& options) {
   const std::vector<double>& heat = plate_.thermal_strain();
   const bool heats = from.heat != heat;
-  equilibrium.comes_from(from.loads, heats ? from.heat : std::span<const double>());
+  equilibrium.comes_from(from.loads, from.contacts, heats ? from.heat : std::span<const double>());
   const auto heating = [&] {
     return heats ? 0.5 * heat_work(plate_.lattice(), plate_.state(), from.heat, heat,
                                    plate_.threads())
@@ -79,6 +95,8 @@ Equilibrium Statics::settle(StaticEquilibrium& equilibrium, const RelaxOptions& 
   Equilibrium rest = equilibrium.solve(options);
   State& state = plate_.state();
   put(rest.u, state);
+  if (const auto* bodies = plate_.terms().find<GuidedBodies>())
+    bodies->stand(equilibrium.contacts().bodies(), state);
   const double unit = unit_of_work();
   state.external_work += rest.work.external * unit;
   state.released += rest.work.released * unit;
@@ -89,11 +107,10 @@ RelaxResult Statics::relax(const RelaxOptions& options) {
   check(options);
   const State before = plate_.state();
   try {
-    const Departure from = depart();
+    const Departure from = depart(options);
     plate_.halt(0.0);
-    StaticEquilibrium equilibrium(plate_.lattice(), plate_.state(), plate_.terms().actions(),
-                                  plate_.thermal_strain(), plate_.threads());
-    const RelaxResult result = go_to_rest(from, equilibrium, options).result;
+    StaticEquilibrium balanced = equilibrium(options);
+    const RelaxResult result = go_to_rest(from, balanced, options).result;
     plate_.come_to_rest({});
     return result;
   } catch (...) {
@@ -147,16 +164,15 @@ void Statics::break_and_settle(double end, const QuasistaticOptions& options,
                                QuasistaticResult& result, std::vector<BrokenBond>& broken_bonds) {
   const RelaxOptions each = options_of_increment(options, result);
   check(each);
-  const Departure from = depart();
+  const Departure from = depart(each);
   const double passed = end - plate_.time();
   State& state = plate_.state();
   state.clock = {end, state.step};
   state.start = state.step;
   plate_.halt(passed);
-  StaticEquilibrium equilibrium(plate_.lattice(), state, plate_.terms().actions(),
-                                plate_.thermal_strain(), plate_.threads());
+  StaticEquilibrium balanced = equilibrium(each);
   ++result.passes.back();
-  Equilibrium rest = go_to_rest(from, equilibrium, each);
+  Equilibrium rest = go_to_rest(from, balanced, each);
   for (;;) {
     result.iterations += rest.result.iterations;
     const Breakage broken = break_worst(rest.beyond, state.bonds);
@@ -165,8 +181,8 @@ void Statics::break_and_settle(double end, const QuasistaticOptions& options,
     result.broken += std::ssize(broken.broken_bonds);
     broken_bonds.insert(broken_bonds.end(), broken.broken_bonds.begin(), broken.broken_bonds.end());
     ++result.passes.back();
-    equilibrium.lose(broken.broken_bonds);
-    rest = settle(equilibrium, each);
+    balanced.lose(broken.broken_bonds);
+    rest = settle(balanced, each);
   }
 }
 

@@ -7,10 +7,10 @@
 
 #include "solver/moving_plate.hpp"
 #include "solver/statics/rest.hpp"
+#include "solver/statics/static_equilibrium.hpp"
 
 namespace hackle {
 
-class StaticEquilibrium;
 struct Equilibrium;
 
 class Statics {
@@ -28,10 +28,12 @@ class Statics {
   struct Departure {
     std::vector<LoadedNode> loads;  // whose work is counted up to here
     std::vector<double> heat;       // thermal strain
+    RigidContacts contacts;         // with rollers and platens
   };
 
   void check(const RelaxOptions& options) const;
-  Departure depart();
+  Departure depart(const RelaxOptions& options);
+  StaticEquilibrium equilibrium(const RelaxOptions& options) const;
   Equilibrium go_to_rest(const Departure& from, StaticEquilibrium& equilibrium,
                          const RelaxOptions& options);
   Equilibrium settle(StaticEquilibrium& equilibrium, const RelaxOptions& options);

@@ -153,6 +153,15 @@ void Impact::add_work(const Surroundings& around, const State& state, WorkOf par
   add_work_of(forces_, around, state, part, work);
 }
 
+void Impact::add_reactions(const Surroundings& around, const State& state,
+                           std::vector<Reaction>& list) const {
+  const Grid& grid = around.lattice.grid;
+  const double unit = around.energy_unit() / grid.dx;
+  for (std::size_t k = 0; k < discs_.size(); ++k)
+    list.push_back({"impactor", static_cast<int>(k) + 1,
+                    grid.centre + grid.dx * state.discs[k].centre, unit * discs_[k].push});
+}
+
 void Impact::check_rest(const std::string& who) const {
   throw Error(ErrorKind::refused,
               fmt::format("{}: a plate that is being hit cannot be brought to rest", who),

@@ -31,6 +31,8 @@ class Impact final : public Term {
   bool varies() const override { return true; }
   void add_work(const Surroundings& around, const State& state, WorkOf part,
                 double& work) const override;
+  void add_reactions(const Surroundings& around, const State& state,
+                     std::vector<Reaction>& list) const override;
   void check_rest(const std::string& who) const override;
 
  private:

@@ -16,6 +16,7 @@
 #include "solver/actions.hpp"
 #include "solver/cloned.hpp"
 #include "solver/ledger.hpp"
+#include "solver/reaction.hpp"
 #include "solver/state.hpp"
 #include "solver/stepper.hpp"
 #include "solver/threads.hpp"
@@ -96,6 +97,9 @@ class Term {
   virtual void halt(const Surroundings&, const State&, double) {}
   // Whether its forces act on a plate at rest.
   virtual bool acts_at_rest() const { return false; }
+
+  // Adds the forces of the plate on the rigid bodies of the term, now.
+  virtual void add_reactions(const Surroundings&, const State&, std::vector<Reaction>&) const {}
 
   virtual std::size_t bytes() const { return 0; }  // of what grows with the plate
 };

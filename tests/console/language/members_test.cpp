@@ -391,31 +391,36 @@ TEST_F(Members, OfRollersAndPlatens) {
   const std::string platens =
       "p:platen { from = {0, 41*mm}, to = {100*mm, 50*mm}, displacement = {0, -1e-5}, friction = "
       "0.2, time = ramp(4*us) } p:platen { from = {0, -9*mm}, to = {100*mm, 0}, velocity = {0, 1} "
-      "}\n";
+      "} p:platen { from = {0, -9*mm}, to = {100*mm, 0}, force = {0, 2e5}, mass = 3 }\n";
   expect_all_named(plate_load_doc<Roller>, rollers +
                                                "p:roller { centre = {5*mm, -3*mm}, radius = "
-                                               "3*mm, displacement = {0, 1e-5} }");
+                                               "3*mm, displacement = {0, 1e-5} } p:roller { centre "
+                                               "= {5*mm, -3*mm}, force = {0, 1}, mass = 2 }");
   expect_all_named(plate_load_doc<Platen>, platens);
   const Loads& loads = plate_after(rollers + platens).loads;
   ASSERT_EQ(loads.rollers.size(), 2U);
-  ASSERT_EQ(loads.platens.size(), 2U);
+  ASSERT_EQ(loads.platens.size(), 3U);
   const Roller& roller = loads.rollers[0];
   EXPECT_NEAR((roller.centre - Vec2(50e-3, 46e-3)).norm(), 0.0, 1e-15);
   EXPECT_EQ(roller.radius, 5e-3);
-  EXPECT_EQ(roller.guide, Guide::velocity);
-  EXPECT_EQ(roller.value, Vec2(1, -2));
-  EXPECT_EQ(roller.friction, 0.3);
-  EXPECT_EQ(roller.amplitude.at(1e-6), 0.25);
-  EXPECT_EQ(loads.rollers[1].guide, Guide::displacement);
-  EXPECT_EQ(loads.rollers[1].value, Vec2(0, 0));
+  EXPECT_EQ(roller.guided.guide, Guide::velocity);
+  EXPECT_EQ(roller.guided.value, Vec2(1, -2));
+  EXPECT_EQ(roller.guided.friction, 0.3);
+  EXPECT_EQ(roller.guided.amplitude.at(1e-6), 0.25);
+  EXPECT_EQ(loads.rollers[1].guided.guide, Guide::displacement);
+  EXPECT_EQ(loads.rollers[1].guided.value, Vec2(0, 0));
   const Platen& platen = loads.platens[0];
   EXPECT_NEAR((platen.from - Vec2(0, 41e-3)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((platen.to - Vec2(100e-3, 50e-3)).norm(), 0.0, 1e-15);
-  EXPECT_EQ(platen.guide, Guide::displacement);
-  EXPECT_EQ(platen.value, Vec2(0, -1e-5));
-  EXPECT_EQ(platen.friction, 0.2);
-  EXPECT_EQ(platen.amplitude.at(1e-6), 0.25);
-  EXPECT_EQ(loads.platens[1].guide, Guide::velocity);
+  EXPECT_EQ(platen.guided.guide, Guide::displacement);
+  EXPECT_EQ(platen.guided.value, Vec2(0, -1e-5));
+  EXPECT_EQ(platen.guided.friction, 0.2);
+  EXPECT_EQ(platen.guided.amplitude.at(1e-6), 0.25);
+  EXPECT_EQ(loads.platens[1].guided.guide, Guide::velocity);
+  EXPECT_EQ(loads.platens[1].guided.mass, 0.0);
+  EXPECT_EQ(loads.platens[2].guided.guide, Guide::force);
+  EXPECT_EQ(loads.platens[2].guided.value, Vec2(0, 2e5));
+  EXPECT_EQ(loads.platens[2].guided.mass, 3.0);
 }
 
 TEST_F(Members, OfSupports) {

@@ -177,6 +177,7 @@ const Trip trips[] = {
     trip<Ellipse>("Ellipse"),
     trip<Ends>("Ends"),
     trip<Foundation>("Foundation"),
+    trip<Guided>("Guided"),
     trip<Impactor>("Impactor"),
     trip<Inclusion>("Inclusion"),
     trip<InitialCondition>("InitialCondition"),
