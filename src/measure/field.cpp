@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "measure/field.hpp"
 
-#include <optional>
+#include <algorithm>
 
 namespace hackle {
 namespace {
@@ -85,28 +85,36 @@ Field velocity(const View& view) {
 
 namespace {
 
-// Returns where a roller is; where its amplitude is a function, which a recording does not know,
-// nothing.
-std::optional<Vec2> place_of(const Roller& roller, double time) {
-  if (roller.amplitude.is_function()) return std::nullopt;
-  const double factor = roller.guide == Guide::displacement
-                            ? roller.amplitude.at(time)
-                            : time * roller.amplitude.mean(0.0, time);
-  return roller.centre + factor * roller.value;
+// Calls visit(body, centre) for each body of the plate that has a place, the centre in m.
+template <class Body, class Visit>
+void for_placed(const std::vector<Body>& bodies, const std::vector<Disc>& places, const Grid& grid,
+                const Visit& visit) {
+  for (std::size_t k = 0; k < std::min(bodies.size(), places.size()); ++k)
+    visit(bodies[k], Vec2(grid.centre + grid.dx * places[k].centre));
 }
 
 }  // namespace
 
-std::vector<Circle> impactors(const View& view) {
+std::vector<Circle> round_bodies(const View& view) {
   const Grid& grid = view.lattice().grid;
+  const Loads& loads = view.plate().loads;
   std::vector<Circle> circles;
-  for (std::size_t k = 0; k < view.state().discs.size(); ++k)
-    circles.push_back({grid.centre + grid.dx * view.state().discs[k].centre,
-                       view.plate().loads.impactors[k].radius});
-  for (const Roller& roller : view.plate().loads.rollers)
-    if (const std::optional<Vec2> centre = place_of(roller, view.time()))
-      circles.push_back({*centre, roller.radius});
+  const auto add = [&](const auto& body, const Vec2& centre) {
+    circles.push_back({centre, body.radius});
+  };
+  for_placed(loads.impactors, view.state().discs, grid, add);
+  for_placed(loads.rollers, view.state().rollers, grid, add);
   return circles;
+}
+
+std::vector<Box> platens(const View& view) {
+  std::vector<Box> boxes;
+  for_placed(view.plate().loads.platens, view.state().platens, view.lattice().grid,
+             [&](const Platen& platen, const Vec2& centre) {
+               const Vec2 half = 0.5 * (platen.to - platen.from).cwiseAbs();
+               boxes.push_back({centre - half, centre + half});
+             });
+  return boxes;
 }
 
 }  // namespace hackle

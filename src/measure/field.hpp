@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/shapes/box.hpp"
 #include "solver/view.hpp"
 
 namespace hackle {
@@ -34,7 +35,9 @@ struct Circle {
   Vec2 centre{0, 0};
   double radius = 0.0;
 };
-// Returns the impactors in flight, and the rollers that are not led by a function of time.
-std::vector<Circle> impactors(const View& view);
+// Returns where the impactors and rollers are.
+std::vector<Circle> round_bodies(const View& view);
+// Returns where the platens are, m.
+std::vector<Box> platens(const View& view);
 
 }  // namespace hackle

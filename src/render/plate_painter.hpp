@@ -27,6 +27,7 @@ struct Shot {
   std::vector<BondLine> bonds;      // drawn one by one
   double time = 0.0;                // s
   std::vector<Circle> discs;
+  std::vector<Box> boxes;
   std::optional<Window> window;  // replaces that of the style and has its size
   Chart load_curve, energy;      // if the overlay shows them
 };

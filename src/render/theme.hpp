@@ -27,7 +27,7 @@ struct Theme {
   Colour text;           // titles, time, names
   Colour quiet;          // numbers and remarks
   Colour outline;        // rim of the plate, lines of charts
-  Colour disc;           // impactors
+  Colour disc;           // impactors, rollers and platens
   Colour gap;            // cracks shown as gaps, seen on any colour of a field; with `opacity`
   // For the curves of a chart, in order; distinguishable for colour-blind people.
   std::array<Colour, 5> curves;

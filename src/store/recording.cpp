@@ -146,7 +146,7 @@ struct Recording::Parts {
     const Grid& grid = lattice.grid;
     State next(lattice, Precision::f64);
     std::vector<double> strain;
-    std::vector<Impactor> discs;
+    Loads bodies;
     next.step = next.start = step;
     next.clock = {time, step};
     const std::vector<hsize_t> vectors{grid.nodes(), 3};
@@ -159,26 +159,43 @@ struct Recording::Parts {
                 words, next.bonds);
     if (file.holds(group + "/thermal_strain"))
       strain = file.doubles(group + "/thermal_strain", {grid.nodes()}, 1);
-    if (file.holds(group + "/discs")) discs = read_discs(group + "/discs", next);
+    read_bodies(group, next, bodies);
     state = std::move(next);
     thermal_strain = std::move(strain);
-    plate.loads.impactors = std::move(discs);
+    plate.loads = std::move(bodies);
   }
 
-  // Puts the discs of a record into its state, and returns what they are.
-  std::vector<Impactor> read_discs(const std::string& name, State& next) const {
-    constexpr hsize_t columns = 5;
-    const Grid& grid = lattice.grid;
-    std::vector<Impactor> discs;
-    const hsize_t count = inputs.plate.loads.impactors.size();
+  // Puts the rigid bodies of a record into its state, and what they are into `shown_bodies`.
+  void read_bodies(const std::string& group, State& next, Loads& shown_bodies) const {
+    const Loads& loads = inputs.plate.loads;
+    read_places(group + "/discs", loads.impactors.size(), 5, next.discs,
+                [&](const Disc& disc, const double* size) {
+                  shown_bodies.impactors.push_back({disc.centre, size[0], disc.velocity});
+                });
+    read_places(group + "/rollers", loads.rollers.size(), 5, next.rollers,
+                [&](const Disc& disc, const double* size) {
+                  shown_bodies.rollers.push_back({disc.centre, size[0], {}});
+                });
+    read_places(group + "/platens", loads.platens.size(), 6, next.platens,
+                [&](const Disc& disc, const double* size) {
+                  const Vec2 half(size[0], size[1]);
+                  shown_bodies.platens.push_back({disc.centre - half, disc.centre + half, {}});
+                });
+  }
+
+  // Calls add(place, size) for each body, the place in m and m/s.
+  template <class Add>
+  void read_places(const std::string& name, hsize_t count, hsize_t columns,
+                   std::vector<Disc>& places, const Add& add) const {
+    if (!file.holds(name)) return;
     const std::vector<double> values = file.doubles(name, {count, columns}, columns);
     for (std::size_t at = 0; at < values.size(); at += columns) {
       const double* value = values.data() + at;
-      const Vec2 centre(value[0], value[1]), velocity(value[2], value[3]);
-      next.discs.push_back({grid.from_centre(centre), dt / grid.dx * velocity});
-      discs.push_back({centre, value[4], velocity});
+      const Disc disc{{value[0], value[1]}, {value[2], value[3]}};
+      places.push_back(
+          {lattice.grid.from_centre(disc.centre), dt / lattice.grid.dx * disc.velocity});
+      add(disc, value + 4);
     }
-    return discs;
   }
 
   std::filesystem::path path;
@@ -188,7 +205,7 @@ struct Recording::Parts {
   hsize_t count;
   Hdf5Reader file;
   Inputs inputs;
-  Plate plate;  // as it is shown: without loads but for the discs of the record
+  Plate plate;  // as it is shown: without loads but for the rigid bodies of the record
   Numerics numerics;
   Lattice lattice;
   double dt;  // s

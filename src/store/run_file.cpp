@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "store/run_file.hpp"
 
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <string>
@@ -60,17 +61,18 @@ std::vector<std::uint32_t> broken_bonds(const Simulation& simulation) {
   return broken;
 }
 
-// Returns position (m), velocity (m/s) and radius (m) of each disc.
-std::vector<double> discs(const Simulation& simulation) {
+// Returns position (m) and velocity (m/s) of each rigid body, and the size (m) that size_of(body)
+// gives: one number or two.
+template <class Body, class SizeOf>
+std::vector<double> bodies_at(const std::vector<Disc>& places, const std::vector<Body>& bodies,
+                              const Simulation& simulation, const SizeOf& size_of) {
   const Grid& grid = simulation.lattice().grid;
-  const std::vector<Impactor>& impactors = simulation.plate().loads.impactors;
   std::vector<double> list;
-  for (std::size_t k = 0; k < simulation.state().discs.size(); ++k) {
-    const Disc& disc = simulation.state().discs[k];
-    const Vec2 place = grid.centre + grid.dx * disc.centre;
-    const Vec2 velocity = grid.dx / simulation.dt() * disc.velocity;
-    list.insert(list.end(),
-                {place.x(), place.y(), velocity.x(), velocity.y(), impactors[k].radius});
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Vec2 place = grid.centre + grid.dx * places[k].centre;
+    const Vec2 velocity = grid.dx / simulation.dt() * places[k].velocity;
+    list.insert(list.end(), {place.x(), place.y(), velocity.x(), velocity.y()});
+    for (const double size : size_of(bodies[k])) list.push_back(size);
   }
   return list;
 }
@@ -152,14 +154,32 @@ struct RunFile::Parts {
     if (const std::vector<double>& strain = simulation.thermal_strain(); !strain.empty())
       write(group, {"thermal_strain", H5T_IEEE_F32LE, {grid.nodes()}, "", "thermal strain"},
             H5T_NATIVE_DOUBLE, 1, strain.data());
-    if (const std::vector<double> list = discs(simulation); !list.empty())
-      write(group,
-            {"discs",
-             H5T_IEEE_F64LE,
-             {list.size() / 5, 5},
-             "",
-             "of each impactor: position x and y (m), velocity x and y (m/s), radius (m)"},
-            H5T_NATIVE_DOUBLE, 5, list.data());
+    write_bodies(group, simulation);
+  }
+
+  void write_bodies(const Hdf5Handle& group, const Simulation& simulation) {
+    const State& state = simulation.state();
+    const Loads& loads = simulation.plate().loads;
+    const auto radius = [](const auto& body) { return std::array{body.radius}; };
+    const auto half = [](const Platen& platen) {
+      const Vec2 size = 0.5 * (platen.to - platen.from).cwiseAbs();
+      return std::array{size.x(), size.y()};
+    };
+    write_bodies(group, "discs", "impactor", "radius",
+                 bodies_at(state.discs, loads.impactors, simulation, radius), 5);
+    write_bodies(group, "rollers", "roller", "radius",
+                 bodies_at(state.rollers, loads.rollers, simulation, radius), 5);
+    write_bodies(group, "platens", "platen", "half of width and height",
+                 bodies_at(state.platens, loads.platens, simulation, half), 6);
+  }
+
+  void write_bodies(const Hdf5Handle& group, const char* name, const char* body, const char* size,
+                    const std::vector<double>& list, hsize_t columns) {
+    if (list.empty()) return;
+    const std::string meaning =
+        fmt::format("of each {}: position x and y (m), velocity x and y (m/s), {} (m)", body, size);
+    write(group, {name, H5T_IEEE_F64LE, {list.size() / columns, columns}, "", meaning},
+          H5T_NATIVE_DOUBLE, columns, list.data());
   }
 
   void describe(const Simulation& simulation, const Origin& origin) {

@@ -22,6 +22,8 @@ namespace hackle {
 //   /records/0/00000/broken         N x W  u32       bits of the broken bonds that a node keeps
 //   /records/0/00000/thermal_strain N      f32       where something is heated
 //   /records/0/00000/discs          K x 5  f64       of K impactors, if there are any
+//   /records/0/00000/rollers        K x 5  f64       likewise
+//   /records/0/00000/platens        K x 6  f64       likewise
 //   /script, /inputs                text             the script; plate and numerics in JSON
 // Every dataset has `long_name` and, if it holds numbers, `units`. The root has format_version,
 // software, version, git_hash, compiler, created (UTC), script_name, lattice_hash (see

@@ -74,13 +74,31 @@ TEST(Impactors, FlyWhereTheyWereThrown) {
   plate.loads.impactors.push_back({{35e-3, 7e-3}, 3e-3, {-10.0, 5.0}, 20.0});
   Simulation simulation(plate, test::numerics(), {1});
   for (int step = 0; step < 10; ++step) simulation.step();
-  const std::vector<Circle> discs = impactors(simulation);
+  const std::vector<Circle> discs = round_bodies(simulation);
   ASSERT_EQ(discs.size(), 2U);
   const double t = simulation.time();
   EXPECT_NEAR((discs[0].centre - Vec2(-9e-3 + 30.0 * t, 4e-3 - 20.0 * t)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((discs[1].centre - Vec2(35e-3 - 10.0 * t, 7e-3 + 5.0 * t)).norm(), 0.0, 1e-15);
   EXPECT_EQ(discs[0].radius, 2e-3);
   EXPECT_EQ(discs[1].radius, 3e-3);
+}
+
+TEST(RoundBodiesAndPlatens, AreWhereTheyWereLed) {
+  Plate plate = test::bare_plate(40, 20);
+  plate.loads.rollers.push_back({{5e-3, 15e-3}, 3e-3, {Guide::velocity, {0.0, 2.0}}});
+  plate.loads.platens.push_back(
+      {{20e-3, -3e-3}, {0.0, -1e-3}, {Guide::displacement, {0.0, -1e-3}, ramp(100e-6)}});
+  Simulation simulation(plate, test::numerics(), {1});
+  for (int step = 0; step < 10; ++step) simulation.step();
+  const double t = simulation.time();
+  const std::vector<Circle> discs = round_bodies(simulation);
+  ASSERT_EQ(discs.size(), 1U);
+  EXPECT_NEAR((discs[0].centre - Vec2(5e-3, 15e-3 + 2.0 * t)).norm(), 0.0, 1e-15);
+  const std::vector<Box> boxes = platens(simulation);
+  ASSERT_EQ(boxes.size(), 1U);
+  const double way = 1e-3 * t / 100e-6;
+  EXPECT_NEAR((boxes[0].min - Vec2(0.0, -3e-3 - way)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((boxes[0].max - Vec2(20e-3, -1e-3 - way)).norm(), 0.0, 1e-15);
 }
 
 }  // namespace

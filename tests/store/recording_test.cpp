@@ -44,6 +44,8 @@ Scene mixed() {
 Scene hit() {
   Plate plate = test::bare_plate(40, 20);
   plate.loads.impactors.push_back({{-4e-3, 0.005}, 4e-3, {80.0, -10.0}, 0.5});
+  plate.loads.rollers.push_back({{0.01, 0.013}, 3e-3, {Guide::velocity, {1.0, -2.0}}});
+  plate.loads.platens.push_back({{0.01, -2e-3}, {0.02, 0.0}, {Guide::force, {0.0, 1e5}}});
   plate.no_fail.push_back(rectangle({0.0, 0.0}, {0.002, 0.01}));
   return {"hit", plate, test::numerics()};
 }
@@ -141,7 +143,7 @@ TEST_P(EveryScene, ComesBackAsItWas) {
       times.push_back(simulation.time());
       if (k < 3) simulation.run(6e-6);
     }
-    discs = impactors(simulation);
+    discs = round_bodies(simulation);
     file.finish();
   }
   Recording recording(folder.path / "a.h5");
@@ -155,11 +157,17 @@ TEST_P(EveryScene, ComesBackAsItWas) {
     expect_same(fields_of(recording.view()), wanted[k], simulation);
   }
   EXPECT_EQ(recording.view().state().bonds, simulation.state().bonds);
-  const std::vector<Circle> found = impactors(recording.view());
+  const std::vector<Circle> found = round_bodies(recording.view());
   ASSERT_EQ(found.size(), discs.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     EXPECT_LT((found[k].centre - discs[k].centre).norm(), 1e-15);
     EXPECT_EQ(found[k].radius, discs[k].radius);
+  }
+  const std::vector<Box> shown = platens(recording.view()), last = platens(simulation);
+  ASSERT_EQ(shown.size(), last.size());
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    EXPECT_LT((shown[k].min - last[k].min).norm(), 1e-15);
+    EXPECT_LT((shown[k].max - last[k].max).norm(), 1e-15);
   }
   EXPECT_GT(*std::ranges::max_element(wanted[3][1]), 0.0F) << "nothing moves";
 }

@@ -217,7 +217,8 @@ Shot shot_of(const PictureOptions& options, const View& view) {
   shot.values = field_values(options, view);
   if (options.second) shot.second = values_of(second_field(options), view);
   shot.time = view.time();
-  shot.discs = impactors(view);
+  shot.discs = round_bodies(view);
+  shot.boxes = platens(view);
   if (options.cracks && options.field != "damage" && options.second != "damage")
     shot.gaps = in_255ths(gaps(view));
   if (magnification_of(options, view) > 0.0) {

@@ -101,6 +101,15 @@ void Canvas::disc(const Vec2& centre, double radius_x, double radius_y, Colour c
   cairo_scale(cairo_.get(), radius_x, radius_y);
   cairo_arc(cairo_.get(), 0.0, 0.0, 1.0, 0.0, 2.0 * std::numbers::pi);
   cairo_restore(cairo_.get());
+  fill_and_rim(c);
+}
+
+void Canvas::box(double x, double y, double width, double height, Colour c) {
+  cairo_rectangle(cairo_.get(), x, y, width, height);
+  fill_and_rim(c);
+}
+
+void Canvas::fill_and_rim(Colour c) {
   colour(c, 0.55);
   cairo_fill_preserve(cairo_.get());
   colour(c);

@@ -43,6 +43,8 @@ class Canvas {
   void line(std::span<const Vec2> points, double width);
   // Draws a translucent disc with a bright rim.
   void disc(const Vec2& centre, double radius_x, double radius_y, Colour colour);
+  // Likewise a box.
+  void box(double x, double y, double width, double height, Colour colour);
   void dot(const Vec2& centre, double radius);
   // Draws a part of an image px by px, with its upper left corner at x, y.
   void copy(const Image& image, const Rectangle& part, int x, int y);
@@ -54,6 +56,7 @@ class Canvas {
   void write(const Font& font, const PlacedText& text, Colour rim);
 
  private:
+  void fill_and_rim(Colour colour);  // the present path
   void set_font(const Font& font, double size);
 
   struct Free {

@@ -115,6 +115,11 @@ void Overlay::draw_marks(Canvas& canvas, const Rectangle& plate, const Camera& c
   for (const Circle& disc : moment.discs)
     canvas.disc(camera.pixel(disc.centre), disc.radius * scale.x(), disc.radius * scale.y(),
                 theme_.disc);
+  for (const Box& box : moment.boxes) {
+    const Vec2 corner = camera.pixel({box.min.x(), box.max.y()});
+    canvas.box(corner.x(), corner.y(), (box.max.x() - box.min.x()) * scale.x(),
+               (box.max.y() - box.min.y()) * scale.y(), theme_.disc);
+  }
   if (!font_) return;
   draw_axes(canvas, plate, camera);
   const auto placed = place_markers(text_.parts.markers, layout_, plate, camera, *font_);

@@ -27,6 +27,7 @@ struct Moment {
   std::vector<Circle> discs;
   Chart load_curve, energy;         // used if the layout has room for them
   std::vector<Beyond> beyond = {};  // for each bar; none if there is nothing beyond
+  std::vector<Box> boxes = {};
 };
 
 class Overlay {
