@@ -11,13 +11,13 @@ namespace {
 constexpr Colour ink{255, 255, 255}, rim{0, 0, 0};  // legible on any colour of a field
 
 // The room taken by a marker, px.
-struct Box {
+struct Patch {
   double left, top, right, bottom;
 
-  bool meets(const Box& other) const {
+  bool meets(const Patch& other) const {
     return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
   }
-  bool within(const Box& other) const {
+  bool within(const Patch& other) const {
     return left >= other.left && right <= other.right && top >= other.top && bottom <= other.bottom;
   }
 };
@@ -26,11 +26,11 @@ double radius(const Layout& layout) {
   return std::max(2.5, std::round(0.22 * layout.small_font));
 }
 
-Box box_around(const Vec2& place, double half) {
+Patch box_around(const Vec2& place, double half) {
   return {place.x() - half, place.y() - half, place.x() + half, place.y() + half};
 }
 
-Box box_of(const PlacedText& text, double width) {
+Patch box_of(const PlacedText& text, double width) {
   return {text.x - 2.0, text.y - 0.85 * text.size, text.x + width + 2.0, text.y + 0.3 * text.size};
 }
 
@@ -54,7 +54,7 @@ constexpr auto sides = std::to_array<Side>({{0.75, 0.35, 0.0},
                                             {-0.5, 1.45, 1.0}});
 
 // The area between caption and legend; for one of two plates, that plate only.
-Box room(const Layout& layout, const Rectangle& plate, double margin) {
+Patch room(const Layout& layout, const Rectangle& plate, double margin) {
   if (!layout.second_plate.empty())
     return {plate.x + margin, static_cast<double>(plate.y), plate.right() - margin,
             static_cast<double>(plate.bottom())};
@@ -68,7 +68,7 @@ class Placer {
   Placer(const Layout& layout, const Rectangle& plate, const Font& font)
       : font_(font), size_(layout.small_font), room_(room(layout, plate, 0.5 * size_)) {}
 
-  void take(const Box& box) { taken_.push_back(box); }
+  void take(const Patch& box) { taken_.push_back(box); }
 
   std::optional<PlacedText> place(const std::string& label, const Vec2& at) {
     const std::string text = font_.fitting(label, size_, room_.right - room_.left - 4.0);
@@ -76,7 +76,7 @@ class Placer {
     for (const Side& side : sides) {
       const PlacedText placed = font_.place(text, at.x() + side.x * size_, at.y() + side.y * size_,
                                             size_, side.anchor, ink);
-      const Box box = box_of(placed, width);
+      const Patch box = box_of(placed, width);
       if (!box.within(room_) || meets_any(box)) continue;
       take(box);
       return placed;
@@ -85,14 +85,14 @@ class Placer {
   }
 
  private:
-  bool meets_any(const Box& box) const {
-    return std::ranges::any_of(taken_, [&](const Box& other) { return box.meets(other); });
+  bool meets_any(const Patch& box) const {
+    return std::ranges::any_of(taken_, [&](const Patch& other) { return box.meets(other); });
   }
 
   const Font& font_;
   double size_;
-  Box room_;
-  std::vector<Box> taken_;
+  Patch room_;
+  std::vector<Patch> taken_;
 };
 
 }  // namespace

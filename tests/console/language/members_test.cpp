@@ -423,6 +423,21 @@ TEST_F(Members, OfRollersAndPlatens) {
   EXPECT_EQ(loads.platens[2].guided.mass, 3.0);
 }
 
+TEST_F(Members, OfRollersMustAgree) {
+  const auto refusal = [](const std::string& members) {
+    return test::message_of(
+        "local p = plate { width = 10*mm, height = 10*mm, material = 'duran50' }\n"
+        "p:roller { centre = {5*mm, 15*mm}, radius = 4*mm, " +
+        members + " }");
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(refusal("force = {0, -1}, velocity = {0, -1}"), HasSubstr("roller: more than one of"));
+  EXPECT_THAT(refusal("velocity = {0, -1}, mass = 2"), HasSubstr("roller: a mass goes with a force"));
+  EXPECT_THAT(refusal("force = {0, 0}"), HasSubstr("roller: its force is 0"));
+  EXPECT_THAT(refusal("force = {0, -1}, mass = -2"), HasSubstr("roller: mass is -2"));
+  EXPECT_EQ(refusal("force = {0, -1}, mass = 2"), "");
+}
+
 TEST_F(Members, OfSupports) {
   const std::string moves =
       "p:move { velocity = {1, 2}, edge = 'left', depth = 1*mm, axis = 'x', time = ramp(4*us) }\n"

@@ -31,6 +31,17 @@ TEST(Report, SaysWhatWasSolvedAndHow) {
                      HasSubstr("steps of 209 ns (limit 232.4 ns)"), HasSubstr("J/m put in")));
 }
 
+// A platen that does not touch the plate bears nothing.
+TEST(Report, SaysWhatBodiesBear) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.loads.platens.push_back({{0.0, 8e-3}, {10e-3, 10e-3}, {}});
+  const hackle::Run run(plate, test::numerics(), {1}, Talk::quiet, {"x.lua", ""});
+  EXPECT_THAT(run.report(), HasSubstr("\n  bodies   platen 1 at (5 mm, 9 mm) bears (0, 0) N/m\n"));
+  const hackle::Run bare(test::bare_plate(20, 10), test::numerics(), {1}, Talk::quiet,
+                         {"x.lua", ""});
+  EXPECT_THAT(bare.report(), testing::Not(HasSubstr("bodies")));
+}
+
 TEST(Report, SaysPlaneQuadratureAndMicromodulus) {
   Plate plate = test::edge_crack(12e6);
   plate.plane = Plane::strain;

@@ -47,6 +47,15 @@ TEST(Summary, HasTheKeysOfSchemaOneInOrder) {
     EXPECT_TRUE(json["wall_s"].contains(stage)) << stage;
 }
 
+TEST(Summary, HasReactionsWhereThereAreBodies) {
+  Summary summary;
+  summary.reactions = {{"platen", 2, {1.5, 2.5}, {3.5, 4.5}}};
+  const auto reactions = to_json(summary)["reactions"];
+  ASSERT_EQ(reactions.size(), 1U);
+  EXPECT_EQ(reactions[0].dump(),
+            R"({"body":"platen","number":2,"centre_m":[1.5,2.5],"force_N_per_m":[3.5,4.5]})");
+}
+
 TEST(Summary, BeforeTheFirstStepTheRateIsZeroNotNaN) {
   EXPECT_EQ(Summary{}.node_steps_per_second(), 0.0);
 }
