@@ -17,9 +17,17 @@ namespace {
 
 // dx, between a body and a cell that it will hold; and that touches it already, to rounding.
 constexpr double nearly = 1.0, touching = 1e-9;
+// Along a body a cell slides. The tangent has this share of the stiffness there, or a plate that
+// only bodies hold could shift without resistance; no force follows from it.
+constexpr double sliding = 1e-3;
 
 Vec2 product(const Stiffness& k, const Vec2& p) {
   return {k.xx * p.x() + k.xy * p.y(), k.xy * p.x() + k.yy * p.y()};
+}
+
+Stiffness along_and_across(double along, const Vec2& n) {
+  const double across = sliding * along, more = along - across;
+  return {across + more * n.x() * n.x(), more * n.x() * n.y(), across + more * n.y() * n.y()};
 }
 
 // How the springs of a body that a force leads resist it along the force, and how stiffly.
@@ -71,12 +79,8 @@ std::vector<RigidContacts::Spring> RigidContacts::springs_of(std::size_t k, cons
     const double stiff = strength_ * lattice_->micromodulus_at(i, j) / lattice_->calibration.c;
     const double size = overlap.norm();
     const Vec2 n = overlap / size;
-    found.push_back({i,
-                     j,
-                     k,
-                     stiff * std::max(size - more, 0.0) * n,
-                     {stiff * n.x() * n.x(), stiff * n.x() * n.y(), stiff * n.y() * n.y()},
-                     n});
+    found.push_back(
+        {i, j, k, stiff * std::max(size - more, 0.0) * n, along_and_across(stiff, n), n});
   });
   return found;
 }
