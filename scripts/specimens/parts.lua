@@ -15,7 +15,8 @@
 --   at.K             stress intensity of the handbook, Pa sqrt(m); nil without a crack
 --   at.stress        nominal stress, Pa; nil where the standard has none
 --
--- All take: material; load, or velocity (m/s, with which the pins move apart, for s:quasistatic); time, the
+-- Bending specimens and the Brazilian disc take supports = "rollers" or "platens", the rigid bodies of the standard,
+-- instead of "pins". All take: material; load, or velocity (m/s, with which the pins move apart, for s:quasistatic); time, the
 -- amplitude of either. Forces are spread smoothly over pins and balance each other: no specimen needs a clamp to be
 -- in equilibrium, except the L-panel. The spacing should divide the sizes of a specimen, so that its crack runs between
 -- two rows of nodes and sums over pins are exact.
@@ -28,6 +29,7 @@ local parts = {}
 parts.nu = 1/3 -- of a plate of bonds in plane stress
 
 local loading = { material = true, load = true, velocity = true, time = true }
+local texts = { material = true, time = true, supports = true }
 
 local function names_of(defaults)
   local names = {}
@@ -47,7 +49,7 @@ local function check_dimensions(who, given, defaults)
     if defaults[name] == nil and not loading[name] then
       error(string.format("%s: unknown dimension '%s'; it takes %s", who, name, names_of(defaults)), 4)
     end
-    if name ~= "material" and name ~= "time" and not is_size(value, defaults[name] == 0) then
+    if not texts[name] and not is_size(value, defaults[name] == 0) then
       error(string.format("%s: %s is %s, it must be a number above 0", who, name, value), 4)
     end
   end
@@ -93,6 +95,48 @@ function parts.pin(p, o, place, size, force, share)
     local density = bell(at_x - x)*bell(at_y - y)
     return force[1]*density, force[2]*density
   end }
+end
+
+-- Presses a roller of this radius, or a platen (with `to`), against the specimen from outside, by the force {fx, fy}
+-- (N/m) or at o.velocity along it; without a force it stands. `place` is a centre, or a corner.
+function parts.press(p, o, place, size, force)
+  local body = { time = force and o.time or nil }
+  if force and o.velocity then
+    local speed = o.velocity/math.sqrt(force[1]^2 + force[2]^2)
+    body.velocity = { speed*force[1], speed*force[2] }
+  else
+    body.force = force
+  end
+  if type(size) == "table" then
+    body.from, body.to = place, size
+    p:platen(body)
+  else
+    body.centre, body.radius = place, size
+    p:roller(body)
+  end
+end
+
+-- Reads o.supports: "pins", forces inside the specimen, or the bodies that the standard has.
+function parts.has_bodies(who, o, bodies)
+  if o.supports ~= "pins" and o.supports ~= bodies then
+    error(who .. ': supports must be "pins" or "' .. bodies .. '"', 3)
+  end
+  return o.supports == bodies
+end
+
+-- A beam of depth h on two rollers `span` apart, pressed in the middle by a third: as pins half as wide,
+-- or, if it has_bodies, as rollers of the diameter `roller`.
+function parts.bend(has_bodies, p, o, middle, h, span, roller)
+  if has_bodies then
+    parts.press(p, o, { middle, h + roller/2 }, roller/2, { 0, -o.load })
+    for _, side in ipairs { 1, -1 } do parts.press(p, o, { middle + side*span/2, -roller/2 }, roller/2) end
+    return
+  end
+  local pin = roller/2
+  parts.pin(p, o, { middle, h - pin/2 }, pin, { 0, -o.load })
+  for _, side in ipairs { 1, -1 } do
+    parts.pin(p, o, { middle + side*span/2, pin/2 }, pin, { 0, o.load/2 })
+  end
 end
 
 -- Returns points of an arc, both ends included; angles in rad.

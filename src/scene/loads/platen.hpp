@@ -29,7 +29,7 @@ template <>
 inline constexpr Introduction introduction_of<Platen>{
     "Presses a rigid box that is led, or held, against the plate, as in a compression test.",
     "p:platen { from = {0, 40*mm}, to = {100*mm, 50*mm}, velocity = {0, -2} }\n"
-    "p:platen { from = {0, -10*mm}, to = {100*mm, 0}, force = {0, 1e6}, time = ramp(20*us) }",
+    "p:platen { from = {0, -10*mm}, to = {100*mm, 0}, force = {0, 1e6} }",
     "s:platen { from = {0, 40*mm}, to = {100*mm, 50*mm}, velocity = {0, -2} }",
     "roller impactor move"};
 

@@ -35,7 +35,7 @@ template <>
 inline constexpr Introduction introduction_of<Roller>{
     "Presses a rigid disc that is led, or held, against the plate, as in a bending test.",
     "p:roller { centre = {50*mm, 45*mm}, radius = 5*mm, velocity = {0, -2} }\n"
-    "p:roller { centre = {50*mm, -5*mm}, radius = 5*mm, force = {0, 1e5}, time = ramp(20*us) }",
+    "p:roller { centre = {50*mm, -5*mm}, radius = 5*mm, force = {0, 1e5} }",
     "s:roller { centre = {50*mm, 45*mm}, radius = 5*mm, velocity = {0, -2} }",
     "platen impactor move"};
 
