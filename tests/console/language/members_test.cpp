@@ -431,8 +431,10 @@ TEST_F(Members, OfRollersMustAgree) {
         members + " }");
   };
   using testing::HasSubstr;
-  EXPECT_THAT(refusal("force = {0, -1}, velocity = {0, -1}"), HasSubstr("roller: more than one of"));
-  EXPECT_THAT(refusal("velocity = {0, -1}, mass = 2"), HasSubstr("roller: a mass goes with a force"));
+  EXPECT_THAT(refusal("force = {0, -1}, velocity = {0, -1}"),
+              HasSubstr("roller: more than one of"));
+  EXPECT_THAT(refusal("velocity = {0, -1}, mass = 2"),
+              HasSubstr("roller: a mass goes with a force"));
   EXPECT_THAT(refusal("force = {0, 0}"), HasSubstr("roller: its force is 0"));
   EXPECT_THAT(refusal("force = {0, -1}, mass = -2"), HasSubstr("roller: mass is -2"));
   EXPECT_EQ(refusal("force = {0, -1}, mass = 2"), "");
