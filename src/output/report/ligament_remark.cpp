@@ -2,6 +2,7 @@
 #include "output/report/ligament_remark.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -40,6 +41,35 @@ void keep_from_edges(const Box& cutout, const Box& all, double& min) {
       if (width > 0.0) min = std::min(min, width);
 }
 
+double length_of(const Crack& crack) {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < crack.points.size(); ++k)
+    sum += (crack.points[k] - crack.points[k - 1]).norm();
+  return sum;
+}
+
+// Returns the way from a tip to the edge of the plate; 0 from outside.
+double way_ahead(const Vec2& from, const Vec2& tip, const Box& all) {
+  const Vec2 along = (tip - from).normalized();
+  double way = std::numeric_limits<double>::infinity();
+  for (const int axis : {0, 1}) {
+    if (along[axis] == 0.0) continue;
+    const double edge = along[axis] > 0.0 ? all.max[axis] : all.min[axis];
+    way = std::min(way, (edge - tip[axis]) / along[axis]);
+  }
+  return way;
+}
+
+// A short crack near an edge leaves no ligament: the plate is whole beside it.
+void keep_ahead(const Crack& crack, const Box& all, double& min) {
+  const std::vector<Vec2>& points = crack.points;
+  if (points.size() < 2) return;
+  const double length = length_of(crack);
+  for (const double way : {way_ahead(points[1], points[0], all),
+                           way_ahead(points[points.size() - 2], points.back(), all)})
+    if (way > 1e-9 * length && way < length) min = std::min(min, way);
+}
+
 }  // namespace
 
 double narrowest(const Plate& plate) {
@@ -54,6 +84,7 @@ double narrowest(const Plate& plate) {
       for (const int axis : {0, 1}) face(box, other, axis, min);
     boxes.push_back(box);
   }
+  for (const Crack& crack : plate.cracks) keep_ahead(crack, box_of(plate), min);
   return std::max(min, 0.0);
 }
 

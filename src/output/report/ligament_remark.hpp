@@ -14,8 +14,9 @@ namespace hackle {
 inline constexpr double min_ligament = 20.0;
 
 // Returns the width of the narrowest part, m: of the plate and the areas of its outlines, between
-// cut-outs and edges, and between two cut-outs. Shapes count as the boxes around them, so rims that
-// are round do not seem thin where they end. 0 where a cut-out or area is thinner than a spacing.
+// cut-outs and edges, between two cut-outs, and ahead of a crack that is longer than what is left
+// of the plate there, up to its edge. Shapes count as the boxes around them, so rims that are round
+// do not seem thin where they end. 0 where a cut-out or area is thinner than a spacing.
 double narrowest(const Plate& plate);
 
 // Returns a sentence on it if it is under min_ligament and nothing corrects it.

@@ -28,6 +28,21 @@ TEST(LigamentRemark, FindsTheNarrowestPart) {
   EXPECT_DOUBLE_EQ(narrowest(plate), 3e-3);
 }
 
+// Ahead of a tip, where the crack is longer than what is left: of an edge crack, aslant, of either
+// tip; not of the end on the edge, nor where more is left than the crack is long.
+TEST(LigamentRemark, CountsWhatACrackLeaves) {
+  Plate plate = wide_plate();
+  plate.cracks.push_back({{{1e-3, 40e-3}, {4e-3, 40e-3}, {7e-3, 42e-3}}, Born::broken});
+  EXPECT_DOUBLE_EQ(narrowest(plate), 1e-3);
+  plate.cracks.front() = {{{0.0, 25e-3}, {60e-3, 25e-3}}, Born::broken};
+  EXPECT_NEAR(narrowest(plate), 40e-3, 1e-15);
+  plate.cracks.push_back(
+      {{{20e-3, 0.0}, {44e-3, 32e-3}}, Born::broken});  // 3 to 4; up to the edge 18 mm
+  EXPECT_NEAR(narrowest(plate), 18e-3 * 1.25, 1e-15);
+  plate.cracks.push_back({{{98e-3, 20e-3}, {99.5e-3, 20e-3}}, Born::broken});
+  EXPECT_NEAR(narrowest(plate), 0.5e-3, 1e-15);
+}
+
 TEST(LigamentRemark, SpeaksOfPartsUnderTwentyHorizonsAlone) {
   const Numerics numerics = test::numerics();  // a horizon of 2 mm
   EXPECT_FALSE(ligament_remark(Simulation(test::bare_plate(100, 80), numerics, {1})));
