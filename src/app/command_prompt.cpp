@@ -28,14 +28,15 @@ Prompt::Reader line_reader(const std::shared_ptr<LineEditor>& editor) {
       return reader->read(line, idle);
     };
   }
-  print_out("Hackle {}  -  help() tells more, Ctrl-D leaves\n", version());
+  print_out("{}\n", fitted(fmt::format("Hackle {}  -  help() tells more, Ctrl-D leaves", version()),
+                           terminal_columns(STDOUT_FILENO)));
   return [editor](const std::string& prompt, std::string& line, const Idle& idle) {
     return editor->read(prompt, line, idle);
   };
 }
 
 void print_note(const std::string& note) {
-  say("note: {}\n", note);
+  say_note(note);
 }
 
 void print_value(const std::string& value) {

@@ -73,11 +73,11 @@ std::string fitted(std::string_view text, std::size_t width) {
   std::string result;
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
-    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-    const bool fits = line.size() <= width || 2 * indent > width;
-    result +=
-        fits ? std::string(line)
-             : std::string(line.substr(0, indent)) + hanging(line.substr(indent), indent, width);
+    const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
+    const std::size_t indent = 2 * blanks > width ? width / 4 : blanks;
+    result += line.size() <= width
+                  ? std::string(line)
+                  : std::string(indent, ' ') + hanging(line.substr(blanks), indent, width);
     text.remove_prefix(line.size());
     if (text.empty()) break;
     result += '\n';

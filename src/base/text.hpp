@@ -26,7 +26,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
 std::string hanging(std::string_view line, std::size_t indent, std::size_t width);
 
 // Breaks every line of a text that is wider than `width` at blanks; what continues is indented as
-// its line is.
+// its line is, and a line that begins beyond the middle at a quarter of the width.
 std::string fitted(std::string_view text, std::size_t width);
 
 // Returns the word as a shell reads it: quoted if necessary.

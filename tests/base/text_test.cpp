@@ -50,7 +50,13 @@ TEST(Fitted, BreaksWideLinesAndKeepsTheOthers) {
   EXPECT_EQ(fitted("one two three", 80), "one two three");
   EXPECT_EQ(fitted("", 9), "");
   EXPECT_EQ(fitted("\n\n", 9), "\n\n");
-  EXPECT_EQ(fitted("         deep", 10), "         deep");
+  EXPECT_EQ(fitted("     deep", 10), "     deep");
+}
+
+// What begins beyond the middle would be broken after every word.
+TEST(Fitted, MovesDeepLinesToTheLeft) {
+  EXPECT_EQ(fitted("         deep", 10), "  deep");
+  EXPECT_EQ(fitted("         a deeper line", 12), "   a deeper\n   line");
 }
 
 TEST(ShellWord, IsQuotedWhereAShellWouldTakeItApart) {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "base/streams.hpp"
+#include "base/terminal.hpp"
 #include "base/text.hpp"
 #include "console/language/units_binding.hpp"
 #include "console/lua/description.hpp"
@@ -100,7 +100,8 @@ void check_dimension(const Session& session, const std::string& key, const std::
         fmt::format("--set {}={}: its dimension is {}, that of the default {} is {}", key, text,
                     dimension_name(*given), fallback, dimension_name(*wanted)));
   if (session.settings.talk != Talk::quiet)
-    say("note: --set {}={} is taken in SI units; the default is {}\n", key, text, fallback);
+    say_note(
+        fmt::format("--set {}={} is taken in SI units; the default is {}", key, text, fallback));
 }
 
 // [-0, +1] Pushes the override as a value of the type of the default at -1; nil if it cannot be

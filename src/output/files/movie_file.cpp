@@ -10,7 +10,7 @@
 
 #include "base/files.hpp"
 #include "base/hash.hpp"
-#include "base/streams.hpp"
+#include "base/terminal.hpp"
 #include "base/version.hpp"
 #include "movie/rescue.hpp"
 #include "scene/check_members.hpp"
@@ -68,7 +68,7 @@ MovieFile::MovieFile(const std::filesystem::path& path, const MovieOptions& opti
 }
 
 void MovieFile::tell(const std::string& note) const {
-  if (!note.empty() && talk_ != Talk::quiet) say("note: {}\n", note);
+  if (!note.empty() && talk_ != Talk::quiet) say_note(note);
 }
 
 double MovieFile::expected_bytes(std::int64_t frames, double pixels) const {

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/streams.hpp"
+#include "base/terminal.hpp"
 #include "measure/energy.hpp"
 #include "output/report/ledger_remark.hpp"
 #include "output/report/load_remarks.hpp"
@@ -25,8 +26,12 @@ void Notes::say(const std::vector<std::string>& remarks) {
   for (const std::string& remark : remarks) {
     if (std::ranges::find(all_, remark) != all_.end()) continue;
     all_.push_back(remark);
-    if (talk_ != Talk::quiet) hackle::say("note: {}\n", remark);
+    if (talk_ != Talk::quiet) say_note(remark);
   }
+}
+
+void Notes::add(const std::string& remark) {
+  if (!remark.empty()) say({remark});
 }
 
 void Notes::say_at_once(const std::vector<std::string>& remarks) {

@@ -15,6 +15,8 @@ class Notes {
  public:
   explicit Notes(Talk talk) : talk_(talk) {}
 
+  // A remark of somebody else; none if it is empty.
+  void add(const std::string& remark);
   // On a plate that has just been set up.
   void begin(const Simulation& simulation);
   // On loads that have been exchanged; `before` is the thermal strain under the former ones.
