@@ -158,7 +158,8 @@ struct RunFile::Parts {
   }
 
   void write_bodies(const Hdf5Handle& group, const Simulation& simulation) {
-    const State& state = simulation.state();
+    const View view = simulation.view();
+    const State& state = view.state();
     const Loads& loads = simulation.plate().loads;
     const auto radius = [](const auto& body) { return std::array{body.radius}; };
     const auto half = [](const Platen& platen) {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "output/files/checkpoint_keeper.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/terminal.hpp"
+#include "base/units.hpp"
+#include "store/checkpoint.hpp"
+
+namespace hackle {
+
+CheckpointKeeper::CheckpointKeeper(double seconds, std::function<std::filesystem::path()> place,
+                                   Origin origin, Talk talk)
+    : interval_(
+          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
+      place_(std::move(place)),
+      origin_(std::move(origin)),
+      talk_(talk) {
+}
+
+CheckpointKeeper::~CheckpointKeeper() {
+  if (writing_.valid()) writing_.wait();
+}
+
+std::int64_t CheckpointKeeper::next_due(const Simulation& simulation) {
+  constexpr std::int64_t steps_between_looks = 8;  // at the clock
+  return simulation.state().step + steps_between_looks;
+}
+
+bool CheckpointKeeper::due(const Simulation&) {
+  return !hopeless_ && Clock::now() - last_ >= interval_ && !is_writing();
+}
+
+bool CheckpointKeeper::is_writing() const {
+  using std::chrono::seconds;
+  return writing_.valid() && writing_.wait_for(seconds(0)) != std::future_status::ready;
+}
+
+void CheckpointKeeper::observe(const Simulation& simulation) {
+  try {
+    keep(simulation);
+  } catch (const Error& error) {
+    give_up(error);
+  }
+}
+
+void CheckpointKeeper::keep(const Simulation& simulation) {
+  collect();
+  if (!path_) path_ = place_();
+  writing_ = std::async(std::launch::async, [path = *path_, image = image_of(simulation, origin_)] {
+    write_checkpoint(path, image);
+  });
+  last_ = Clock::now();
+}
+
+void CheckpointKeeper::collect() {
+  if (writing_.valid()) writing_.get();
+}
+
+void CheckpointKeeper::give_up(const Error& error) noexcept {
+  hopeless_ = true;
+  if (talk_ != Talk::quiet) say_note(fmt::format("no checkpoints are kept: {}", error.what()));
+}
+
+void CheckpointKeeper::keep_last(const Simulation& simulation) noexcept {
+  if (hopeless_ || simulation.state().step == 0) return;
+  try {
+    simulation.check_finite();
+  } catch (const Error&) {
+    return;
+  }
+  try {
+    keep(simulation);
+    collect();
+    if (talk_ != Talk::quiet)
+      say_note(fmt::format("the state at {} is kept in '{}': load goes on from it",
+                           quantity(simulation.time(), "s"), path_->string()));
+  } catch (const Error& error) {
+    give_up(error);
+  }
+}
+
+}  // namespace hackle
