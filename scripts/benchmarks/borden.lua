@@ -2,7 +2,7 @@
 --
 -- Glass with E 32 GPa and G0 3 J/m2, 100 x 40 mm, a crack to the middle, 1 MPa suddenly on both long edges.
 -- Their crack (in a phase field) branches at about 34 to 37 us, 65 to 70 mm, below 0.6 of the Rayleigh speed.
--- Expected: the first bond at 9.4 us, one fork at 66 mm (visible at 36 us).
+-- Expected: the first bond at 9.4 us, one fork at 65 mm (visible at 35 us).
 --
 --   hackle run scripts/benchmarks/borden.lua
 

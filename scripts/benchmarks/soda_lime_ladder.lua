@@ -2,8 +2,8 @@
 --
 -- The edge crack of the paper's first plate in soda-lime glass of quasi-static toughness (3.8 J/m2), as in
 -- PDMATLAB2D's deck after Bobaru & Zhang 2015: horizon 1 mm, 300 x 120 nodes, sudden loads.
--- Expected: no fork at 0.2 MPa, one at 2 MPa (21.5 us, 66.5 mm), several at 4 MPa. At 1 MPa the reference shows
--- no fork, this lattice one, late, at about 74 mm: whether a crack that is only just fast enough forks depends
+-- Expected: no fork at 0.2 MPa, one at 2 MPa (22 us, 67.5 mm), several at 4 MPa. At 1 MPa the reference shows
+-- no fork, this lattice one, late, at about 72 mm: whether a crack that is only just fast enough forks depends
 -- on the quadrature and on waves from the edges.
 --
 --   hackle run scripts/benchmarks/soda_lime_ladder.lua

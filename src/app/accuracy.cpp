@@ -26,20 +26,16 @@ Plate plate_for(const Numerics& numerics) {
   return plate;
 }
 
-// Sets the longest step of at most `fraction` of the limit that divides the time of the comparison,
-// so that all runs are compared at the same time.
-Numerics with_step(const Numerics& numerics, double fraction) {
-  const double longest = fraction * Lattice(plate_for(numerics), numerics).step_limit;
-  Numerics result = numerics;
-  result.step = trade_sample / std::ceil(trade_sample / longest);
-  return result;
+Numerics with_step(Numerics numerics, double share_of_limit) {
+  numerics.step = share_of_limit * Lattice(plate_for(numerics), numerics).step_limit;
+  return numerics;
 }
 
 Numerics on_lattice(double spacing, double horizon) {
   Numerics numerics;
   numerics.spacing = spacing;
   numerics.horizon = horizon;
-  return with_step(numerics, step_fraction);
+  return numerics;
 }
 
 Simulation solved_until(const Numerics& numerics, double time, InstructionSet set) {
@@ -84,12 +80,10 @@ void compare(const Simulation& simulation, TradeResult& result) {
   Numerics exact = on_lattice(given.spacing, given.horizon_or_default());
   exact.quadrature = given.quadrature;
   const InstructionSet set = simulation.instruction_set();
-  result.to_exact =
-      difference(simulation, solved_until(with_step(exact, step_fraction), trade_sample, set));
+  result.to_exact = difference(simulation, solved_until(exact, trade_sample, set));
   Numerics finer = exact;
   finer.spacing *= 0.5;
-  result.to_finer = difference_to_finer(
-      simulation, solved_until(with_step(finer, step_fraction), trade_sample, set));
+  result.to_finer = difference_to_finer(simulation, solved_until(finer, trade_sample, set));
 }
 
 void look(const Simulation& simulation, TradeResult& result) {
@@ -119,10 +113,7 @@ std::vector<Trade> trades() {
   for (const double fidelity : {0.1, 0.25, 0.5, 1.0})
     add(fmt::format("fidelity {}", fidelity), [&](Numerics& n) { n.fidelity = fidelity; });
   add("breaking next_step", [](Numerics& n) { n.breaking = Breaking::next_step; });
-  add("quadrature ramp", [](Numerics& n) {
-    n.quadrature = Quadrature::ramp;
-    n = with_step(n, step_fraction);
-  });
+  add("quadrature ramp", [](Numerics& n) { n.quadrature = Quadrature::ramp; });
   for (const int m : {3, 6})
     list.push_back({fmt::format("horizon {} spacings", m), on_lattice(0.5e-3, m * 0.5e-3)});
   for (const double spacing : {1e-3, 0.25e-3})

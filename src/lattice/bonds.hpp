@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "lattice/node_layout.hpp"
@@ -17,6 +18,10 @@ class BondBits {
   BondBits() = default;
   BondBits(const NodeLayout& layout, int words)
       : plane_(layout.size()), words_(plane_ * static_cast<std::size_t>(words)) {}
+
+  // Of the words of a former object, which were as many planes of this layout.
+  BondBits(const NodeLayout& layout, std::vector<std::uint32_t> words)
+      : plane_(layout.size()), words_(std::move(words)) {}
 
   bool holds(std::ptrdiff_t at, int bond) const {
     return (words_[index(at, bond)] & mask(bond)) != 0;

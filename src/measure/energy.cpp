@@ -8,7 +8,8 @@
 
 namespace hackle {
 
-Energy energy(const View& view) {
+Energy energy(const View& seen) {
+  const View view = seen.at_step();
   const BondEnergy bonds = bond_energy(view.lattice(), view.state(), view.thermal_strain());
   const Ledger ledger = view.ledger();
   return {.kinetic = view.kinetic_energy(),

@@ -20,15 +20,27 @@ double rounded_down(double step) {
   return std::isfinite(step) ? std::floor(step / unit) * unit : step;
 }
 
+// Returns the step, at most a twentieth shorter, of which the smallest power of ten seconds is a
+// multiple: moments that are written in round numbers then lie at steps.
+double dividing(double longest) {
+  constexpr double max_loss = 0.05;
+  if (!std::isfinite(longest)) return longest;
+  for (double exponent = std::ceil(std::log10(longest));; ++exponent) {
+    const double whole = std::pow(10.0, exponent);
+    const double step = whole / std::ceil(whole / longest - 1e-9);
+    if (step >= (1.0 - max_loss) * longest) return step;
+  }
+}
+
 }  // namespace
 
 double default_step(double limit, double safety) {
-  return rounded_down(safety * limit);
+  return dividing(safety * limit);
 }
 
 double default_step(const Plate& plate, const Lattice& lattice, double safety) {
   const double longest = longest_step_of_bodies(plate, lattice.grid.dx).longest;
-  return std::min(default_step(lattice.step_limit, safety), rounded_down(longest));
+  return std::min(default_step(lattice.step_limit, safety), dividing(longest));
 }
 
 void check_step(const Plate& plate, const Lattice& lattice, double dt, std::string_view who) {

@@ -15,6 +15,7 @@ class Divergence {
  public:
   // Another state, of this energy, in units of rho dx^4/dt^2.
   void begin(double energy) { max_energy_ = energy; }
+  double max_energy() const { return max_energy_; }
   // Throws Error (run_failed), as above or when there is a thousand times the energy that was ever
   // put in.
   void check(const View& view);

@@ -17,7 +17,8 @@ State moved_back(State state, double steps) {
         move_back(motion.uy, motion.vy, steps);
       },
       state.motion);
-  for (Disc& disc : state.discs) disc.centre -= steps * disc.velocity;
+  for (std::vector<Disc>* bodies : {&state.discs, &state.rollers, &state.platens})
+    for (Disc& body : *bodies) body.centre -= steps * body.velocity;
   return state;
 }
 

@@ -9,11 +9,11 @@
 
 namespace hackle {
 
-// Between the steps n - 1 and n, at the time t = t_n - behind dt, displacements and discs are taken
-// on the straight line between the two: u(t) = u_n - behind dt v_(n-1/2), which is exact to second
-// order in the step. Velocities are v(t) = v_(n-1/2) + (1/2 - behind) dt a_n, which View knows. All
-// else, such as bonds, energies and temperatures, is that of step n. The state itself never moves:
-// a run has the same bits whatever is seen of it.
+// Between the steps n - 1 and n, at t = t_n - behind dt, displacements and discs are taken on the
+// straight line between the two: u(t) = u_n - behind dt v_(n-1/2). Velocities, which View knows,
+// are v(t) = v_(n-1/2) + (1/2 - behind) dt a_n. All else, such as bonds, energies and temperatures,
+// is that of step n. The state itself never moves: a run has the same bits whatever is seen of it
+// (src/solver/README.md 3.9).
 class Instant {
  public:
   // At `time`, s; `behind` is in steps, 0 to 1. The share of a step that rounding makes is none.

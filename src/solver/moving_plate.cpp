@@ -148,6 +148,18 @@ void MovingPlate::restore(State state) {
   prepare();
 }
 
+void MovingPlate::resume(Plate plate, State state, std::optional<double> widened_at) {
+  Problems problems;
+  check(plate, problems);
+  problems.throw_if_any();
+  plate_ = std::move(plate);
+  terms_ = Terms(plate_, lattice_, dt_);
+  lattice_.step_limit = step_limit(lattice_, plate_);
+  stepper_ = make_stepper(state.precision());
+  widened_at_ = widened_at;
+  restore(std::move(state));
+}
+
 void MovingPlate::close_ledger() {
   const Ledger open = ledger();
   state_.external_work = open.external / energy_unit();

@@ -33,6 +33,9 @@ class MovingPlate {
   // Replaces all loads from now on, in a run that is to go on to `last_step`. See Simulation.
   void set_loads(Loads loads, std::int64_t last_step);
   void restore(State state);
+  // Goes on as this plate, which differs in its loads and in how it began, from a state of it.
+  // `widened_at` as below.
+  void resume(Plate plate, State state, std::optional<double> widened_at);
 
   // Finds what acts at the time of the state; to be called when it is not the one that step() left.
   void prepare();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace hackle {
 
@@ -16,7 +17,11 @@ class Observer {
   virtual std::int64_t next_due(const Simulation&) { return 0; }
   // Whether it wants to see the state as it is now. Must be cheap.
   virtual bool due(const Simulation& simulation) = 0;
+  // The time at which it wants to see it when it is due, s: no more than a step ago.
+  virtual double moment(const Simulation& simulation);
   virtual void observe(const Simulation& simulation) = 0;
+  // What a user should know about when it looks on; may be empty.
+  virtual std::string remark() const { return {}; }
 };
 
 }  // namespace hackle

@@ -46,22 +46,24 @@ class Simulation::Audience {
   explicit Audience(std::span<Observer* const> observers)
       : observers_(observers), next_(observers.size(), 0) {}
 
-  // Lets those see the state that are due.
-  void look(const Simulation& simulation) {
+  // Lets those see the state that are due, each at its moment.
+  void look(Simulation& simulation) {
     const std::int64_t step = simulation.state().step;
     for (std::size_t k = 0; k < observers_.size(); ++k) {
       if (step < next_[k]) continue;
       Observer& observer = *observers_[k];
       if (observer.due(simulation)) {
         simulation.check_finite();
+        simulation.show(observer.moment(simulation));
         observer.observe(simulation);
+        simulation.seen_at_.reset();
       }
       next_[k] = observer.next_due(simulation);
     }
   }
 
   // The same where time goes on without steps.
-  void look_anew(const Simulation& simulation) {
+  void look_anew(Simulation& simulation) {
     std::ranges::fill(next_, 0);
     look(simulation);
   }
@@ -76,8 +78,43 @@ Simulation::Simulation(Plate plate, Numerics numerics, Execution execution,
     : plate_(std::move(plate), numerics, execution, std::move(strength)) {
 }
 
+Simulation Simulation::resumed(Plate plate, Numerics numerics, Snapshot snapshot,
+                               Execution execution) {
+  Plate bare = plate;
+  bare.loads = {};
+  bare.initial_conditions.clear();
+  Simulation simulation(std::move(bare), numerics, execution);
+  if (!fits(snapshot.state, simulation.lattice()))
+    throw Error(ErrorKind::refused, "the state is not one of this plate and lattice");
+  simulation.plate_.resume(std::move(plate), std::move(snapshot.state), snapshot.widened_at);
+  simulation.plate_.set_borne(std::move(snapshot.borne));
+  simulation.aim_ = snapshot.aim;
+  simulation.plate_.tabulate(simulation.aim_.last_step);
+  simulation.divergence_.begin(snapshot.max_energy);
+  simulation.solve_seconds_ = snapshot.solve_seconds;
+  simulation.check_finite();
+  if (simulation.has_arrived()) simulation.show(simulation.aim_.end_time);
+  return simulation;
+}
+
+Snapshot Simulation::snapshot() const {
+  return {state(),       aim_, plate_.borne(), plate_.widened_at(), divergence_.max_energy(),
+          solve_seconds_};
+}
+
+double Observer::moment(const Simulation& simulation) {
+  return simulation.time();
+}
+
 void Simulation::step() {
+  seen_at_.reset();
   plate_.step();
+}
+
+void Simulation::show(double time) {
+  const double behind = (plate_.time() - time) / dt();
+  if (state().is_start() || !(behind > -1e-6 && behind < 1.0 + 1e-6)) return seen_at_.reset();
+  seen_at_.emplace(time, behind);
 }
 
 void Simulation::set_loads(Loads loads) {
@@ -90,6 +127,7 @@ void Simulation::restore(State state) {
 }
 
 void Simulation::begin_anew() {
+  seen_at_.reset();
   stop();
   divergence_.begin(plate_.energy());
 }
@@ -111,11 +149,12 @@ void Simulation::run(double duration, std::span<Observer* const> observers) {
 }
 
 void Simulation::stop() {
-  aim_ = {time(), state().step};
+  aim_ = {plate_.time(), state().step};
 }
 
 void Simulation::go_on(std::span<Observer* const> observers) {
   break_off_ = false;
+  seen_at_.reset();
   Audience audience(observers);
   audience.look(*this);
   while (!has_arrived() && !break_off_) {
@@ -126,6 +165,7 @@ void Simulation::go_on(std::span<Observer* const> observers) {
     look_after_step(audience);
   }
   check_finite();
+  if (has_arrived()) show(aim_.end_time);
 }
 
 void Simulation::look_after_step(Audience& audience) {
@@ -137,13 +177,15 @@ void Simulation::look_after_step(Audience& audience) {
 }
 
 RelaxResult Simulation::relax(const RelaxOptions& options) {
+  seen_at_.reset();
   return Statics(plate_).relax(options);
 }
 
 QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
                                           std::span<Observer* const> observers) {
-  const double begin = time(), end = aim_.end_time + options.duration;
+  const double begin = plate_.time(), end = aim_.end_time + options.duration;
   check(options, begin, dt());
+  seen_at_.reset();
   QuasistaticResult result;
   break_off_ = false;
   Audience audience(observers);

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "solver/aim.hpp"
-#include "solver/divergence.hpp"
 #include "solver/moving_plate.hpp"
 #include "solver/observer.hpp"
+#include "solver/snapshot.hpp"
 #include "solver/statics/rest.hpp"
 #include "solver/view.hpp"
 
@@ -25,16 +25,23 @@ class Simulation {
   Simulation(Plate plate, Numerics numerics, Execution execution = {},
              std::vector<float> strength = {});
 
+  // Goes on from a snapshot of a simulation of this plate, with the loads of that moment, with the
+  // same bits, for any execution. Throws what the constructor throws, and Error (refused) for a
+  // state of another lattice or with values that are not finite.
+  static Simulation resumed(Plate plate, Numerics numerics, Snapshot snapshot,
+                            Execution execution = {});
+  Snapshot snapshot() const;
+
   // Makes one time step. Nothing is written, printed or checked in it.
   void step();
 
   // Runs until `duration` seconds more have been simulated, to the first step at or after that
   // time; the requested time is kept exactly, so that run(a); run(b) ends at the same step as run(a
-  // + b). Functions of time in the loads are evaluated before the first of these steps, and may
-  // throw. Between steps, and at the start, every observer that is due sees the state. Stops after
-  // the current step with Error (interrupted) on Ctrl-C, and with Error (run_failed) if the
-  // solution has diverged: if it contains values that are not finite, or a thousand times the
-  // energy ever supplied.
+  // + b), and the plate is seen as it is then (see Instant). Functions of time in the loads are
+  // evaluated before the first of these steps, and may throw. Between steps, and at the start,
+  // every observer that is due sees the state. Stops after the current step with Error
+  // (interrupted) on Ctrl-C, and with Error (run_failed) if the solution has diverged: if it
+  // contains values that are not finite, or a thousand times the energy ever supplied.
   void run(double duration, std::span<Observer* const> observers = {});
 
   // run() in parts: aim() adds to the time to be reached, go_on() runs to it, or returns if an
@@ -87,11 +94,12 @@ class Simulation {
   InstructionSet instruction_set() const { return plate_.instruction_set(); }
 
   // What can be seen of it now; holds until the next step.
-  View view() const { return View(plate_, aim_.end_time); }
+  View view() const { return View(plate_, aim_.end_time, seen_at_); }
   operator View() const { return view(); }  // NOLINT: whatever takes a view takes a simulation
 
   double dt() const { return plate_.dt(); }                                                // s
-  double time() const { return plate_.time(); }                                            // s
+  double time() const { return seen_at_ ? seen_at_->time() : plate_.time(); }              // s
+  double time_of_step() const { return plate_.time(); }                                    // s
   double time_at(std::int64_t step) const { return state().clock.time(step, 0.0, dt()); }  // s
   double end_time() const { return aim_.end_time; }                                        // s
   Ledger ledger() const { return plate_.ledger(); }                                        // J/m
@@ -99,7 +107,7 @@ class Simulation {
   Vec2 displacement(int i, int j) const { return view().displacement(i, j); }  // m
   // Returns the forces of the plate on impactors, rollers and platens, now.
   std::vector<Reaction> reactions() const { return plate_.reactions(); }
-  std::vector<Vec2> velocities() const { return plate_.velocities(); }  // m/s, by Grid::index
+  std::vector<Vec2> velocities() const { return view().velocities(); }  // m/s, by Grid::index
   // Returns whether the bond of node (i, j) to (i + column, j + row) is intact.
   bool holds(int i, int j, int column, int row) const { return view().holds(i, j, column, row); }
   // Returns the bonds that broke in the last step, or increment of quasi-static loading.
@@ -124,9 +132,13 @@ class Simulation {
 
   void look_after_step(Audience& audience);
   void begin_anew();
+  // Lets the plate be seen at a time between the last step and the one before; at any other, and
+  // where it has just stood still, at the last step.
+  void show(double time);
 
   MovingPlate plate_;
   Aim aim_;
+  std::optional<Instant> seen_at_;  // none: the last step
   bool break_off_ = false;
   double solve_seconds_ = 0.0;
   Divergence divergence_;

@@ -87,6 +87,23 @@ State::State(const Lattice& lattice, Precision precision)
     motion = at_rest<double>(lattice);
 }
 
+bool fits(const State& state, const Lattice& lattice) {
+  const std::size_t size = lattice.grid.layout().size();
+  const auto fitting = [size](const auto& motion) {
+    bool good = motion.threshold.empty() || motion.threshold.size() == size;
+    for (const auto* values : {&motion.ux, &motion.uy, &motion.vx, &motion.vy})
+      good = good && values->size() == size;
+    return good;
+  };
+  const std::vector<std::uint32_t>&now = state.bonds.words(), &initial = lattice.bonds.words();
+  if (state.layout != lattice.grid.layout() || !std::visit(fitting, state.motion) ||
+      now.size() != initial.size())
+    return false;
+  for (std::size_t at = 0; at < now.size(); ++at)
+    if ((now[at] & ~initial[at]) != 0) return false;
+  return true;
+}
+
 Vec2 State::u(int i, int j) const {
   const auto at = static_cast<std::size_t>(layout.at(i, j));
   return std::visit([&](const auto& m) { return Vec2(m.ux[at], m.uy[at]); }, motion);

@@ -80,6 +80,10 @@ struct State {
   State in_f64() const;
 };
 
+// Returns whether it can be a state of this lattice: its arrays have the size of the layout, and no
+// bond holds that the lattice does not have.
+bool fits(const State& state, const Lattice& lattice);
+
 // The list of members, which hash, size and conversion follow: calls visit(name, member, matters)
 // for each in the order of the hash, the arrays of the motion one by one. The layout is that of the
 // lattice. What does not matter has the value that it has in a plain run, and leaves its hash

@@ -81,10 +81,10 @@ TEST(Benchmarks, SodaLimeLadderForksWithTheLoad) {
   EXPECT_EQ(script("#runs"), 4);
   EXPECT_FALSE(script.holds("runs[1].fork"));
   EXPECT_EQ(script("runs[2].s:cracks().bands"), 2);
-  EXPECT_NEAR(script("runs[2].fork_place"), 74 * mm, 1.5 * mm);
+  EXPECT_NEAR(script("runs[2].fork_place"), 72 * mm, 1.5 * mm);
   EXPECT_EQ(script("runs[3].s:cracks { from = {0, 0}, to = {80*mm, 40*mm} }.bands"), 2);
-  EXPECT_NEAR(script("runs[3].fork"), 21.5 * us, 0.5 * us);
-  EXPECT_NEAR(script("runs[3].fork_place"), 66.5 * mm, 1 * mm / 3);
+  EXPECT_NEAR(script("runs[3].fork"), 22 * us, 0.5 * us);
+  EXPECT_NEAR(script("runs[3].fork_place"), 67.5 * mm, 1 * mm / 3);
   EXPECT_GE(script("runs[4].s:cracks().bands"), 4);
   EXPECT_EQ(script.pictures(), 4U);
 }
@@ -92,8 +92,8 @@ TEST(Benchmarks, SodaLimeLadderForksWithTheLoad) {
 TEST(Benchmarks, BordenForksOnce) {
   test::WatchedScript script("benchmarks/borden.lua");
   EXPECT_NEAR(script("runs[1].first"), 9.4 * us, 0.5 * us);
-  EXPECT_NEAR(script("runs[1].fork"), 36 * us, 0.5 * us);
-  EXPECT_NEAR(script("runs[1].fork_place"), 66 * mm, 0.5 * mm);
+  EXPECT_NEAR(script("runs[1].fork"), 35 * us, 0.5 * us);
+  EXPECT_NEAR(script("runs[1].fork_place"), 65 * mm, 0.5 * mm);
   EXPECT_EQ(script("runs[1].s:cracks().bands"), 2);
 }
 

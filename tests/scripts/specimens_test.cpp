@@ -13,25 +13,27 @@ namespace {
 
 using testing::HasSubstr;
 
-struct SpecimenCase {
-  const char* name;
-  const char* dimensions;  // in Lua
-  const char* spacing;     // in Lua, of the coarser of two lattices; the horizon is 4 spacings
-  int tips = 1;
-  const char* quadrature = "full";
-};
-
 // Relative errors of what the gauges measure and of K; 0 where the handbook has none.
 struct Errors {
   double displacement = 0.0, intensity = 0.0;
 };
 
-Errors errors_of(const SpecimenCase& given, int refinement) {
+struct SpecimenCase {
+  const char* name;
+  const char* dimensions;  // in Lua
+  const char* spacing;     // in Lua, of the coarser of two lattices; the horizon is 4 spacings
+  Errors corrected;        // on it, with surface = "energy"
+  int tips = 1;
+  const char* quadrature = "full";
+};
+
+Errors errors_of(const SpecimenCase& given, int refinement, const char* surface = "none") {
   Console console(test::quiet());
-  console.evaluate(fmt::format(
-      "measured, K, at = require('specimens.parts').solve(require('specimens.{}'), {}, "
-      "{{ spacing = {}/{}, quadrature = '{}' }}, {})",
-      given.name, given.dimensions, given.spacing, refinement, given.quadrature, given.tips));
+  console.evaluate(
+      fmt::format("measured, K, at = require('specimens.parts').solve(require('specimens.{}'), {}, "
+                  "{{ spacing = {}/{}, quadrature = '{}', surface = '{}' }}, {})",
+                  given.name, given.dimensions, given.spacing, refinement, given.quadrature,
+                  surface, given.tips));
   const auto error = [&](const char* found, const char* expected) {
     const std::string ratio = fmt::format("{1} and {0}/{1} - 1 or 0", found, expected);
     return std::stod(console.evaluate(ratio).at(0));
@@ -57,17 +59,31 @@ TEST_P(EverySpecimen, ConvergesToTheHandbook) {
   EXPECT_NEAR(2.0 * fine.intensity - coarse.intensity, 0.0, 0.015);
 }
 
+// With stiffened surfaces bars are within 0.2 % (dog bone) and beams within 2 % (three-point bend):
+// the rest is what a crack is open beyond its end, for which faces are not corrected, a part of a
+// horizon that makes it longer, and grows with d(ln K)/da: 2 % of a long cantilever, 4 % where the
+// ligament is short. The corner of the panel is softer in the same way, and is compared with finite
+// elements.
+TEST_P(EverySpecimen, IsNearTheHandbookWithCorrectedSurfaces) {
+  const Errors found = errors_of(GetParam(), 1, "energy");
+  RecordProperty("corrected", fmt::format("{:+.4f} {:+.4f}", found.displacement, found.intensity));
+  EXPECT_NEAR(found.displacement, GetParam().corrected.displacement, 0.005);
+  EXPECT_NEAR(found.intensity, GetParam().corrected.intensity, 0.005);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Specimens, EverySpecimen,
-    testing::Values(SpecimenCase{"compact_tension", "{}", "1*mm"},
-                    SpecimenCase{"compact_tension", "{ W = 40*mm, a = 16*mm }", "0.8*mm"},
-                    SpecimenCase{"single_edge_bend", "{}", "0.5*mm"},
-                    SpecimenCase{"three_point_bend", "{}", "0.2*mm"},
-                    SpecimenCase{"brazilian_disc", "{}", "0.5*mm", 1, "area"},
-                    SpecimenCase{"brazilian_disc", "{ a = 8*mm }", "0.5*mm", 2, "area"},
-                    SpecimenCase{"double_cantilever", "{}", "1*mm"},
-                    SpecimenCase{"dog_bone", "{}", "0.5*mm"}, SpecimenCase{"l_panel", "{}", "5*mm"},
-                    SpecimenCase{"plate_with_pins", "{}", "1*mm", 2}),
+    testing::Values(
+        SpecimenCase{"compact_tension", "{}", "1*mm", {0.067, 0.027}},
+        SpecimenCase{"compact_tension", "{ W = 40*mm, a = 16*mm }", "0.8*mm", {0.074, 0.027}},
+        SpecimenCase{"single_edge_bend", "{}", "0.5*mm", {0.042, 0.043}},
+        SpecimenCase{"three_point_bend", "{}", "0.2*mm", {0.018}},
+        SpecimenCase{"brazilian_disc", "{}", "0.5*mm", {-0.012}, 1, "area"},
+        SpecimenCase{"brazilian_disc", "{ a = 8*mm }", "0.5*mm", {0.0, 0.031}, 2, "area"},
+        SpecimenCase{"double_cantilever", "{}", "1*mm", {0.043, 0.021}},
+        SpecimenCase{"dog_bone", "{}", "0.5*mm", {0.0}},
+        SpecimenCase{"l_panel", "{}", "5*mm", {0.037}},
+        SpecimenCase{"plate_with_pins", "{}", "1*mm", {0.054, 0.043}, 2}),
     [](const auto& given) { return fmt::format("{}_{}", given.param.name, given.index); });
 
 // Stress and stiffness of a bar do not depend on its size, and K grows with its root.

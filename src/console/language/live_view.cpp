@@ -14,12 +14,13 @@ namespace hackle {
 
 LiveView::LiveView(Session& session, const PictureOptions& options, double every,
                    const Simulation& simulation)
-    : session_(session), options_(options), schedule_("watch", every, simulation) {
+    : ScheduledObserver(Schedule("watch", every, simulation)),
+      session_(session),
+      options_(options) {
 }
 
 // Draws over the last picture unless something was printed since.
-void LiveView::observe(const Simulation& simulation) {
-  schedule_.advance(simulation);
+void LiveView::look(const Simulation& simulation) {
   Terminal terminal = terminal_of(STDOUT_FILENO);
   terminal.graphics = Graphics::symbols;  // their lines can be counted
   std::string text = picture_text(simulation, options_, terminal);

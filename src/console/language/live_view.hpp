@@ -24,25 +24,22 @@ inline constexpr auto description_of<WatchOptions> = describe_noun(
             .alternative = true,
             .sentence = "Simulated time between pictures; without it drawing stops."}));
 
-class LiveView : public Observer {
+class LiveView : public ScheduledObserver {
  public:
   // Draws every `every` simulated seconds, including the present. Throws what Schedule throws.
   LiveView(Session& session, const PictureOptions& options, double every,
            const Simulation& simulation);
 
-  std::int64_t next_due(const Simulation& simulation) override {
-    return schedule_.next_due(simulation);
-  }
   bool due(const Simulation& simulation) override {
-    return !ended_ && schedule_.reached(simulation);
+    return !ended_ && ScheduledObserver::due(simulation);
   }
-  void observe(const Simulation& simulation) override;
   void end() { ended_ = true; }
 
  private:
+  void look(const Simulation& simulation) override;
+
   Session& session_;
   PictureOptions options_;
-  Schedule schedule_;
   bool ended_ = false;
   long lines_ = 0;  // of the picture above the cursor
   std::int64_t said_ = -1;

@@ -11,9 +11,9 @@
 
 namespace hackle {
 
-void Watcher::observe(const Simulation& simulation) {
+void call(const LuaFunction& function, const Simulation& simulation) {
   const double time = simulation.time();
-  function_.call({&time, 1}, {}, fmt::format("at t = {}", quantity(time, "s")));
+  function.call({&time, 1}, {}, fmt::format("at t = {}", quantity(time, "s")));
 }
 
 DamageAlarm::DamageAlarm(LuaFunction function, const Region& area, double above,

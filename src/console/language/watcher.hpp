@@ -14,34 +14,29 @@
 
 namespace hackle {
 
+// Calls a function with the time, s.
+void call(const LuaFunction& function, const Simulation& simulation);
+
 class Watcher : public Observer {
  public:
   explicit Watcher(LuaFunction function) : function_(std::move(function)) {}
 
-  // Calls the function with the time, s.
-  void observe(const Simulation& simulation) override;
+  void observe(const Simulation& simulation) override { call(function_, simulation); }
 
  private:
   LuaFunction function_;
 };
 
 // Calls at equal intervals of simulated time, including the present.
-class Ticker : public Watcher {
+class Ticker : public ScheduledObserver {
  public:
   Ticker(LuaFunction function, double every, const Simulation& simulation)
-      : Watcher(std::move(function)), schedule_("on", every, simulation) {}
-
-  std::int64_t next_due(const Simulation& simulation) override {
-    return schedule_.next_due(simulation);
-  }
-  bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }
-  void observe(const Simulation& simulation) override {
-    schedule_.advance(simulation);
-    Watcher::observe(simulation);
-  }
+      : ScheduledObserver(Schedule("on", every, simulation)), function_(std::move(function)) {}
 
  private:
-  Schedule schedule_;
+  void look(const Simulation& simulation) override { call(function_, simulation); }
+
+  LuaFunction function_;
 };
 
 // Calls once, when the damage of a node in the area first exceeds a value; at once if it already

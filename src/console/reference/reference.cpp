@@ -161,7 +161,31 @@ std::string page_of_order() {
          "that collectgarbage counts, and the time when weak tables lose their entries.";
 }
 
+std::string page_of_times() {
+  const auto part = [](std::string_view text) {
+    return "\n\n" + hanging(text, 0, reference_width);
+  };
+  return hanging(
+             "Ends of runs, frames, records and calls of s:on lie at the times that were asked "
+             "for, whatever the step.",
+             0, reference_width) +
+         part(
+             "The default step divides a power of ten: it is up to a twentieth shorter than "
+             "`safety` times the limit. Times that are written in round numbers then mostly lie "
+             "at steps.") +
+         part(
+             "Between two steps displacements and rigid discs are interpolated linearly, and "
+             "velocities are those of the nearer half step plus the acceleration times what is "
+             "missing; both are exact to second order in the step. Bonds, energies, temperatures "
+             "and what s:on changes are those of the later step.") +
+         part(
+             "No step is ever shortened: a run has the same bits however it is cut and whatever "
+             "looks on. Where `every` is less than a step, every step is taken, with a note. In "
+             "slow loading, which has no steps, a time is served at the end of its increment.");
+}
+
 std::string page_of_list(std::string_view name) {
+  if (name == "times") return page_of_times();
   if (name == "order") return page_of_order();
   if (name == "specimens") return list_of_specimens(reference_width);
   if (name == "functions") return list_of_functions();
@@ -262,8 +286,8 @@ std::string reference_of(std::string_view name) {
 }
 
 std::vector<std::string> topics() {
-  std::set<std::string_view> names{"functions", "units", "materials",
-                                   "fields",    "order", "specimens"};
+  std::set<std::string_view> names{"functions", "units",     "materials", "fields",
+                                   "order",     "specimens", "times"};
   for (const FunctionDoc* doc : all_docs()) {
     names.insert(doc->name);
     for (const Option& option : doc->options) names.insert(option.name);

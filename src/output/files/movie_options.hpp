@@ -11,7 +11,7 @@ namespace hackle {
 
 struct MovieOptions {
   PictureOptions picture;
-  double every = 0.0;  // simulated seconds between frames, at least a step
+  double every = 0.0;  // simulated seconds between frames; less than a step is a step
   double fps = 30.0;   // frames a second when played, no more than its kind can say
   Profile profile = Profile::web;
   std::optional<int> crf;  // in the range of the kind; default: set by the profile
@@ -23,7 +23,9 @@ struct MovieOptions {
 inline constexpr About about_every{.unit = "s",
                                    .range = above(0.0),
                                    .required = true,
-                                   .sentence = "Simulated time between frames or records."};
+                                   .sentence =
+                                       "Simulated time between frames or records; less than a step "
+                                       "means every step."};
 
 template <>
 inline constexpr auto description_of<MovieOptions> = describe_noun(

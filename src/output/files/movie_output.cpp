@@ -27,8 +27,7 @@ void MovieOutput::reserve() {
   file_.begin([&](const std::filesystem::path& path) { return names_->is_claimed(path); });
 }
 
-void MovieOutput::observe(const Simulation& simulation) {
-  schedule_.advance(simulation);
+void MovieOutput::look(const Simulation& simulation) {
   add(simulation);
 }
 
@@ -66,7 +65,7 @@ void MovieOutput::paint(const Work& work) {
 }
 
 Expected MovieOutput::expected(double until, std::int64_t max_looks) const {
-  const std::int64_t frames = schedule_.moments(until, max_looks);
+  const std::int64_t frames = schedule().moments(until, max_looks);
   const Layout layout = layout_of(style_);
   const double pixels = static_cast<double>(layout.width) * layout.height;
   return {file_.path(), frames, file_.expected_bytes(frames, pixels)};

@@ -26,7 +26,6 @@ class MovieOutput : public Output {
 
   const std::filesystem::path& path() const { return file_.path(); }
 
-  void observe(const Simulation& simulation) override;
   // Takes a frame now, whether it is due or not.
   void add(const View& view);
   void reserve() override;
@@ -36,6 +35,7 @@ class MovieOutput : public Output {
   void add_seconds(StageSeconds& wall) const override;
 
  private:
+  void look(const Simulation& simulation) override;
   // An empty optional ends the movie.
   using Work = std::optional<Shot>;
   void paint(const Work& work);

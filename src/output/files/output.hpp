@@ -8,8 +8,6 @@
 
 #include "output/files/schedule.hpp"
 #include "output/report/summary.hpp"
-#include "solver/observer.hpp"
-#include "solver/simulation.hpp"
 
 namespace hackle {
 
@@ -20,14 +18,9 @@ struct Expected {
   double bytes = 0.0;
 };
 
-class Output : public Observer {
+class Output : public ScheduledObserver {
  public:
-  explicit Output(const Schedule& schedule) : schedule_(schedule) {}
-
-  std::int64_t next_due(const Simulation& simulation) final {
-    return schedule_.next_due(simulation);
-  }
-  bool due(const Simulation& simulation) final { return schedule_.reached(simulation); }
+  using ScheduledObserver::ScheduledObserver;
 
   // Returns the size expected at time `until`, s, for a run with at most `max_looks` more calls.
   virtual Expected expected(double until, std::int64_t max_looks) const = 0;
@@ -41,9 +34,6 @@ class Output : public Observer {
   virtual std::vector<std::filesystem::path> files() const = 0;
   // Adds the wall time spent so far.
   virtual void add_seconds(StageSeconds& wall) const = 0;
-
- protected:
-  Schedule schedule_;
 };
 
 }  // namespace hackle

@@ -7,7 +7,7 @@
 namespace hackle {
 
 struct RecordOptions {
-  double every = 0.0;  // simulated seconds between records, at least a step
+  double every = 0.0;  // simulated seconds between records, less than a step is a step
 };
 
 template <>

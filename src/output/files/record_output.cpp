@@ -10,6 +10,7 @@
 #include "base/files.hpp"
 #include "base/partial_file.hpp"
 #include "base/stopwatch.hpp"
+#include "base/terminal.hpp"
 #include "store/run_rescue.hpp"
 #include "store/xdmf.hpp"
 
@@ -35,15 +36,14 @@ void RecordOutput::reserve() {
       path_, [&](const std::filesystem::path& name) { return names_->is_claimed(name); });
   lock_ = std::move(lock);
   if (rescued && talk_ != Talk::quiet)
-    fmt::print(stderr,
-               "note: an earlier run was cut off while it recorded '{}': its {} records are kept "
-               "as '{}'\n",
-               path_.string(), rescued->records, rescued->file.string());
+    say_note(
+        fmt::format("an earlier run was cut off while it recorded '{}': its {} records are kept "
+                    "as '{}'",
+                    path_.string(), rescued->records, rescued->file.string()));
 }
 
-void RecordOutput::observe(const Simulation& simulation) {
+void RecordOutput::look(const Simulation& simulation) {
   const Stopwatch watch(store_seconds_);
-  schedule_.advance(simulation);
   failed_ = true;  // unless this function completes
   reserve();
   if (!file_) file_ = std::make_unique<RunFile>(path_, simulation, origin_);
@@ -52,7 +52,7 @@ void RecordOutput::observe(const Simulation& simulation) {
 }
 
 Expected RecordOutput::expected(double until, std::int64_t max_looks) const {
-  const std::int64_t records = schedule_.moments(until, max_looks);
+  const std::int64_t records = schedule().moments(until, max_looks);
   return {path_, records, run_file_bytes(nodes_, records)};
 }
 

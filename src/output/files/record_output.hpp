@@ -19,7 +19,6 @@ class RecordOutput : public Output {
                const Simulation& simulation, Origin origin, Talk talk,
                std::shared_ptr<const OutputNames> names);
 
-  void observe(const Simulation& simulation) override;
   void reserve() override;
   void close() override;
   Expected expected(double until, std::int64_t max_looks) const override;
@@ -27,6 +26,7 @@ class RecordOutput : public Output {
   void add_seconds(StageSeconds& wall) const override { wall.store += store_seconds_; }
 
  private:
+  void look(const Simulation& simulation) override;
   std::filesystem::path path_;
   std::size_t nodes_;
   Origin origin_;

@@ -172,7 +172,7 @@ std::optional<std::string> first_shock(const Simulation& simulation, double end)
   std::vector<SpreadHeat> spread;  // evaluates functions of place: only where needed
   for (std::size_t k = 0; k < thermal_loads.size(); ++k) {
     const Jumps jumps =
-        jumps_of(thermal_loads[k].amplitude, simulation.time(), end, simulation.dt());
+        jumps_of(thermal_loads[k].amplitude, simulation.time_of_step(), end, simulation.dt());
     if (jumps.down == 0.0 && jumps.up == 0.0) continue;
     if (spread.empty()) spread = spread_heat(simulation.plate(), simulation.lattice());
     if (auto shock = shock_of(spread[k], jumps, simulation.lattice())) return shock;
@@ -190,9 +190,9 @@ double sudden_move(const HeldNode& node, const SpreadSupport& support, const Jum
   const double unit = led ? dt / dx : 1.0 / dx;
   double max = std::max(jumps.down, jumps.up) * unit * node.value.cwiseProduct(along).norm();
   if (!fresh) return max;
-  const double next = simulation.time() + (led ? 0.5 : 1.0) * dt;
-  const Vec2 now =
-      led ? simulation.state().v(node.i, node.j) : simulation.displacement(node.i, node.j) / dx;
+  const double next = simulation.time_of_step() + (led ? 0.5 : 1.0) * dt;
+  const Vec2 now = led ? simulation.state().v(node.i, node.j)
+                       : simulation.view().at_step().displacement(node.i, node.j) / dx;
   const Vec2 sudden = unit * support.amplitude.at(next) * node.value - now;
   return std::max(max, sudden.cwiseProduct(along).norm());
 }
@@ -213,7 +213,8 @@ std::optional<std::string> first_blow(const Simulation& simulation, double end, 
   const std::vector<Support>& supports = simulation.plate().loads.supports;
   std::vector<SpreadSupport> spread;
   for (std::size_t k = 0; k < supports.size(); ++k) {
-    const Jumps jumps = jumps_of(supports[k].amplitude, simulation.time(), end, simulation.dt());
+    const Jumps jumps =
+        jumps_of(supports[k].amplitude, simulation.time_of_step(), end, simulation.dt());
     if (!fresh && jumps.down == 0.0 && jumps.up == 0.0) continue;
     if (spread.empty()) spread = spread_supports(simulation.plate(), simulation.lattice());
     for (const HeldNode& node : spread[k].nodes) {
@@ -235,7 +236,7 @@ double shortest_swing(const Amplitude& amplitude, double begin, double end, doub
 
 std::vector<std::string> load_remarks(const Simulation& simulation, double end) {
   const Loads& loads = simulation.plate().loads;
-  const double begin = simulation.time(), dt = simulation.dt();
+  const double begin = simulation.time_of_step(), dt = simulation.dt();
   std::vector<std::string> list;
   for_each_list(loads, [&](const auto& kind) {
     using Load = typename std::remove_cvref_t<decltype(kind)>::value_type;

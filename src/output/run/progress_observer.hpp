@@ -56,6 +56,7 @@ class Watched : public Observer {
     return watcher_->next_due(simulation);
   }
   bool due(const Simulation& simulation) override { return watcher_->due(simulation); }
+  double moment(const Simulation& simulation) override { return watcher_->moment(simulation); }
   void observe(const Simulation& simulation) override {
     const Mark mark(activity_, Activity::watched);
     watcher_->observe(simulation);

@@ -34,12 +34,13 @@ void Prospect::load_slowly(const Simulation& simulation, double end, int increme
 }
 
 void Prospect::relax(const Simulation& simulation) {
-  judge(simulation, simulation.time(), true);
+  judge(simulation, simulation.time_of_step(), true);
 }
 
 void Prospect::exchange_loads(const Simulation& simulation, const Loads& loads) {
   go_on();
-  if (simulation.plate().loads.supports.size() != loads.supports.size()) since_ = simulation.time();
+  if (simulation.plate().loads.supports.size() != loads.supports.size())
+    since_ = simulation.time_of_step();
   stored_ = std::max(stored_, std::exchange(acted_, 0.0));
 }
 
@@ -58,14 +59,15 @@ void Prospect::arrive(Simulation& simulation) {
 // Slow loading takes no step.
 void Prospect::arrive_slowly(Simulation& simulation, double duration, int increments) {
   State state = simulation.state();
-  state.clock = {simulation.time() + duration, state.step};
+  state.clock = {simulation.time_of_step() + duration, state.step};
   load_slowly(simulation, state.clock.moment, increments);
   simulation.restore(std::move(state));
 }
 
 Forecast Prospect::worst(const Simulation& simulation) const {
   if (judged_) return worst_;
-  return forecast_of(simulation, {.begin = simulation.time(), .end = simulation.time()});
+  return forecast_of(simulation,
+                     {.begin = simulation.time_of_step(), .end = simulation.time_of_step()});
 }
 
 void Prospect::go_on() {
@@ -75,9 +77,11 @@ void Prospect::go_on() {
 void Prospect::judge(const Simulation& simulation, double end, bool slow) {
   go_on();
   rests_ = rests_ || slow;
-  const Forecast found = forecast_of(
-      simulation,
-      {.begin = simulation.time(), .end = end, .since = since_, .slow = slow, .stored = stored_});
+  const Forecast found = forecast_of(simulation, {.begin = simulation.time_of_step(),
+                                                  .end = end,
+                                                  .since = since_,
+                                                  .slow = slow,
+                                                  .stored = stored_});
   acted_ = std::max(acted_, slow ? found.stress : found.stress / overshoot);
   const bool sampled = worst_.sampled || found.sampled;
   if (!judged_ || found.release_rate > worst_.release_rate) worst_ = found;

@@ -20,7 +20,7 @@ class Hopeless : public Output {
  public:
   Hopeless(std::string name, const View& view)
       : Output(Schedule("hopeless", 1.0, view)), name_(std::move(name)) {}
-  void observe(const Simulation&) override {}
+  void look(const Simulation&) override {}
   Expected expected(double, std::int64_t max_looks) const override {
     return {name_, max_looks, 6e8};
   }

@@ -34,9 +34,29 @@ TEST(Schedule, EveryStepServesEveryStep) {
   EXPECT_THAT(served(small().dt(), 4), testing::ElementsAre(0, 1, 2, 3, 4));
 }
 
-TEST(Schedule, TakesTheNearestStepAndNeverDrifts) {
+TEST(Schedule, IsReachedByTheNextStepAndNeverDrifts) {
   // Moments 0, 2.4, 4.8, 7.2, 9.6, 12 steps.
-  EXPECT_THAT(served(2.4 * small().dt(), 12), testing::ElementsAre(0, 2, 5, 7, 10, 12));
+  EXPECT_THAT(served(2.4 * small().dt(), 12), testing::ElementsAre(0, 3, 5, 8, 10, 12));
+}
+
+TEST(Schedule, ShowsTheTimesThemselves) {
+  Simulation simulation = small();
+  const double dt = simulation.dt();
+  Schedule schedule("movie", 2.4 * dt, simulation);
+  schedule.advance(simulation);
+  for (int k = 0; k < 3; ++k) simulation.step();
+  EXPECT_DOUBLE_EQ(schedule.moment(simulation), 2.4 * dt);
+  for (int k = 0; k < 3; ++k) simulation.step();  // it was not asked in time
+  EXPECT_DOUBLE_EQ(schedule.moment(simulation), 6.0 * dt);
+}
+
+TEST(Schedule, LessThanAStepMeansEveryStepAndIsSaid) {
+  EXPECT_THAT(served(0.3 * small().dt(), 4), testing::ElementsAre(0, 1, 2, 3, 4));
+  const Simulation simulation = small();
+  EXPECT_THAT(Schedule("movie", 0.3 * simulation.dt(), simulation).remark(),
+              testing::AllOf(testing::HasSubstr("movie: every is "),
+                             testing::HasSubstr("it takes every step")));
+  EXPECT_EQ(Schedule("movie", simulation.dt(), simulation).remark(), "");
 }
 
 TEST(Schedule, StartsWhereTheSimulationIs) {
@@ -47,15 +67,15 @@ TEST(Schedule, StartsWhereTheSimulationIs) {
   EXPECT_TRUE(schedule.reached(simulation));
 }
 
-TEST(Schedule, RefusesLessThanAStepAndNonsense) {
+TEST(Schedule, RefusesNonsense) {
   const Simulation simulation = small();
-  for (const double every : {0.0, -1.0, 0.9 * simulation.dt(), std::nan("")}) {
+  for (const double every : {0.0, -1.0, std::nan("")}) {
     try {
       const Schedule schedule("movie", every, simulation);
       FAIL() << every;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::refused);
-      EXPECT_THAT(error.what(), testing::HasSubstr("less than one time step of"));
+      EXPECT_THAT(error.what(), testing::HasSubstr("it must be above 0 s"));
     }
   }
 }

@@ -43,7 +43,7 @@ TEST(LedgerRemark, NamesWhatTheSceneHas) {
   EXPECT_THAT(of(hot), HasSubstr("how fast the temperature changes"));
   EXPECT_THAT(of(hit), HasSubstr("for the impact"));
   EXPECT_THAT(of(damped), HasSubstr("for the damping"));
-  EXPECT_THAT(of(plate), HasSubstr("step = 1.05e-07 or less"));
+  EXPECT_THAT(of(plate), HasSubstr("step = 1e-07 or less"));
 }
 
 // The ledger of a plate that was only moved, or heated freely, contains nothing but rounding and

@@ -307,7 +307,7 @@ TEST(Impact, ADiscCrossesNoMoreThanATenthOfASpacingInAStep) {
   EXPECT_THAT(refusal([&] {
                 simulation.set_loads(hit({800.0, 0.0}).loads);
               }),
-              testing::AllOf(testing::HasSubstr("crosses 0.33 spacings"),
+              testing::AllOf(testing::HasSubstr("crosses 0.32 spacings"),
                              testing::HasSubstr("a step of 62.5 ns or less")));
   EXPECT_EQ(simulation.state().hash(), before);
   EXPECT_EQ(refusal([&] { simulation.set_loads(hit({200.0, 0.0}).loads); }), "");
