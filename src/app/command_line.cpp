@@ -139,6 +139,18 @@ void describe_run(CLI::App& app, Request& request) {
   describe_script(*run, request);
   run->add_flag("--json", request.run.json, "Print one JSON object with the results on stdout");
   run->add_flag("-q,--quiet", request.run.quiet, "Print only errors");
+  run->add_flag("--force", request.run.force,
+                "Overwrite the files of an earlier run with other options; without it they go to "
+                "a folder of their own, out/NAME-2, or -o is refused");
+  run->add_option(
+         "--checkpoint", request.run.checkpoint_every,
+         "Wall time between checkpoints, as in 10min or 0.5s, from which load goes on after "
+         "a failure; 0s for none (10min)")
+      ->type_name("TIME")
+      ->transform(CLI::AsNumberWithUnit(
+          std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+          CLI::AsNumberWithUnit::UNIT_REQUIRED))
+      ->check(CLI::Range(0.0, 1e9));
   run->add_flag("-i,--interactive", request.run.interactive,
                 "Go on at the prompt after the script, with its variables and simulations")
       ->excludes("--json");

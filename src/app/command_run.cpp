@@ -24,6 +24,8 @@ ConsoleSettings settings_of(const RunRequest& request) {
   settings.overrides = request.overrides;
   settings.execution = request.execution;
   settings.talk = talk(request.quiet);
+  settings.force = request.force;
+  settings.checkpoint_every = request.checkpoint_every;
   settings.print_to_stderr = request.json;
   settings.show_in_terminal = stdout_is_terminal() && !request.json;
   request.limits.apply(settings);

@@ -24,7 +24,9 @@ struct RunRequest {
   Limits limits;
   bool json = false;
   bool quiet = false;
-  bool interactive = false;  // the prompt goes on after it
+  bool force = false;               // earlier files may be overwritten
+  double checkpoint_every = 600.0;  // s of wall time; 0: none
+  bool interactive = false;         // the prompt goes on after it
 };
 
 ConsoleSettings settings_of(const RunRequest& request);

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "console/language/checkpoint_binding.hpp"
+#include "console/language/constant_calls.hpp"
 #include "console/language/material_binding.hpp"
 #include "console/language/plate_binding.hpp"
 #include "console/language/recording_binding.hpp"
@@ -173,6 +175,7 @@ struct Console::Parts {
     open_type(L, type_name<Plate>, plate_type());
     open_type(L, type_name<ScriptedRun>, simulation_type());
     open_type(L, type_name<ScriptedRecording>, recording_type());
+    keep_load_of_lua(L);
     open_functions(L, all_functions());
     open_exit(L);
     open_print(L);
@@ -206,12 +209,21 @@ struct Console::Parts {
                  const std::vector<std::string>& arguments) {
     lua_settop(L, 0);
     if (!load(L, text, chunk)) throw take_error(L);
+    if (session.settings.purpose == Purpose::results) check_constant_calls(text);
     session.arguments = arguments;
     protect(L, [&](lua_State* l) { set_arguments(l, session.origin.script_name, arguments); });
     luaL_checkstack(L, static_cast<int>(arguments.size()) + 2, "too many arguments");
     for (const std::string& argument : arguments) push_text(L, argument);
     call(static_cast<int>(arguments.size()), 0);
     if (!session.exit_code) session.check_overrides_used();
+  }
+
+  void check_constant_calls(std::string_view text) {
+    Problems problems;
+    protect(L, [&](lua_State* l) {
+      problems = problems_of_constant_calls(l, text, session.origin.script_name);
+    });
+    problems.throw_if_any();
   }
 
   void run_to_the_end(const std::string& text, const std::string& chunk,
@@ -243,8 +255,13 @@ void Console::run_file(const std::filesystem::path& path, const std::vector<std:
   const std::string text = read_text(path);
   protect(parts_->L, [&](lua_State* L) { look_for_modules_in(L, path.parent_path()); });
   ConsoleSettings& settings = parts_->session.settings;
-  if (settings.output_folder.empty())
-    settings.output_folder = default_output_folder(path, settings.trust);
+  const bool named = !settings.output_folder.empty();
+  if (!named) settings.output_folder = default_output_folder(path, settings.trust);
+  using Choice = OutputFolder::Choice;
+  parts_->session.folder.emplace(
+      settings.output_folder,
+      settings.force ? Choice::force : (named ? Choice::named : Choice::free),
+      RunInputs{path.stem().string(), settings.overrides, arguments});
   parts_->session.origin = {path.string(), text};
   run_text(text, path.string(), arguments, ending);
 }
@@ -255,6 +272,8 @@ void Console::run_text(const std::string& text, const std::string& name,
   if (ending == Ending::go_on) return parts_->run_before_the_prompt(text, "@" + name, arguments);
   const auto failure = failure_of([&] { parts_->run_to_the_end(text, "@" + name, arguments); });
   throw_both(failure, failure_of([this] { close_all(); }));
+  parts_->session.remove_checkpoints();
+  if (parts_->session.folder) parts_->session.folder->finish();
 }
 
 void Console::page_with(std::function<void(const std::string&)> page) {

@@ -9,8 +9,10 @@
 
 #include "base/files.hpp"
 #include "base/machine.hpp"
+#include "base/terminal.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
+#include "store/checkpoint.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -29,7 +31,17 @@ Session::Session(ConsoleSettings with)
 
 Session::~Session() = default;
 
-fs::path Session::output_path(const std::string& who, const fs::path& name) const {
+void Session::take_folder() {
+  if (!folder || settings.purpose != Purpose::results) return;
+  const std::string remark = folder->take();
+  settings.output_folder = folder->path();
+  if (remark.empty() || settings.talk == Talk::quiet) return;
+  if (make_room) make_room();
+  say_note(remark);
+}
+
+fs::path Session::output_path(const std::string& who, const fs::path& name) {
+  take_folder();
   fs::path path = settings.output_folder / name;
   sandbox().check_output(who, path);
   return path;
@@ -79,8 +91,37 @@ Sandbox Session::sandbox() const {
 }
 
 std::shared_ptr<Run> Session::simulate(Plate plate, Numerics numerics) {
-  auto run =
-      std::make_shared<Run>(std::move(plate), numerics, settings.execution, settings.talk, origin);
+  return begin(
+      std::make_shared<Run>(std::move(plate), numerics, settings.execution, settings.talk, origin));
+}
+
+// Of scripts alone: at a prompt a simulation outlives its failures.
+void Session::keep_checkpoints(Run& run, int number) {
+  if (!folder || settings.purpose != Purpose::results || settings.checkpoint_every <= 0.0) return;
+  run.keep_checkpoints(settings.checkpoint_every, [this, number] {
+    const std::string name = fs::path(origin.script_name).stem().string();
+    fs::path path =
+        claim("checkpoint", number == 1 ? name + ".ckpt" : fmt::format("{}-{}.ckpt", name, number),
+              FileKind::checkpoint);
+    checkpoints_.push_back(path);
+    return path;
+  });
+}
+
+void Session::remove_checkpoints() noexcept {
+  std::error_code ignored;
+  for (const fs::path& path : checkpoints_)
+    for (const fs::path& file : {path, previous_checkpoint(path)}) fs::remove(file, ignored);
+  checkpoints_.clear();
+}
+
+std::shared_ptr<Run> Session::resume(const fs::path& path) {
+  Checkpoint checkpoint = read_checkpoint(path);
+  return begin(std::make_shared<Run>(hackle::resume(std::move(checkpoint), settings.execution),
+                                     settings.talk, origin));
+}
+
+std::shared_ptr<Run> Session::begin(std::shared_ptr<Run> run) {
   run->limit_output(settings.output_limit);
   run->share_names(names);
   return adopt(std::move(run));
@@ -88,6 +129,7 @@ std::shared_ptr<Run> Session::simulate(Plate plate, Numerics numerics) {
 
 std::shared_ptr<Run> Session::adopt(std::shared_ptr<Run> run) {
   if (settings.purpose == Purpose::check) run->rehearse();
+  keep_checkpoints(*run, static_cast<int>(entries_.size()) + 1);
   entries_.push_back({run, std::nullopt, std::nullopt, run->simulation().state().step, false});
   return run;
 }

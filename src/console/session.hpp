@@ -19,6 +19,7 @@
 #include "console/lua/sandbox.hpp"
 #include "console/prompt/idle.hpp"
 #include "console/prompt/transcript.hpp"
+#include "output/files/output_folder.hpp"
 #include "output/files/output_names.hpp"
 #include "output/report/summary.hpp"
 #include "output/run/rehearsal.hpp"
@@ -37,6 +38,8 @@ enum class Purpose { results, check, options };
 struct ConsoleSettings {
   Purpose purpose = Purpose::results;
   std::filesystem::path output_folder;           // "": out/<name of the script>
+  bool force = false;                            // what is in it may be overwritten
+  double checkpoint_every = 600.0;               // s of wall time; 0: none
   std::map<std::string, std::string> overrides;  // --set key=value
   Execution execution;
   Talk talk = Talk::plain;
@@ -58,8 +61,7 @@ class Session {
   // Returns the path of an output file that the script names: below the output folder unless the
   // name is absolute. Throws Error (refused), naming `who`, unless a script may write there; see
   // Sandbox.
-  std::filesystem::path output_path(const std::string& who,
-                                    const std::filesystem::path& name) const;
+  std::filesystem::path output_path(const std::string& who, const std::filesystem::path& name);
   // Returns the path of an input file: a file named on the command line is relative to the current
   // folder; any other lies beside the script or, if it does not exist there, in the output folder.
   // Throws Error (refused) unless a script may read it.
@@ -82,6 +84,8 @@ class Session {
 
   // Throws what Run throws.
   std::shared_ptr<Run> simulate(Plate plate, Numerics numerics);
+  // Returns a run that goes on from a checkpoint. Throws what read_checkpoint and resume throw.
+  std::shared_ptr<Run> resume(const std::filesystem::path& path);
   // Adds a run that was made from another.
   std::shared_ptr<Run> adopt(std::shared_ptr<Run> run);
   // Opens a run file. Throws what Recording throws.
@@ -96,6 +100,8 @@ class Session {
   // Closes a run that can no longer be reached and keeps only its summary. A failure is kept for
   // close_all().
   void retire(const Run* run) noexcept;
+  // Removes the checkpoints that were kept for a failure which did not come.
+  void remove_checkpoints() noexcept;
   // Closes every run. Throws Error with every problem of closing them.
   void close_all();
   // Returns the summaries of all simulations, in the order they were made.
@@ -135,11 +141,16 @@ class Session {
   MakeRoom make_room;  // called before anything is printed; may be empty
   std::function<std::string(lua_State*)> help_on;  // see help.hpp, set by the console
   std::shared_ptr<OutputNames> names = std::make_shared<OutputNames>();  // of output files
-  std::int64_t said = 0;   // lines printed by the prompt and the script so far
-  int pictures_shown = 0;  // as files, by show(s)
+  std::optional<OutputFolder> folder;  // of a script that is run; taken with its first file
+  std::int64_t said = 0;               // lines printed by the prompt and the script so far
+  int pictures_shown = 0;              // as files, by show(s)
   std::unordered_map<const Plate*, PlateMemory> plates;  // memory of the script's plates
 
  private:
+  void take_folder();
+  void keep_checkpoints(Run& run, int number);
+  std::shared_ptr<Run> begin(std::shared_ptr<Run> run);
+
   struct Entry {
     std::shared_ptr<Run> run;  // null once retired
     std::optional<Summary> summary;
@@ -151,6 +162,7 @@ class Session {
   std::vector<std::shared_ptr<Run>> open_runs() const;
 
   const std::uint64_t memory_at_start_;
+  std::vector<std::filesystem::path> checkpoints_;  // kept by themselves
   std::vector<Entry> entries_;
   std::vector<std::weak_ptr<const Recording>> recordings_;
   Transcript transcript_;

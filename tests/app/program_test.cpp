@@ -156,7 +156,7 @@ TEST_F(ProgramTest, AFolderThatCannotBeWrittenIsRefused) {
   write_text(folder_.path / "file", "");
   const auto ended = run(film, {"-o", "file/out"});
   EXPECT_EQ(ended.code, 5);
-  EXPECT_THAT(ended.err, HasSubstr("is not a folder (choose another folder with -o)"));
+  EXPECT_THAT(ended.err, HasSubstr("'file/out': Not a directory (choose another folder with -o)"));
 }
 
 TEST_F(ProgramTest, OptionsOfTheScriptCanBeSetTwice) {

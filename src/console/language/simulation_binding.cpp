@@ -15,6 +15,7 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "console/language/background_binding.hpp"
+#include "console/language/checkpoint_binding.hpp"
 #include "console/language/load_binding.hpp"
 #include "console/language/measure_binding.hpp"
 #include "console/language/relax_binding.hpp"
@@ -344,8 +345,8 @@ std::vector<Function> all_methods_of_simulation() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
        {std::span<const Function>(own_methods_of_simulation), load_methods_of_simulation(),
-        relax_methods(), measure_methods(), steering_methods(), background_methods(),
-        show_methods()})
+        relax_methods(), measure_methods(), steering_methods(), checkpoint_methods(),
+        background_methods(), show_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

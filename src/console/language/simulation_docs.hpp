@@ -31,7 +31,9 @@ inline constexpr std::array run_options{
 inline constexpr FunctionDoc run_doc{.name = "run",
                                      .owner = "s",
                                      .call = Call::values,
-                                     .sentence = "Runs for this simulated time.",
+                                     .sentence =
+                                         "Runs for this simulated time, and shows the "
+                                         "plate as it is then (help \"times\").",
                                      .options = run_options,
                                      .example = "s:run(1*us)"};
 

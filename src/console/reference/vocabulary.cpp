@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "console/language/background_binding.hpp"
+#include "console/language/checkpoint_binding.hpp"
 #include "console/language/contact_sheet_binding.hpp"
 #include "console/language/help_binding.hpp"
 #include "console/language/load_binding.hpp"
@@ -24,8 +25,8 @@ std::vector<Function> all_functions() {
   std::vector<Function> list;
   for (const auto functions :
        {material_functions(), plate_functions(), amplitude_functions(), simulation_functions(),
-        background_functions(), show_functions(), recording_functions(), contact_sheet_functions(),
-        options_functions(), help_functions()})
+        background_functions(), show_functions(), checkpoint_functions(), recording_functions(),
+        contact_sheet_functions(), options_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());
   return list;
 }

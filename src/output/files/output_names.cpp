@@ -17,6 +17,7 @@
 #include "base/text.hpp"
 #include "movie/movie_kind.hpp"
 #include "movie/remux.hpp"
+#include "store/checkpoint.hpp"
 #include "store/run_file.hpp"
 
 namespace hackle {
@@ -36,10 +37,11 @@ std::vector<std::string_view> movie_endings() {
   return endings;
 }
 
-const std::array<Endings, 4>& all_endings() {
-  static const std::array<Endings, 4> all{
+const std::array<Endings, 5>& all_endings() {
+  static const std::array<Endings, 5> all{
       Endings{FileKind::movie, "movie", "movie", movie_endings()},
       Endings{FileKind::run_file, "run file", "record", {".h5", ".hdf5"}},
+      Endings{FileKind::checkpoint, "checkpoint", "save", {".ckpt"}},
       Endings{FileKind::picture, "picture", "frame", {".png", ".pdf", ".svg"}},
       Endings{FileKind::script, "script", "script", {".lua"}}};
   return all;
@@ -86,6 +88,8 @@ std::vector<fs::path> companions(const fs::path& path, FileKind kind) {
       const fs::path sidecar = sidecar_of(path);
       return {sidecar, partial_name(sidecar), recording_lock(path)};
     }
+    case FileKind::checkpoint:
+      return {previous_checkpoint(path), partial_name(path)};
     case FileKind::picture:
     case FileKind::script:
       return {partial_name(path)};

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "output/run/run.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
+#include "output/files/checkpoint_keeper.hpp"
 #include "output/files/movie_output.hpp"
 #include "output/files/outputs.hpp"
 #include "output/files/picture_files.hpp"
@@ -21,6 +24,7 @@
 #include "output/report/report.hpp"
 #include "output/run/rehearsal.hpp"
 #include "output/run/run_loop.hpp"
+#include "store/checkpoint.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -40,6 +44,11 @@ struct Run::Parts {
         origin(std::move(origin_)),
         simulation(std::move(plate), numerics, execution),
         setup_seconds(life.seconds()) {}
+  Parts(Simulation simulation_, Talk talk_, Origin origin_)
+      : talk(talk_),
+        origin(std::move(origin_)),
+        simulation(std::move(simulation_)),
+        setup_seconds(life.seconds()) {}
   explicit Parts(const Parts& other)
       : talk(other.talk),
         origin(other.origin),
@@ -57,6 +66,8 @@ struct Run::Parts {
   double setup_seconds = 0.0;
   Outputs outputs{default_output_limit};
   PictureFiles pictures;  // of frame()
+  std::vector<fs::path> saved;
+  std::optional<CheckpointKeeper> keeper;
   RunLoop loop;
   Notes notes{talk};
   Prospect prospect;
@@ -66,7 +77,20 @@ struct Run::Parts {
   void go_on(std::vector<Observer*> others) {
     if (rehearsing) return prospect.arrive(simulation);
     for (Observer* output : outputs.observers()) others.push_back(output);
-    loop.go_on(simulation, loop.with_watchers(std::move(others)));
+    keeping([&] { loop.go_on(simulation, with_all(std::move(others))); });
+  }
+  std::vector<Observer*> with_all(std::vector<Observer*> others) {
+    if (keeper) others.push_back(&*keeper);
+    return loop.with_watchers(std::move(others));
+  }
+  // Does the work, and keeps the state if that fails.
+  void keeping(const auto& work) {
+    try {
+      work();
+    } catch (...) {
+      if (keeper) keeper->keep_last(simulation);
+      throw;
+    }
   }
 };
 
@@ -74,6 +98,12 @@ Run::Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin 
     : parts_(
           std::make_unique<Parts>(std::move(plate), numerics, execution, talk, std::move(origin))) {
   parts_->notes.begin(parts_->simulation);
+}
+
+Run::Run(Simulation simulation, Talk talk, Origin origin)
+    : parts_(std::make_unique<Parts>(std::move(simulation), talk, std::move(origin))) {
+  if (!parts_->simulation.has_arrived()) parts_->simulation.stop();
+  parts_->notes.begin_judging_at(parts_->simulation);
 }
 
 Run::~Run() = default;
@@ -87,7 +117,9 @@ fs::path Run::movie(const fs::path& path, const MovieOptions& options) {
                                               parts_->simulation.threads(), parts_->talk,
                                               parts_->outputs.names());
   fs::path made = output->path();
+  const std::string remark = output->remark();
   parts_->outputs.add("movie", made, FileKind::movie, std::move(output));
+  parts_->notes.add(remark);
   return made;
 }
 
@@ -96,7 +128,9 @@ void Run::record(const fs::path& path, const RecordOptions& options) {
   check_ending("record", path, FileKind::run_file);
   auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin,
                                                parts_->talk, parts_->outputs.names());
+  const std::string remark = output->remark();
   parts_->outputs.add("record", path, FileKind::run_file, std::move(output));
+  parts_->notes.add(remark);
 }
 
 void Run::frame(const fs::path& path, const PictureOptions& options) {
@@ -105,6 +139,18 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
   parts_->outputs.names()->claim_checked("frame", path, FileKind::picture);
   if (parts_->rehearsing) return;
   parts_->pictures.write(path, parts_->simulation, options);
+}
+
+void Run::save(const fs::path& path) {
+  if (!parts_->loop.is_watched()) parts_->loop.refuse_while_running();
+  parts_->outputs.names()->claim_checked("save", path, FileKind::checkpoint);
+  if (parts_->rehearsing) return;
+  write_checkpoint(path, image_of(parts_->simulation, parts_->origin));
+  if (std::ranges::find(parts_->saved, path) == parts_->saved.end()) parts_->saved.push_back(path);
+}
+
+void Run::keep_checkpoints(double seconds, std::function<fs::path()> place) {
+  parts_->keeper.emplace(seconds, std::move(place), parts_->origin, parts_->talk);
 }
 
 void Run::share_names(std::shared_ptr<OutputNames> names) {
@@ -126,7 +172,9 @@ void Run::set_loads(Loads loads) {
 }
 
 void Run::watch(std::shared_ptr<Observer> watcher) {
+  const std::string remark = watcher->remark();
   parts_->loop.watch(std::move(watcher));
+  parts_->notes.add(remark);
 }
 
 void Run::stop() {
@@ -273,7 +321,7 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
     return {};
   }
   parts_->outputs.reserve();
-  const std::vector<Observer*> observers = parts_->loop.with_watchers(parts_->outputs.observers());
+  const std::vector<Observer*> observers = parts_->with_all(parts_->outputs.observers());
   const Mark busy = parts_->loop.mark_busy();
   Progress progress(parts_->talk);
   const auto show = [&](double fraction, int increment, int pass, std::int64_t broken) {
@@ -281,7 +329,11 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
       progress.show(fraction, fmt::format("increment {} of {}  pass {}  {} bonds broken", increment,
                                           increments, pass, grouped(broken)));
   };
-  return parts_->simulation.load_slowly({duration, increments, tolerance, show}, observers);
+  QuasistaticResult result;
+  parts_->keeping([&] {
+    result = parts_->simulation.load_slowly({duration, increments, tolerance, show}, observers);
+  });
+  return result;
 }
 
 void Run::close() {
@@ -324,6 +376,7 @@ Summary Run::summary() const {
   summary.wall.setup = parts_->setup_seconds;
   parts_->pictures.add_to(summary);
   parts_->outputs.add_to(summary);
+  summary.files.insert(summary.files.end(), parts_->saved.begin(), parts_->saved.end());
   summary.wall.total = parts_->life.seconds();
   return summary;
 }

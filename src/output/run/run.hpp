@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,8 @@ class Run {
  public:
   // Throws what Simulation throws.
   Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin origin);
+  // Goes on with a simulation that is there already, such as one from a checkpoint.
+  Run(Simulation simulation, Talk talk, Origin origin);
   ~Run();
 
   // Each function adds an output. Throws Error (refused) for impossible options, Error (files) if
@@ -44,6 +47,14 @@ class Run {
   void record(const std::filesystem::path& path, const RecordOptions& options);
   // Writes a PNG of the present state.
   void frame(const std::filesystem::path& path, const PictureOptions& options);
+
+  // Writes the whole state, to go on from it later; also allowed between two steps of a run. See
+  // write_checkpoint().
+  void save(const std::filesystem::path& path);
+
+  // From now on keeps the state every `seconds` of wall time while it runs, and when it ends early;
+  // see CheckpointKeeper.
+  void keep_checkpoints(double seconds, std::function<std::filesystem::path()> place);
 
   // Shares the registry of file names, so that this run, its forks and other users of the registry
   // never write the same file. Call this before the first output.

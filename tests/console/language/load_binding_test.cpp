@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
             "the function fails at x = 10.25 mm"},
         Bad{"p:traction { edge = 'top', stress = {0, 1}, time = function(t)\n"
             "if t < 1*us then return 1 end end } sim():run(2*us)",
-            "the function returns nothing at t = 1.0"},
+            "the function returns nothing at t = 1 us"},
         Bad{"p:traction { edge = 'top', stress = function(x, y) return f(x, y) end }\n"
             "function f(x, y) return f(x, y) + 1 end sim()",
             "overflow"},

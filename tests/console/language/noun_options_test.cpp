@@ -16,6 +16,7 @@
 
 #include "console/language/live_view.hpp"
 #include "console/language/picture_options.hpp"
+#include "console/lua/error_object.hpp"
 #include "console/scripts.hpp"
 #include "lattice/numerics.hpp"
 #include "output/files/record_options.hpp"

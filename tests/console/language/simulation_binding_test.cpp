@@ -28,7 +28,7 @@ TEST(SimulationBinding, FieldsSayWhatWasSolved) {
 TEST(SimulationBinding, ReadsInOneLine) {
   EXPECT_EQ(test::message_of(test::scene + R"(
     local text = tostring(s)
-    assert(text:find("^1 000 nodes, %d+ %d+ bonds, horizon 8 mm %(m = 4%), step %d+ ns "), text)
+    assert(text:find("^1 000 nodes, %d+ %d+ bonds, horizon 8 mm %(m = 4%), step [%d.]+ ns "), text)
   )"),
             "");
 }

@@ -93,8 +93,9 @@ TEST_F(WrongCalls, WhatStandsInsteadOfTheBraces) {
     const std::string who =
         (doc->owner.empty() ? "" : std::string(doc->owner) + ":") + std::string(doc->name);
     const std::string leading = doc->leading.empty() ? "" : std::string(doc->leading) + ", ";
-    for (const char* instead : {"5", "true", "print", "p", "s", "0/0", "io.stdout"})
-      refusal(fmt::format("{}({}{})", who, leading, instead), doc->name);
+    for (const std::string instead : {"5", "true", "print", "p", "s", "0/0", "io.stdout"})
+      if (who != "load" || instead != "print")  // a function gives it pieces of Lua
+        refusal(fmt::format("{}({}{})", who, leading, instead), doc->name);
   }
   expect_untouched();
   EXPECT_GE(tried_, 150);

@@ -113,9 +113,9 @@ TEST(Run, RefusesImpossibleOutputs) {
               }),
               HasSubstr("width is 641 px, it must be even"));
   EXPECT_THAT(refusal([&] {
-                run.movie(folder / "a.mp4", {{}, 1e-9});
+                run.movie(folder / "a.mp4", {{}, -1e-9});
               }),
-              HasSubstr("less than one time step"));
+              HasSubstr("every is -1e-09 s, it must be above 0 s"));
   EXPECT_THAT(refusal([&] {
                 run.movie(folder / "a.mp4", {{}, 1e-6, 0.0});
               }),

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The folder of the files of a script. A sweep never overwrites itself: a run with other inputs
+// takes a folder of its own.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hackle {
+
+// What a run of a script was given: not its text, which its author changes on purpose.
+struct RunInputs {
+  std::string script;                            // its file name without folder and extension
+  std::map<std::string, std::string> overrides;  // --set key=value
+  std::vector<std::string> arguments;
+  bool operator==(const RunInputs&) const = default;
+};
+
+class OutputFolder {
+ public:
+  enum class Choice {
+    free,   // another folder is taken where this one holds a run with other inputs
+    named,  // by the user: then it is refused
+    force   // it is taken whatever it holds
+  };
+
+  OutputFolder(std::filesystem::path wanted, Choice choice, RunInputs inputs);
+
+  // Takes the folder, creates it and leaves the inputs there, in NAME.inputs.json; called before
+  // the first file is written. Of several programs, each gets its own. Returns a remark where the
+  // folder is not a new one; may be empty. Throws Error (refused), and Error (files).
+  std::string take();
+  // Marks the run as finished in a folder that was taken.
+  void finish() const;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  struct Mark {
+    RunInputs inputs;
+    bool finished = false;
+  };
+
+  std::filesystem::path mark_file() const;
+  std::optional<Mark> read_mark() const;
+  bool leave_mark();
+  std::string remark_on(const Mark& former) const;
+  [[noreturn]] void refuse(const Mark& former) const;
+
+  std::filesystem::path wanted_;
+  std::filesystem::path path_;
+  Choice choice_;
+  RunInputs inputs_;
+  bool taken_ = false;
+};
+
+}  // namespace hackle
