@@ -139,6 +139,7 @@ int sheet_width(int count, const SheetLayout& layout) {
 
 Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout& layout) {
   std::vector<PictureSize> sizes;
+  sizes.reserve(pictures.size());
   for (const SheetPicture& picture : pictures) sizes.push_back(size_of_png(picture.file));
   return sheet_of(
       sizes, layout, {}, [&](std::size_t k) { return read(pictures[k].file); },
@@ -148,6 +149,7 @@ Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetLayout
 Image contact_sheet(std::vector<SheetImage>& images, const SheetLayout& layout,
                     const Image& legend) {
   std::vector<PictureSize> sizes;
+  sizes.reserve(images.size());
   for (const SheetImage& one : images) sizes.push_back({one.image.width, one.image.height});
   return sheet_of(
       sizes, layout, legend,

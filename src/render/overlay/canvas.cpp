@@ -71,7 +71,7 @@ void Canvas::copy(const Image& image, const Rectangle& part, int x, int y) {
   if (part.empty()) return;
   // Cairo only reads the pixels here, though its interface takes a non-const pointer.
   auto* first = const_cast<std::uint8_t*>(image.pixels.data()) +
-                static_cast<std::ptrdiff_t>(part.y) * image.stride() + 4 * part.x;
+                static_cast<std::ptrdiff_t>(part.y) * image.stride() + std::ptrdiff_t{4} * part.x;
   const std::unique_ptr<cairo_surface_t, Free> pixels(cairo_image_surface_create_for_data(
       first, CAIRO_FORMAT_ARGB32, part.width, part.height, image.stride()));
   cairo_set_source_surface(cairo_.get(), pixels.get(), x, y);
