@@ -81,6 +81,7 @@ class Writer {
 
  private:
   void put(const void* bytes, std::size_t count) {
+    if (count == 0) return;  // of an array without memory
     if (std::fwrite(bytes, 1, count, file_.get()) != count) refuse(path_, std::strerror(errno));
   }
 
@@ -114,6 +115,7 @@ class Reader {
  private:
   void get(void* bytes, std::size_t count) {
     left_ -= checked(count);
+    if (count == 0) return;
     if (std::fread(bytes, 1, count, file_.get()) != count) refuse("it is cut off");
   }
 
