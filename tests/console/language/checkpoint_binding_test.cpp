@@ -52,8 +52,12 @@ constexpr Scene scenes[] = {
      "radius = 4*mm }",
      ", surface = 'energy'", "s:run(12.3*us)"},
     {"at_rest", "", "", "s:relax() "},
-    {"slow", "p:clamp { edge = 'right', depth = 2*mm }", "",
-     "s:quasistatic { duration = 3*us, increments = 3 }"},
+    {"slow",
+     "p = plate { width = 100*mm, height = 40*mm, material = 'duran50' } "
+     "p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} } "
+     "p:clamp { edge = 'right', depth = 2*mm } "
+     "p:traction { edge = 'top', stress = {0, 1*MPa}, time = ramp(3*us) }",
+     "", "s:quasistatic { duration = 3*us, increments = 3 }"},
     {"changed", "", "",
      "s:run(5.1*us) s:traction { edge = 'top', stress = {0, 20*MPa} } s:damping { rate = 1e4 } "
      "s:run(3.3*us)"},
