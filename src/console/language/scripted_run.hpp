@@ -13,14 +13,19 @@
 
 namespace hackle {
 
-// Closes the run when the collector destroys it.
+// Closes the run when the collector destroys it. The session owns the run: where Lua has no memory
+// left for a finalizer, the run ends with the session.
 class ScriptedRun {
  public:
-  ScriptedRun(std::shared_ptr<Run> run, Session& session)
-      : run_(std::move(run)), session_(&session) {}
-  ScriptedRun(ScriptedRun&&) = default;
+  ScriptedRun(const std::shared_ptr<Run>& run, Session& session)
+      : run_(run.get()), session_(&session) {}
+  ScriptedRun(ScriptedRun&& other) noexcept
+      : view(std::move(other.view)),
+        promised(std::move(other.promised)),
+        run_(std::exchange(other.run_, nullptr)),
+        session_(other.session_) {}
   ~ScriptedRun() {
-    if (run_) session_->retire(run_.get());
+    if (run_ != nullptr) session_->retire(run_);
   }
 
   Run& run() const { return *run_; }
@@ -38,7 +43,7 @@ class ScriptedRun {
   void check_still_writable() const;
 
  private:
-  std::shared_ptr<Run> run_;
+  Run* run_;
   Session* session_;
 };
 
