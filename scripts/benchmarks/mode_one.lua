@@ -3,9 +3,10 @@
 -- A square of 100 mm with a crack to its middle; its loaded edges move apart at 0.1 m/s each
 -- (the mode I job of Peridynamics.jl: E 32 GPa, rho 2500 kg/m3, G0 100 J/m2, horizon 3.015 spacings, 300 us).
 -- Acceptance: between 10 and 35 mm beyond the middle the tip moves at 0.4 to 1.0 c_R, at most 2 spacings off
--- the axis, at most one back; 60 nodes per side instead of 45 change the speed by less than 30 %.
+-- the axis, at most one back; 60 nodes per side instead of 45 change the speed by less than 20 %.
 -- The tip is the farthest node that has lost more than 0.35 of its bonds, found every microsecond.
--- Expected: all four hold.
+-- Expected: the first three hold. The fourth does not: a speed fitted over 25 mm changes by 27 %, and by 20 to 27 %
+-- at other steps; 45 nodes are 22 for the crack, with a horizon of three.
 --
 --   hackle run scripts/benchmarks/mode_one.lua
 
@@ -53,6 +54,6 @@ end
 say("0.4 < v/c_R < 1.0", string.format("%.2f", fine.v/c_R), fine.v > 0.4*c_R and fine.v < c_R)
 say("off the axis, spacings (<= 2)", string.format("%.1f", fine.off/fine.dx), fine.off <= 2*fine.dx)
 say("back, spacings (<= 1)", string.format("%.1f", fine.back/fine.dx), fine.back <= 1.001*fine.dx)
-say("45 to 60 nodes, change of v (< 0.3)", string.format("%.3f", math.abs(1 - coarse.v/fine.v)),
-    math.abs(1 - coarse.v/fine.v) < 0.3)
+say("45 to 60 nodes, change of v (< 0.2)", string.format("%.3f", math.abs(1 - coarse.v/fine.v)),
+    math.abs(1 - coarse.v/fine.v) < 0.2)
 print(s:report())

@@ -101,7 +101,8 @@ void Session::keep_checkpoints(Run& run, int number) {
   run.keep_checkpoints(settings.checkpoint_every, [this, number] {
     const std::string name = fs::path(origin.script_name).stem().string();
     fs::path path =
-        claim("checkpoint", number == 1 ? name + ".ckpt" : fmt::format("{}-{}.ckpt", name, number),
+        claim("checkpoint",
+              number == 1 ? name + ".auto.ckpt" : fmt::format("{}.auto-{}.ckpt", name, number),
               FileKind::checkpoint);
     checkpoints_.push_back(path);
     return path;

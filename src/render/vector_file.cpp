@@ -3,16 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <string>
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
-#include "base/error.hpp"
-#include "base/files.hpp"
-#include "base/interrupt.hpp"
-#include "base/partial_file.hpp"
+#include "render/cairo_stream.hpp"
 
 namespace hackle {
 namespace {
@@ -25,19 +21,12 @@ std::string lower_ending(const std::filesystem::path& path) {
   return ending;
 }
 
-cairo_status_t take_vectors(void* file, const unsigned char* bytes, unsigned int count) {
-  if (interrupted()) return CAIRO_STATUS_WRITE_ERROR;
-  auto& out = *static_cast<std::ofstream*>(file);
-  out.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(count));
-  return out ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
-}
-
 // The same picture is the same file, so it does not say when it was made.
-cairo_surface_t* page_of(std::ofstream& out, const std::string& ending, double width,
-                         double height) {
+cairo_surface_t* page_of(CairoStream& out, const std::string& ending, double width, double height) {
   if (ending == ".svg")
-    return cairo_svg_surface_create_for_stream(take_vectors, &out, width, height);
-  cairo_surface_t* page = cairo_pdf_surface_create_for_stream(take_vectors, &out, width, height);
+    return cairo_svg_surface_create_for_stream(CairoStream::take, out.closure(), width, height);
+  cairo_surface_t* page =
+      cairo_pdf_surface_create_for_stream(CairoStream::take, out.closure(), width, height);
   cairo_pdf_surface_set_metadata(page, CAIRO_PDF_METADATA_CREATE_DATE, "");
   cairo_pdf_surface_set_metadata(page, CAIRO_PDF_METADATA_CREATOR, "Hackle");
   return page;
@@ -51,8 +40,7 @@ bool is_vector_file(const std::filesystem::path& path) {
 
 void write_vectors(const std::filesystem::path& path, const Page& page,
                    const std::function<void(Canvas&)>& draw) {
-  const PartialFile partial(path);
-  std::ofstream out(partial_name(path), std::ios::binary);
+  CairoStream out(path);
   const double unit = points_an_inch / page.dpi;
   cairo_surface_t* surface =
       page_of(out, lower_ending(path), unit * page.width, unit * page.height);
@@ -62,13 +50,7 @@ void write_vectors(const std::filesystem::path& path, const Page& page,
     draw(canvas);
     status = canvas.finish();
   }
-  throw_if_interrupted();
-  out.close();
-  if (status != CAIRO_STATUS_SUCCESS || !out)
-    throw Error(ErrorKind::files,
-                "cannot write '" + path.string() +
-                    "': " + cairo_status_to_string(out ? status : CAIRO_STATUS_WRITE_ERROR));
-  publish(path);
+  out.complete(status);
 }
 
 }  // namespace hackle

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "store/checkpoint.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <concepts>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -22,13 +17,13 @@
 
 #include "base/error.hpp"
 #include "base/files.hpp"
-#include "base/hash.hpp"
-#include "base/interrupt.hpp"
 #include "base/machine.hpp"
+#include "base/partial_file.hpp"
 #include "base/version.hpp"
 #include "lattice/check_numerics.hpp"
 #include "store/inputs.hpp"
 #include "store/lattice_hash.hpp"
+#include "store/sealed_file.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -38,117 +33,7 @@ static_assert(std::endian::native == std::endian::little);
 
 using HeadJson = nlohmann::json;
 constexpr std::string_view first_line = "Hackle checkpoint 1\n";
-constexpr std::size_t digits_of_hash = 16;
 constexpr std::uint64_t max_head = std::uint64_t{256} << 20U;
-constexpr std::size_t piece = std::size_t{1} << 20U;  // read and written at once
-
-[[noreturn]] void refuse(const fs::path& path, std::string_view what, std::string remedy = {}) {
-  throw Error(ErrorKind::files, fmt::format("checkpoint '{}': {}", path.string(), what),
-              std::move(remedy));
-}
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
-
-OpenFile open(const fs::path& path, const char* mode) {
-  OpenFile file(std::fopen(path.c_str(), mode));
-  if (!file) refuse(path, std::strerror(errno));
-  return file;
-}
-
-// Writes bytes and adds them to the hash of the file.
-class Writer {
- public:
-  explicit Writer(fs::path path) : path_(std::move(path)), file_(open(path_, "wbx")) {}
-
-  template <class T>
-  void write(std::span<const T> values) {
-    hash_.add(values);
-    put(values.data(), values.size_bytes());
-  }
-  void write(std::string_view text) { write(std::span(text.data(), text.size())); }
-
-  // Adds the hash, and returns when the disk has everything.
-  void finish() {
-    const std::string hash = hash_.hex();
-    put(hash.data(), hash.size());
-    if (std::fflush(file_.get()) != 0 || fsync(fileno(file_.get())) != 0)
-      refuse(path_, std::strerror(errno));
-    file_.reset();
-  }
-
- private:
-  void put(const void* bytes, std::size_t count) {
-    if (count == 0) return;  // of an array without memory
-    if (std::fwrite(bytes, 1, count, file_.get()) != count) refuse(path_, std::strerror(errno));
-  }
-
-  fs::path path_;
-  OpenFile file_;
-  Hash hash_;
-};
-
-// Reads a file whose hash is known to be right, front to end.
-class Reader {
- public:
-  explicit Reader(const fs::path& path)
-      : path_(path), file_(open(path, "rb")), left_(fs::file_size(path)) {}
-
-  std::string text(std::uint64_t size) {
-    std::string text(checked(size), '\0');
-    get(text.data(), text.size());
-    return text;
-  }
-  template <class T>
-  void read(std::span<T> values) {
-    get(values.data(), values.size_bytes());
-  }
-  // Returns the count if the file still has so many things of that size.
-  std::uint64_t checked(std::uint64_t count, std::size_t size = 1) const {
-    if (count > left_ / size) refuse("it is cut off");
-    return count;
-  }
-  [[noreturn]] void refuse(std::string_view what) const { hackle::refuse(path_, what); }
-
- private:
-  void get(void* bytes, std::size_t count) {
-    left_ -= checked(count);
-    if (count == 0) return;
-    if (std::fread(bytes, 1, count, file_.get()) != count) refuse("it is cut off");
-  }
-
-  const fs::path& path_;
-  OpenFile file_;
-  std::uint64_t left_;
-};
-
-// Throws unless the file is whole: as long as when it was written, and of the same bytes.
-enum class Patience { until_interrupted, endless };
-void check_whole(const fs::path& path, Patience patience) {
-  const OpenFile file = open(path, "rb");
-  std::error_code ignored;
-  std::uint64_t left = fs::file_size(path, ignored);
-  if (ignored || left < first_line.size() + digits_of_hash) refuse(path, "it is no checkpoint");
-  left -= digits_of_hash;
-  Hash hash;
-  std::vector<char> bytes(piece);
-  bool first = true;
-  while (left > 0) {
-    if (patience == Patience::until_interrupted) throw_if_interrupted();
-    const std::size_t count = std::min<std::uint64_t>(left, piece);
-    if (std::fread(bytes.data(), 1, count, file.get()) != count) refuse(path, "it is cut off");
-    if (std::exchange(first, false) &&
-        !std::string_view(bytes.data(), count).starts_with(first_line))
-      refuse(path, "it is no checkpoint of this version of Hackle");
-    hash.add(std::span<const char>(bytes.data(), count));
-    left -= count;
-  }
-  std::string said(digits_of_hash, '\0');
-  if (std::fread(said.data(), 1, said.size(), file.get()) != said.size() || said != hash.hex())
-    refuse(path, "it is damaged: its bytes are not those that were written");
-}
 
 // The small members of a state to and from JSON.
 HeadJson json_of(const Vec2& vector) {
@@ -243,7 +128,7 @@ HeadJson head_of(const Simulation& simulation, const Snapshot& snapshot, const O
           {"solve_seconds", snapshot.solve_seconds}};
 }
 
-void write_state(const State& state, Writer& writer) {
+void write_state(const State& state, SealedWriter& writer) {
   for_each_member(state, [&](const char*, const auto& member, bool) {
     using Member = std::remove_cvref_t<decltype(member)>;
     if constexpr (std::same_as<Member, BondBits>)
@@ -261,19 +146,13 @@ void sync_folder_of(const fs::path& path) {
   ::close(descriptor);
 }
 
-void take_name(const fs::path& from, const fs::path& to) {
-  std::error_code failure;
-  fs::rename(from, to, failure);
-  if (failure) refuse(to, failure.message());
-}
-
 // Says how to go on with the previous checkpoint, if it is whole.
 std::string remedy_by_previous(const fs::path& path) {
   const fs::path previous = previous_checkpoint(path);
   std::error_code ignored;
   if (!fs::exists(previous, ignored)) return {};
   try {
-    check_whole(previous, Patience::until_interrupted);
+    check_seal(previous, first_line, Patience::until_interrupted);
   } catch (const Error&) {
     return {};
   }
@@ -299,29 +178,24 @@ CheckpointImage image_of(const Simulation& simulation, const Origin& origin) {
 
 void write_checkpoint(const fs::path& path, const CheckpointImage& image) {
   make_folder_of(path);
-  const fs::path partial = partial_name(path);
-  std::error_code ignored;
-  fs::remove(partial, ignored);
-  try {
-    Writer writer(partial);
-    writer.write(fmt::format("{}{}\n", first_line, image.head.size()));
-    writer.write(image.head);
-    write_state(image.state, writer);
-    writer.finish();
-    check_whole(partial, Patience::endless);
-  } catch (...) {
-    fs::remove(partial, ignored);
-    throw;
-  }
-  if (fs::exists(path, ignored)) take_name(path, previous_checkpoint(path));
-  take_name(partial, path);
+  const PartialFile partial(path);
+  SealedWriter writer(partial_name(path));
+  writer.write(fmt::format("{}{}\n", first_line, image.head.size()));
+  writer.write(image.head);
+  write_state(image.state, writer);
+  writer.seal();
+  check_seal(partial_name(path), first_line, Patience::endless);
+  std::error_code failure;
+  if (fs::exists(path, failure)) fs::rename(path, previous_checkpoint(path), failure);
+  if (failure) refuse_sealed(previous_checkpoint(path), failure.message());
+  publish(path);
   sync_folder_of(path);
 }
 
 namespace {
 
 // The head begins after a line with its size.
-std::uint64_t size_of_head(Reader& reader) {
+std::uint64_t size_of_head(SealedReader& reader) {
   constexpr int max_digits = 12;
   reader.text(first_line.size());
   std::uint64_t size = 0;
@@ -335,13 +209,13 @@ std::uint64_t size_of_head(Reader& reader) {
 }
 
 template <class T>
-Values<T> array_of(const HeadJson& size, Reader& reader) {
+Values<T> array_of(const HeadJson& size, SealedReader& reader) {
   Values<T> values(reader.checked(size.get<std::uint64_t>(), sizeof(T)));
   reader.read(std::span<T>(values));
   return values;
 }
 
-State read_state(const HeadJson& head, const NodeLayout& layout, Reader& reader) {
+State read_state(const HeadJson& head, const NodeLayout& layout, SealedReader& reader) {
   const HeadJson &small = head.at("state"), &sizes = head.at("sizes");
   State state;
   state.layout = layout;
@@ -360,7 +234,7 @@ State read_state(const HeadJson& head, const NodeLayout& layout, Reader& reader)
   return state;
 }
 
-void check_parts(const Checkpoint& checkpoint, const Grid& grid, const Reader& reader) {
+void check_parts(const Checkpoint& checkpoint, const Grid& grid, const SealedReader& reader) {
   for (const LoadedNode& node : checkpoint.snapshot.borne)
     if (!grid.contains(node.i, node.j)) reader.refuse("it names nodes that its plate has not");
   const State& state = checkpoint.snapshot.state;
@@ -371,12 +245,13 @@ void check_parts(const Checkpoint& checkpoint, const Grid& grid, const Reader& r
 }
 
 Checkpoint read_parts(const fs::path& path) {
-  Reader reader(path);
+  SealedReader reader(path);
   const std::uint64_t size = size_of_head(reader);
   if (size > max_head) reader.refuse("its head is too long");
   const HeadJson head = HeadJson::parse(reader.text(size));
   Checkpoint checkpoint{{head.at("script_name"), head.at("script")},
                         read_inputs(head.at("inputs").get<std::string>()),
+                        head.at("lattice_hash"),
                         {}};
   Problems problems;
   check(checkpoint.inputs.plate, problems);
@@ -399,7 +274,7 @@ Checkpoint read_parts(const fs::path& path) {
 
 Checkpoint read_checkpoint(const fs::path& path) {
   try {
-    check_whole(path, Patience::until_interrupted);
+    check_seal(path, first_line, Patience::until_interrupted);
     return read_parts(path);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::files) throw;
@@ -407,15 +282,20 @@ Checkpoint read_checkpoint(const fs::path& path) {
     if (remedy.empty()) throw;
     throw Error(ErrorKind::files, error.problems().front().what, remedy);
   } catch (const std::exception&) {  // of JSON: its message may quote the file
-    refuse(path, "its head is damaged", remedy_by_previous(path));
+    refuse_sealed(path, "its head is damaged", remedy_by_previous(path));
   }
 }
 
 // What its plate refuses is a fault of the file.
 Simulation resume(Checkpoint checkpoint, const Execution& execution) {
   try {
-    return Simulation::resumed(std::move(checkpoint.inputs.plate), checkpoint.inputs.numerics,
-                               std::move(checkpoint.snapshot), execution);
+    Simulation simulation =
+        Simulation::resumed(std::move(checkpoint.inputs.plate), checkpoint.inputs.numerics,
+                            std::move(checkpoint.snapshot), execution);
+    if (lattice_hash(simulation.lattice()) != checkpoint.lattice_hash)
+      throw Error(ErrorKind::files, "checkpoint: its lattice cannot be built again",
+                  "take the version of Hackle that wrote it");
+    return simulation;
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::interrupted || error.kind() == ErrorKind::files) throw;
     throw Error(ErrorKind::files, fmt::format("checkpoint: {}", error.problems().front().what),

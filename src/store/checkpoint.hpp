@@ -12,12 +12,13 @@
 
 namespace hackle {
 
-// The file: a line that names the format, the size of a head in JSON, the head (program, script,
-// inputs, the small members of the state), the arrays of the state as they lie in memory
-// (little-endian), and XXH3 of all that in sixteen hexadecimal digits. It is as large as the state.
+// The file is sealed (sealed_file.hpp): a line that names the format, the size of a head in JSON,
+// the head (program, script, inputs, the small members of the state), and the arrays of the state
+// as they lie in memory (little-endian). It is as large as the state.
 struct Checkpoint {
   Origin origin;  // the script that made it
   Inputs inputs;  // with the loads in force; see Inputs for functions
+  std::string lattice_hash;
   Snapshot snapshot;
 };
 

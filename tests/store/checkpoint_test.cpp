@@ -83,7 +83,7 @@ TEST_F(CheckpointFile, IsRefusedWhereverItIsCut) {
   const std::string whole = read_text(path_);
   for (std::size_t size = 0; size < whole.size(); size += size < 5000 ? 23 : 997) {
     write_text(path_, whole.substr(0, size));
-    EXPECT_THAT(refusal(), HasSubstr("checkpoint '")) << size;
+    EXPECT_THAT(refusal(), HasSubstr("file '" + path_.string())) << size;
   }
 }
 
@@ -142,6 +142,7 @@ TEST_F(CheckpointFile, ForgedOnesAreRefused) {
       with("\"borne\":[]", "\"borne\":[[-1,0,[0,0],1]]"),
       with("\"borne\":[]", "\"borne\":[7]"),
       with("\"max_energy\":", "\"max_energy\":1e999"),
+      with("\"lattice_hash\":\"", "\"lattice_hash\":\"0"),
       with("\\\"width_m\\\": 0.1", "\\\"width_m\\\": 1e9"),
   };
   for (const std::string& file : forged) {

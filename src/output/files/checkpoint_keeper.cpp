@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/files/checkpoint_keeper.hpp"
 
+#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,12 +40,19 @@ bool CheckpointKeeper::is_writing() const {
   return writing_.valid() && writing_.wait_for(seconds(0)) != std::future_status::ready;
 }
 
-void CheckpointKeeper::observe(const Simulation& simulation) {
+// The run matters more than its checkpoints, also where memory or threads are lacking.
+template <class Work>
+void CheckpointKeeper::attempt(const Work& work) {
   try {
-    keep(simulation);
-  } catch (const Error& error) {
-    give_up(error);
+    work();
+  } catch (const std::exception& error) {
+    hopeless_ = true;
+    if (talk_ != Talk::quiet) say_note(fmt::format("no checkpoints are kept: {}", error.what()));
   }
+}
+
+void CheckpointKeeper::observe(const Simulation& simulation) {
+  attempt([&] { keep(simulation); });
 }
 
 void CheckpointKeeper::keep(const Simulation& simulation) {
@@ -60,27 +68,20 @@ void CheckpointKeeper::collect() {
   if (writing_.valid()) writing_.get();
 }
 
-void CheckpointKeeper::give_up(const Error& error) noexcept {
-  hopeless_ = true;
-  if (talk_ != Talk::quiet) say_note(fmt::format("no checkpoints are kept: {}", error.what()));
-}
-
-void CheckpointKeeper::keep_last(const Simulation& simulation) noexcept {
+void CheckpointKeeper::keep_last(const Simulation& simulation) {
   if (hopeless_ || simulation.state().step == 0) return;
   try {
     simulation.check_finite();
   } catch (const Error&) {
     return;
   }
-  try {
+  attempt([&] {
     keep(simulation);
     collect();
     if (talk_ != Talk::quiet)
       say_note(fmt::format("the state at {} is kept in '{}': load goes on from it",
                            quantity(simulation.time(), "s"), path_->string()));
-  } catch (const Error& error) {
-    give_up(error);
-  }
+  });
 }
 
 }  // namespace hackle

@@ -18,7 +18,7 @@ namespace hackle {
 class CheckpointKeeper : public Observer {
  public:
   // Every `seconds` of wall time. `place` is asked for the file when it is first needed; it may
-  // throw Error: then there are no checkpoints, which is said.
+  // throw: then there are no checkpoints, which is said. No function throws.
   CheckpointKeeper(double seconds, std::function<std::filesystem::path()> place, Origin origin,
                    Talk talk);
   // Waits for a file that is being written.
@@ -29,14 +29,15 @@ class CheckpointKeeper : public Observer {
   // Copies the state; a thread writes it, and the run goes on meanwhile.
   void observe(const Simulation& simulation) override;
   // Keeps the last state and says where, unless it has diverged.
-  void keep_last(const Simulation& simulation) noexcept;
+  void keep_last(const Simulation& simulation);
 
  private:
   using Clock = std::chrono::steady_clock;
   void keep(const Simulation& simulation);
   bool is_writing() const;
   void collect();  // the outcome of the last writing, which it waits for
-  void give_up(const Error& error) noexcept;
+  template <class Work>
+  void attempt(const Work& work);
 
   Clock::duration interval_;
   std::function<std::filesystem::path()> place_;

@@ -49,7 +49,7 @@ fs::path OutputFolder::mark_file() const {
 // What is no mark of ours is one of a run with inputs that nobody has.
 std::optional<OutputFolder::Mark> OutputFolder::read_mark() const {
   std::error_code ignored;
-  if (!fs::exists(mark_file(), ignored)) return {};
+  if (fs::symlink_status(mark_file(), ignored).type() == fs::file_type::not_found) return {};
   try {
     const auto json = nlohmann::json::parse(read_text(mark_file()));
     return Mark{{json.at("script"), json.at("set"), json.at("arguments")}, json.at("finished")};
@@ -88,7 +88,14 @@ void OutputFolder::refuse(const Mark& former) const {
 }
 
 std::string OutputFolder::take() {
-  if (std::exchange(taken_, true)) return {};
+  if (taken_) return {};
+  std::string remark = found();
+  taken_ = true;
+  return remark;
+}
+
+// Finds the folder and leaves the mark there.
+std::string OutputFolder::found() {
   for (int k = 2; k < max_folders;) {
     const std::optional<Mark> former = read_mark();
     if (!former && leave_mark())

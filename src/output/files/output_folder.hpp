@@ -46,6 +46,7 @@ class OutputFolder {
 
   std::filesystem::path mark_file() const;
   std::optional<Mark> read_mark() const;
+  std::string found();
   bool leave_mark();
   std::string remark_on(const Mark& former) const;
   [[noreturn]] void refuse(const Mark& former) const;

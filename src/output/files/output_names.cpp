@@ -168,6 +168,8 @@ void OutputNames::claim_checked(const std::string& who, const fs::path& path, Fi
 
 bool OutputNames::may_replace(const Claim& claim, const Claim& former) const {
   if (claim.kind != former.kind || !common(claim.own, former.own)) return false;
+  // What a script saves is not what a run keeps and removes by itself.
+  if (claim.kind == FileKind::checkpoint && claim.who != former.who) return false;
   const bool at_once = claim.kind != FileKind::movie && claim.kind != FileKind::run_file;
   return at_once || (replaces_complete && former.is_complete);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Longer than other units: one short function for each of Run, which hands the work to its parts.
 #include "output/run/run.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
-#include "output/files/checkpoint_keeper.hpp"
 #include "output/files/movie_output.hpp"
 #include "output/files/outputs.hpp"
 #include "output/files/picture_files.hpp"
@@ -67,7 +67,6 @@ struct Run::Parts {
   Outputs outputs{default_output_limit};
   PictureFiles pictures;  // of frame()
   std::vector<fs::path> saved;
-  std::optional<CheckpointKeeper> keeper;
   RunLoop loop;
   Notes notes{talk};
   Prospect prospect;
@@ -77,20 +76,7 @@ struct Run::Parts {
   void go_on(std::vector<Observer*> others) {
     if (rehearsing) return prospect.arrive(simulation);
     for (Observer* output : outputs.observers()) others.push_back(output);
-    keeping([&] { loop.go_on(simulation, with_all(std::move(others))); });
-  }
-  std::vector<Observer*> with_all(std::vector<Observer*> others) {
-    if (keeper) others.push_back(&*keeper);
-    return loop.with_watchers(std::move(others));
-  }
-  // Does the work, and keeps the state if that fails.
-  void keeping(const auto& work) {
-    try {
-      work();
-    } catch (...) {
-      if (keeper) keeper->keep_last(simulation);
-      throw;
-    }
+    loop.go_on(simulation, loop.with_watchers(std::move(others)));
   }
 };
 
@@ -150,7 +136,7 @@ void Run::save(const fs::path& path) {
 }
 
 void Run::keep_checkpoints(double seconds, std::function<fs::path()> place) {
-  parts_->keeper.emplace(seconds, std::move(place), parts_->origin, parts_->talk);
+  parts_->loop.keep_checkpoints(seconds, std::move(place), parts_->origin, parts_->talk);
 }
 
 void Run::share_names(std::shared_ptr<OutputNames> names) {
@@ -321,7 +307,7 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
     return {};
   }
   parts_->outputs.reserve();
-  const std::vector<Observer*> observers = parts_->with_all(parts_->outputs.observers());
+  const std::vector<Observer*> observers = parts_->loop.with_watchers(parts_->outputs.observers());
   const Mark busy = parts_->loop.mark_busy();
   Progress progress(parts_->talk);
   const auto show = [&](double fraction, int increment, int pass, std::int64_t broken) {
@@ -330,7 +316,7 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
                                           increments, pass, grouped(broken)));
   };
   QuasistaticResult result;
-  parts_->keeping([&] {
+  parts_->loop.keeping(parts_->simulation, [&] {
     result = parts_->simulation.load_slowly({duration, increments, tolerance, show}, observers);
   });
   return result;

@@ -20,6 +20,7 @@ void RunLoop::watch(std::shared_ptr<Observer> watcher) {
 }
 
 std::vector<Observer*> RunLoop::with_watchers(std::vector<Observer*> observers) {
+  if (keeper_) observers.push_back(&*keeper_);
   for (Watched& watcher : watchers_) observers.push_back(&watcher);
   return observers;
 }
@@ -27,7 +28,7 @@ std::vector<Observer*> RunLoop::with_watchers(std::vector<Observer*> observers) 
 void RunLoop::go_on(Simulation& simulation, std::vector<Observer*> observers) {
   const Mark busy = mark_busy();
   try {
-    simulation.go_on(observers);
+    keeping(simulation, [&] { simulation.go_on(observers); });
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::interrupted)
       interrupted_at_ = simulation.state().step;

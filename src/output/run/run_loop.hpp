@@ -4,11 +4,14 @@
 
 #include <cstdint>
 #include <deque>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "output/files/checkpoint_keeper.hpp"
 #include "output/run/progress_observer.hpp"
 #include "solver/simulation.hpp"
 
@@ -26,8 +29,23 @@ class RunLoop {
   void watch(std::shared_ptr<Observer> watcher);
   // Their functions may hold on to the run.
   void forget_watchers() { watchers_.clear(); }
-  // These and the watchers.
+  // Keeps checkpoints of what is done from now on; see CheckpointKeeper.
+  void keep_checkpoints(double seconds, std::function<std::filesystem::path()> place,
+                        const Origin& origin, Talk talk) {
+    keeper_.emplace(seconds, std::move(place), origin, talk);
+  }
+  // These, the watchers and the keeper of checkpoints.
   std::vector<Observer*> with_watchers(std::vector<Observer*> observers);
+  // Does work on the simulation, and keeps its last state if that throws.
+  template <class Work>
+  void keeping(const Simulation& simulation, const Work& work) {
+    try {
+      work();
+    } catch (...) {
+      if (keeper_) keeper_->keep_last(simulation);
+      throw;
+    }
+  }
 
   // Goes on until the simulation arrives or one of the observers breaks it off. After an error, but
   // not after an interrupt, nothing is under way any more.
@@ -44,6 +62,7 @@ class RunLoop {
   std::deque<Watched> watchers_;  // which refer to the activity
   bool paused_ = false;
   std::optional<std::int64_t> interrupted_at_;
+  std::optional<CheckpointKeeper> keeper_;
 };
 
 }  // namespace hackle

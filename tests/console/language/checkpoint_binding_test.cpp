@@ -138,7 +138,7 @@ TEST(CheckpointBinding, RefusesWhatItCannotDo) {
            {"s:save { 'a.h5' }", "no checkpoint (one of .ckpt"},
            {"s:save {}", "save: file is missing"},
            {"load 'nowhere.ckpt'", "No such file"},
-           {"load 'b.ckpt'", "it is no checkpoint"},
+           {"load 'b.ckpt'", "it does not begin with 'Hackle checkpoint 1'"},
            {"load { 'b.ckpt', 3 }", "3 stands in the braces without a name"},
            {"s:frame { 'c.png' } s:save { 'c.png' }", "no checkpoint"}})
     EXPECT_THAT(test::message_of(test::scene + text, test::quiet(folder.path)), HasSubstr(message))

@@ -77,6 +77,20 @@ TEST_F(OutputFolders, AFolderThatWasNamedIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path / "x-2"));
 }
 
+TEST_F(OutputFolders, ARefusedOneStaysRefused) {
+  run(of(with_load("1MPa"), Choice::named));
+  OutputFolder other = of(with_load("2MPa"), Choice::named);
+  for (int k = 0; k < 2; ++k) EXPECT_THROW(other.take(), Error);
+  other.finish();
+  EXPECT_THAT(read_text(folder_.path / "x" / "plate.inputs.json"), HasSubstr("1MPa"));
+}
+
+TEST_F(OutputFolders, ALinkThatLeadsNowhereIsAStrangeMark) {
+  std::filesystem::create_directory(folder_.path / "x");
+  std::filesystem::create_symlink("nowhere", folder_.path / "x" / "plate.inputs.json");
+  EXPECT_EQ(name_after(with_load("1MPa")), "x-2");
+}
+
 TEST_F(OutputFolders, ForceOverwritesAndSaysWhat) {
   run(of(with_load("1MPa")));
   EXPECT_THAT(run(of(with_load("2MPa"), Choice::force)), HasSubstr("(load=1MPa) are overwritten"));

@@ -81,6 +81,14 @@ TEST_F(Names, PicturesAndTextsMayBeWrittenAgainByTheirOwnKind) {
   EXPECT_THAT(text("a.lua"), HasSubstr("already written by script"));
 }
 
+// What a run keeps by itself it also removes.
+TEST_F(Names, ACheckpointIsWrittenAgainByWhoWroteItAlone) {
+  EXPECT_EQ(claim("save", "a.ckpt", FileKind::checkpoint), "");
+  EXPECT_EQ(claim("save", "a.ckpt", FileKind::checkpoint), "");
+  EXPECT_THAT(claim("checkpoint", "a.ckpt", FileKind::checkpoint), HasSubstr("written by save"));
+  EXPECT_THAT(claim("save", "a_prev.ckpt", FileKind::checkpoint), HasSubstr("a_prev.ckpt"));
+}
+
 TEST_F(Names, NothingIsWrittenOverAMovieOrARunFile) {
   EXPECT_EQ(film("a.mp4"), "");
   EXPECT_EQ(record("a.h5"), "");

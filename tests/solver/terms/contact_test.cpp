@@ -260,7 +260,9 @@ TEST(Contact, KeepsEnergyAndMomentum) {
       momentum += v;
       speed += v.cwiseAbs();
     }
-    EXPECT_NEAR(momentum.y(), 400 * 5.0, 1e-6 * speed.y());
+    // Rounding of some hundred steps, which adds up as a random walk.
+    const double rounding = precision == Precision::f32 ? 1.2e-7 : 2.2e-16;
+    EXPECT_NEAR(momentum.y(), 400 * 5.0, 10.0 * rounding * speed.y());
     EXPECT_NEAR(momentum.x(), 0.0, 1e-6 * speed.x());
   }
 }
