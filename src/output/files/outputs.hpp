@@ -2,6 +2,7 @@
 // The movies and records of a run together.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,16 @@ class Outputs {
   void add(const char* who, const std::filesystem::path& path, FileKind kind,
            std::unique_ptr<Output> output);
 
+  // Outputs added from now on keep what another program needs to go on with them.
+  void keep_continuable() { continuable_ = true; }
+  // See Output, whose functions these call for each, in the order in which they were added.
+  std::vector<OutputMark> marks() const;
+  std::function<void()> settled();
+  std::vector<std::filesystem::path> kept_files() const;
+  // Throws Error (files) with every problem, also if the marks are those of other outputs. A folder
+  // may have moved: only the names of files must agree.
+  void continue_from(const std::vector<OutputMark>& marks);
+
   // Makes sure that all of them can begin, before any does. Throws Error (files).
   void reserve();
 
@@ -50,6 +61,7 @@ class Outputs {
   std::vector<std::filesystem::path> paths_;
   std::shared_ptr<OutputNames> names_ = std::make_shared<OutputNames>();
   double limit_;
+  bool continuable_ = false;
   bool closed_ = false;
 };
 

@@ -30,6 +30,14 @@ class Schedule {
   std::int64_t moments(double until, std::int64_t max_more) const;
   // Advances to the next time that has not passed: quasi-static loading may pass several at once.
   void advance(const View& view);
+  // Where it starts, s, and how many times have passed; go_on() puts another one of the same
+  // interval there.
+  double start() const { return start_; }
+  std::int64_t passed() const { return next_; }
+  void go_on(double start, std::int64_t passed) {
+    start_ = start;
+    next_ = passed;
+  }
   // Says that its times are those of all steps; empty if they are not.
   const std::string& remark() const { return remark_; }
 
@@ -61,6 +69,7 @@ class ScheduledObserver : public Observer {
  protected:
   virtual void look(const Simulation& simulation) = 0;
   const Schedule& schedule() const { return schedule_; }
+  Schedule& schedule() { return schedule_; }
 
  private:
   Schedule schedule_;

@@ -85,6 +85,24 @@ TEST(Outputs, OneFileIsWrittenByOneOfThem) {
   EXPECT_THAT(failure_of(add), HasSubstr("already written by movie"));
 }
 
+TEST(Outputs, GoOnFromTheirOwnMarksOnly) {
+  const test::Folder folder;
+  Outputs outputs = two(folder);
+  std::vector<OutputMark> marks = outputs.marks();
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[1].file, "b");
+  const auto go_on = [&] { outputs.continue_from(marks); };
+  // Neither can, and both say so.
+  EXPECT_THAT(failure_of(go_on), HasSubstr("'a' cannot be continued"));
+  EXPECT_THAT(failure_of(go_on), HasSubstr("'b' cannot be continued"));
+  marks[0].file = folder.path / "elsewhere" / "a";
+  EXPECT_THAT(failure_of(go_on), HasSubstr("/a' cannot be continued"));
+  std::swap(marks[0], marks[1]);
+  EXPECT_THAT(failure_of(go_on), HasSubstr("not those of the run"));
+  marks.pop_back();
+  EXPECT_THAT(failure_of(go_on), HasSubstr("not those of the run"));
+}
+
 TEST(Outputs, AddUpTheirTime) {
   const test::Folder folder;
   const Outputs outputs = two(folder);

@@ -67,6 +67,27 @@ TEST(Schedule, StartsWhereTheSimulationIs) {
   EXPECT_TRUE(schedule.reached(simulation));
 }
 
+TEST(Schedule, GoesOnWhereAnotherOneWas) {
+  Simulation simulation = small();
+  const double dt = simulation.dt();
+  simulation.step();
+  Schedule former("movie", 2.4 * dt, simulation);
+  for (int k = 0; k < 4; ++k, simulation.step())
+    if (former.reached(simulation)) former.advance(simulation);
+  Schedule schedule("movie", 2.4 * dt, simulation);
+  schedule.go_on(former.start(), former.passed());
+  EXPECT_DOUBLE_EQ(schedule.start(), dt);
+  EXPECT_EQ(schedule.passed(), 2);
+  EXPECT_EQ(schedule.next_due(simulation), former.next_due(simulation));
+  for (int k = 0; k < 9; ++k, simulation.step()) {
+    ASSERT_EQ(schedule.reached(simulation), former.reached(simulation)) << k;
+    if (!former.reached(simulation)) continue;
+    EXPECT_EQ(schedule.moment(simulation), former.moment(simulation));
+    schedule.advance(simulation);
+    former.advance(simulation);
+  }
+}
+
 TEST(Schedule, RefusesNonsense) {
   const Simulation simulation = small();
   for (const double every : {0.0, -1.0, std::nan("")}) {
