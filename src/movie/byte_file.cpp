@@ -28,10 +28,17 @@ Bytes& Bytes::number(std::uint64_t value, int count) {
   return *this;
 }
 
-ByteFile::ByteFile(const std::filesystem::path& path)
-    : path_(path),
-      file_(::open(partial_name(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+ByteFile::ByteFile(const std::filesystem::path& path) : ByteFile(partial_name(path), path, 0) {
+}
+
+ByteFile::ByteFile(const std::filesystem::path& file, const std::filesystem::path& movie,
+                   std::int64_t size)
+    : path_(movie), file_(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)), size_(size) {
   if (file_ < 0) av::fail(path_, "create", AVERROR(errno));
+  if (::ftruncate(file_, size) == 0) return;
+  const int cause = errno;
+  ::close(file_);
+  av::fail(path_, "write", AVERROR(cause));
 }
 
 ByteFile::~ByteFile() {
@@ -48,6 +55,10 @@ void ByteFile::write(const Bytes& bytes, std::int64_t at) {
     at += written;
   }
   size_ = std::max(size_, at);
+}
+
+void ByteFile::sync() {
+  if (::fdatasync(file_) != 0) av::fail(path_, "write", AVERROR(errno));
 }
 
 void ByteFile::close() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The partial file of a movie whose bytes we write ourselves, without buffering.
+// A file of a movie whose bytes we write ourselves, without buffering.
 #pragma once
 
 #include <cstddef>
@@ -30,6 +30,9 @@ class ByteFile {
  public:
   // Creates the partial file of `path`, or empties it. Every function throws Error (files).
   explicit ByteFile(const std::filesystem::path& path);
+  // Creates `file`, or cuts it to its first `size` bytes. Messages name the movie.
+  ByteFile(const std::filesystem::path& file, const std::filesystem::path& movie,
+           std::int64_t size);
   ~ByteFile();
   ByteFile(const ByteFile&) = delete;
   ByteFile& operator=(const ByteFile&) = delete;
@@ -37,6 +40,8 @@ class ByteFile {
   void write(const Bytes& bytes, std::int64_t at);
   void append(const Bytes& bytes) { write(bytes, size_); }
   std::int64_t size() const { return size_; }
+  // Returns when everything is on the disk. For any thread.
+  void sync();
   void close();
 
  private:

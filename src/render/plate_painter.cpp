@@ -181,7 +181,10 @@ struct PlatePainter::Parts {
     while (leaves(shot, window) && std::max(window.nx, window.ny) < most)
       window = {window.left - window.nx / 4, window.bottom - window.ny / 4,
                 window.nx + 2 * (window.nx / 4), window.ny + 2 * (window.ny / 4)};
-    if (window.nx == before.nx) return;
+    if (window.nx != before.nx) set_window(window);
+  }
+
+  void set_window(const Window& window) {
     style.window = window;
     overlay.set_scale(camera(layout.plate, window).pixels_a_metre().x());
   }
@@ -205,15 +208,44 @@ struct PlatePainter::Parts {
   // Widens the ranges that do not fit, and finds what still lies beyond them.
   void fit_ranges(ColourPass& pass, const Points& points) {
     if (is_second(pass)) {
-      if (fit(*style.second, widened_by[1], {points.values, points.gaps}))
-        second_pass->set_first(colouring_of(*style.second));
+      if (fit(*style.second, widened_by[1], {points.values, points.gaps})) recolour_second();
       return;
     }
-    if (fit(style.field, widened_by[0], {points.values, points.gaps}))
-      first_pass.set_first(colouring_of(style.field));
+    if (fit(style.field, widened_by[0], {points.values, points.gaps})) recolour_first();
     if (!style.second || second_pass) return;
-    if (fit(*style.second, widened_by[1], {points.second, points.gaps}))
+    if (fit(*style.second, widened_by[1], {points.second, points.gaps})) recolour_second();
+  }
+
+  void recolour_first() {
+    first_pass.set_first(colouring_of(style.field));
+    bars_changed = true;
+  }
+  void recolour_second() {
+    if (second_pass)
+      second_pass->set_first(colouring_of(*style.second));
+    else
       first_pass.set_second(colouring_of(*style.second), style.arrangement);
+    bars_changed = true;
+  }
+
+  Adaptation::Range range(int field) const {
+    const FieldStyle& shown = field == 0 || !style.second ? style.field : *style.second;
+    return {shown.min, shown.max, widened_by[static_cast<std::size_t>(field)]};
+  }
+
+  void adapt(const Adaptation& adaptation) {
+    set_window(adaptation.window);
+    const auto take = [&](FieldStyle& field, std::size_t k) {
+      field.min = adaptation.ranges[k].min;
+      field.max = adaptation.ranges[k].max;
+      widened_by[k] = adaptation.ranges[k].widened_by;
+    };
+    context.make_current();
+    take(style.field, 0);
+    recolour_first();
+    if (!style.second) return;
+    take(*style.second, 1);
+    recolour_second();
   }
 
   // Returns whether the range has changed.
@@ -222,7 +254,6 @@ struct PlatePainter::Parts {
     field = widened(std::move(field), times);
     widened_so_far *= times;
     beyond.push_back(hackle::beyond(field, seen));
-    if (times > 1.0) bars_changed = true;
     return times > 1.0;
   }
 
@@ -322,6 +353,14 @@ Image PlatePainter::paint(const Shot& shot) {
   }
   parts_->overlay.draw(image, parts_->cameras(window), parts_->moment(shot));
   return image;
+}
+
+Adaptation PlatePainter::adaptation() const {
+  return {{parts_->range(0), parts_->range(1)}, window_of(parts_->style)};
+}
+
+void PlatePainter::adapt(const Adaptation& adaptation) {
+  parts_->adapt(adaptation);
 }
 
 void PlatePainter::write_vectors(const Shot& shot, const std::filesystem::path& path) {

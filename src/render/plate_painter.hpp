@@ -2,6 +2,7 @@
 // Paints complete pictures of a plate: field in colours, colour bar, time and scale bar.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -32,6 +33,15 @@ struct Shot {
   Chart load_curve, energy;      // if the overlay shows them
 };
 
+// What a painter has adapted to the pictures so far: the ranges of both fields, and the window.
+struct Adaptation {
+  struct Range {
+    double min = 0.0, max = 1.0, widened_by = 1.0;
+  };
+  std::array<Range, 2> ranges;
+  Window window;
+};
+
 // Returns the layout of all pictures of a series.
 Layout layout_of(const PictureStyle& style);
 
@@ -52,6 +62,9 @@ class PlatePainter {
   // encloses the plate, where what is seen does not fit. Discs are drawn at their positions, over
   // the plate, displaced or not.
   Image paint(const Shot& shot);
+  // Another painter of the same style that is adapted so goes on with the series to the same bits.
+  Adaptation adaptation() const;
+  void adapt(const Adaptation& adaptation);
   // Writes the same picture as vectors, with the plate as an embedded image: texts, bars, axes,
   // marks and bonds. Throws what write_vectors throws.
   void write_vectors(const Shot& shot, const std::filesystem::path& path);

@@ -79,8 +79,7 @@ void MovieFile::begin(const std::function<bool(const std::filesystem::path&)>& t
   if (begun_) return;
   make_folder_of(path_);
   const std::optional<Rescued> rescued = rescue(path_, taken);
-  held_ = std::make_unique<PartialFile>(path_);
-  begun_ = true;
+  hold();
   if (!rescued) return;
   tell(fmt::format(
       "an earlier run was cut off while it filmed '{}': its {} frames, {:.3g} s, are "
@@ -88,7 +87,46 @@ void MovieFile::begin(const std::function<bool(const std::filesystem::path&)>& t
       path_.string(), rescued->length.frames, rescued->length.seconds, rescued->file.string()));
 }
 
-void MovieFile::add(Image frame) {
+void MovieFile::hold() {
+  held_ = std::make_unique<PartialFile>(path_);
+  if (keeps_) kept_ = std::make_shared<KeptFrames>(path_);
+  begun_ = true;
+}
+
+std::string MovieFile::continue_from(std::int64_t frames, const Layout& size) {
+  if (frames < 1) {
+    make_folder_of(path_);
+    hold();
+    return "";
+  }
+  KeptFramesReader former(path_);
+  const FrameFormat& format = former.format();
+  if (format.width != size.width || format.height != size.height)
+    former.refuse(fmt::format("its frames have {} x {} px, those to come {} x {}", format.width,
+                              format.height, size.width, size.height));
+  for (std::int64_t k = 0; k < frames; ++k)
+    if (!former.next()) former.refuse(fmt::format("only {} of its {} frames are whole", k, frames));
+  held_ = std::make_unique<PartialFile>(path_);
+  format_.threads = format.threads;
+  kept_ = std::make_shared<KeptFrames>(path_, former, frames);
+  begun_ = true;
+  return former.note();
+}
+
+void MovieFile::film_kept(std::int64_t frames) {
+  KeptFramesReader former(path_);
+  for (std::int64_t k = 0; k < frames; ++k) {
+    if (!former.next()) former.refuse("somebody has changed it");
+    encode(former.picture());
+  }
+}
+
+void MovieFile::add(Image frame, std::string_view note) {
+  if (kept_) kept_->add(frame, {frame.width, frame.height, format_.threads}, note);
+  encode(std::move(frame));
+}
+
+void MovieFile::encode(Image frame) {
   if (!encoder_) {
     format_.width = frame.width;
     format_.height = frame.height;

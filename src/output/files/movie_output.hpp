@@ -4,8 +4,11 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <functional>
 #include <memory>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "base/progress.hpp"
 #include "base/worker.hpp"
@@ -34,23 +37,33 @@ class MovieOutput : public Output {
   std::vector<std::filesystem::path> files() const override;
   void add_seconds(StageSeconds& wall) const override;
 
+  void keep_continuable() override { file_.keep_frames(); }
+  std::vector<std::filesystem::path> kept_files() const override;
+  OutputMark mark() const override { return mark_at(path(), frames_, complete_); }
+  std::function<void()> settled() override;
+  void continue_from(const OutputMark& mark) override;
+
  private:
+  using Work = std::function<void()>;
   void look(const Simulation& simulation) override;
-  // An empty optional ends the movie.
-  using Work = std::optional<Shot>;
-  void paint(const Work& work);
   void hand_over(Work work);
+  // On the painting thread.
+  void work_on(const Work& work);
+  void paint(const Shot& shot);
+  void finish();
 
   MovieOptions options_;
   PictureStyle style_;
   MovieFile file_;
   std::shared_ptr<const OutputNames> names_;
+  std::int64_t frames_ = 0;  // handed over
   bool failed_ = false;
   bool complete_ = false;
   std::atomic<double> render_seconds_ = 0.0;
   // Created with the first frame, on the painting thread, because a GL context must be created and
   // destroyed there.
   std::unique_ptr<PlatePainter> painter_;
+  std::string note_;  // of the last frame of a former program, until the painter knows it
   std::unique_ptr<Worker<Work>> painting_;
 };
 

@@ -15,6 +15,7 @@
 #include "base/files.hpp"
 #include "base/partial_file.hpp"
 #include "base/text.hpp"
+#include "movie/kept_frames.hpp"
 #include "movie/movie_kind.hpp"
 #include "movie/remux.hpp"
 #include "store/checkpoint.hpp"
@@ -72,7 +73,7 @@ void add_names(const fs::path& path, std::set<fs::path>& names) {
 
 // Returns the companions of a movie; a movie with an index first gets that in a separate file.
 std::vector<fs::path> movie_companions(const fs::path& path) {
-  std::vector<fs::path> list{partial_name(path)};
+  std::vector<fs::path> list{partial_name(path), kept_frames_name(path)};
   const auto kind = std::ranges::find(movie_kinds(), ending_of(path), &MovieKind::ending);
   if (kind != movie_kinds().end() && *kind->final_options != '\0')
     list.push_back(indexed_name(path));
