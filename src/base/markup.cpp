@@ -57,6 +57,23 @@ std::string xml(std::string_view text) {
   return out;
 }
 
+std::string from_xml(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    std::size_t taken = 1;
+    char c = text.front();
+    for (const char plain : {'&', '<', '>', '"'}) {
+      const std::string escaped = xml({&plain, 1});
+      if (!text.starts_with(escaped)) continue;
+      c = plain;
+      taken = escaped.size();
+    }
+    out += c;
+    text.remove_prefix(taken);
+  }
+  return out;
+}
+
 std::string roff(std::string_view text) {
   return guarded(without_backslashes(text));
 }

@@ -14,6 +14,8 @@ std::string markdown_code(std::string_view text);
 
 // For content and for attributes in double quotes.
 std::string xml(std::string_view text);
+// The inverse of xml().
+std::string from_xml(std::string_view text);
 
 // For prose.
 std::string roff(std::string_view text);

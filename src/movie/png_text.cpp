@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "movie/png_text.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "movie/ffmpeg.hpp"
@@ -26,6 +27,21 @@ Bytes png_text(std::string_view keyword, std::string_view text) {
   add_big_endian(chunk, ~av::ffmpeg().av_crc(av::ffmpeg().av_crc_get_table(AV_CRC_32_IEEE_LE),
                                              start, all.data(), all.size()));
   return chunk;
+}
+
+std::string text_in_png(std::string_view png, std::string_view keyword) {
+  constexpr std::size_t signature = 8, head = 8, checksum = 4, flags = 5;
+  std::string_view left = png.substr(std::min(signature, png.size()));
+  while (left.size() > head) {
+    std::size_t size = 0;
+    for (const char byte : left.substr(0, 4)) size = (size << 8) | static_cast<unsigned char>(byte);
+    const std::string_view content = left.substr(head, size);
+    if (left.substr(4, 4) == "iTXt" && content.starts_with(keyword) &&
+        content.size() >= keyword.size() + flags)
+      return std::string(content.substr(keyword.size() + flags));
+    left.remove_prefix(std::min(left.size(), head + size + checksum));
+  }
+  return {};
 }
 
 }  // namespace hackle

@@ -97,6 +97,18 @@ FilmLength length_of_film(const fs::path& path) {
   return input ? for_each_packet(*input, [](const AVPacket&) {}) : FilmLength{};
 }
 
+FilmFacts facts_by_ffmpeg(const fs::path& path) {
+  const auto input = open_to_read(path);
+  if (!input) return {};
+  const auto entry = [&](const char* key) -> std::string {
+    const AVDictionaryEntry* found = av::ffmpeg().av_dict_get(input->metadata, key, nullptr, 0);
+    return found == nullptr ? "" : found->value;
+  };
+  const AVCodecParameters& codec = *input->streams[0]->codecpar;
+  return {codec.width, codec.height, for_each_packet(*input, [](const AVPacket&) {}),
+          entry("title"), entry("comment")};
+}
+
 fs::path indexed_name(const fs::path& path) {
   return path.parent_path() /
          fmt::format(".{}.indexed{}", path.stem().string(), path.extension().string());

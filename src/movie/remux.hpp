@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "movie/film_facts.hpp"
 #include "movie/film_length.hpp"
 
 namespace hackle {
@@ -18,6 +19,9 @@ FilmLength copy_film(const std::filesystem::path& from, const std::filesystem::p
 
 // Returns the length of a movie that FFmpeg can read.
 FilmLength length_of_film(const std::filesystem::path& path);
+
+// Returns what FFmpeg reads of a movie; no frame if it cannot.
+FilmFacts facts_by_ffmpeg(const std::filesystem::path& path);
 
 // The name that the copy of put_index_first() bears while it is written.
 std::filesystem::path indexed_name(const std::filesystem::path& path);

@@ -22,6 +22,7 @@ constexpr std::size_t duration_at = 12, flags_at = 15;                  // in a 
 constexpr std::uint8_t cover_what_was = 0x02;
 constexpr int animated = 0x02, with_xmp = 0x04, with_alpha = 0x10;
 constexpr std::int64_t features_at = 20;  // in the file
+constexpr std::size_t size_at = 24;       // likewise: width - 1 and height - 1, 3 bytes each
 
 std::uint64_t number_at(View bytes, std::size_t at, int count) {
   std::uint64_t value = 0;
@@ -71,7 +72,7 @@ std::vector<Frame> frames_of(View animation, int width, int height) {
     const View chunk = take_chunk(left);
     if (is(chunk, "VP8 ") || is(chunk, "VP8L") || is(chunk, "ALPH"))
       return {still(rest, width, height)};
-    if (!is(chunk, "ANMF")) continue;
+    if (!is(chunk, "ANMF") || chunk.size() < chunk_head + frame_head) continue;
     Frame& frame = frames.emplace_back();
     std::ranges::copy(chunk.subspan(chunk_head, frame_head), frame.head.begin());
     frame.picture = chunk.subspan(chunk_head + frame_head);
@@ -95,6 +96,16 @@ std::string xmp(const MovieFormat& format) {
          R"(<rdf:Description rdf:about="" xmlns:dc="http://purl.org/dc/elements/1.1/">)" +
          property("title", format.title) + property("description", format.comment) +
          "</rdf:Description></rdf:RDF></x:xmpmeta>";
+}
+
+// Returns a property that xmp() wrote.
+std::string property_in(std::string_view text, std::string_view name) {
+  constexpr std::string_view before = "x-default\">", after = "</rdf:li>";
+  const std::size_t place = text.find(fmt::format("<dc:{}>", name));
+  const std::size_t begin = text.find(before, place);
+  const std::size_t end = text.find(after, begin);
+  if (place == text.npos || begin == text.npos || end == text.npos) return {};
+  return from_xml(text.substr(begin + before.size(), end - begin - before.size()));
 }
 
 Bytes size_bytes(std::int64_t file_size) {
@@ -178,6 +189,27 @@ FilmLength copy_webp(const std::filesystem::path& from, const std::filesystem::p
   std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing);
   std::filesystem::resize_file(to, whole.size());
   return length;
+}
+
+FilmFacts facts_of_webp(const std::filesystem::path& path) {
+  const std::string text = read_text(path);
+  const View all(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  if (all.size() < size_at + 6 || !is(all, "RIFF") || !is(all.subspan(8), "WEBP")) return {};
+  FilmFacts facts;
+  facts.width = static_cast<int>(number_at(all, size_at, 3)) + 1;
+  facts.height = static_cast<int>(number_at(all, size_at + 3, 3)) + 1;
+  for (const Frame& frame : frames_of(all, facts.width, facts.height)) {
+    ++facts.length.frames;
+    facts.length.seconds += 1e-3 * static_cast<double>(frame.duration());
+  }
+  for (View left = all.subspan(riff_head); left.size() > chunk_head;) {
+    const View chunk = take_chunk(left);
+    if (!is(chunk, "XMP ")) continue;
+    const std::string_view xmp(reinterpret_cast<const char*>(chunk.data()), chunk.size());
+    facts.title = property_in(xmp, "title");
+    facts.comment = property_in(xmp, "description");
+  }
+  return facts;
 }
 
 }  // namespace hackle

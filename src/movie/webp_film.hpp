@@ -7,6 +7,7 @@
 #include "movie/byte_file.hpp"
 #include "movie/codec.hpp"
 #include "movie/film.hpp"
+#include "movie/film_facts.hpp"
 #include "movie/film_length.hpp"
 #include "movie/movie_format.hpp"
 
@@ -37,5 +38,8 @@ class WebpFilm : public Film {
 
 // Copies `from`, which may be truncated, to `to`. Throws Error (files).
 FilmLength copy_webp(const std::filesystem::path& from, const std::filesystem::path& to);
+
+// Returns no frame for what is no WebP. Throws Error (files) if it cannot be read.
+FilmFacts facts_of_webp(const std::filesystem::path& path);
 
 }  // namespace hackle

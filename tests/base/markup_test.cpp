@@ -24,5 +24,10 @@ TEST(Markup, XmlHasNoMarkupOfItsOwn) {
   EXPECT_EQ(xml("plate 1.h5"), "plate 1.h5");
 }
 
+TEST(Markup, XmlIsReadBack) {
+  for (const char* text : {"", "a<b & \"c\">", "&amp;", "&lt;&", "plate"})
+    EXPECT_EQ(from_xml(xml(text)), text);
+}
+
 }  // namespace
 }  // namespace hackle

@@ -6,10 +6,12 @@
 
 #include <gmock/gmock.h>
 
+#include "base/error.hpp"
 #include "base/files.hpp"
 #include "movie/encoder.hpp"
 #include "movie/pictures.hpp"
 #include "movie/player.hpp"
+#include "movie/read_film.hpp"
 #include "support/folder.hpp"
 
 namespace hackle {
@@ -137,6 +139,31 @@ TEST_P(Kinds, SayWhereTheyComeFrom) {
   EXPECT_THAT(read_text(path), testing::HasSubstr("Made by Hackle"));
   if (GetParam() == ".webp" || GetParam() == ".apng") return;  // FFmpeg does not read it there
   EXPECT_EQ(played.metadata.at("comment"), "Made by Hackle");
+}
+
+TEST_P(Kinds, AreReadAsTheyWereWritten) {
+  MovieFormat f = format(64, 48, 25.0);
+  f.title = "edge <crack>";
+  f.comment = "Made by Hackle from \"a & b.lua\"";
+  film(path, f, 50, [](int k) { return moving(64, 48, k / 2); });
+  const FilmFacts facts = facts_of_film(path);
+  EXPECT_EQ(facts.comment, f.comment);
+  EXPECT_EQ(facts.title, GetParam() == ".gif" ? "" : f.title);
+  EXPECT_EQ(facts.width, 64);
+  EXPECT_EQ(facts.height, 48);
+  EXPECT_NEAR(facts.length.seconds, 2.0, 0.02);
+  // Two equal pictures may be one that is shown for longer.
+  EXPECT_GE(facts.length.frames, 25);
+  EXPECT_LE(facts.length.frames, 50);
+}
+
+TEST_P(Kinds, AreKnownByWhatIsInThem) {
+  std::vector<std::string> texts{"", "RIFF", "GIF89a", "no movie at all"};
+  if (GetParam() == ".webp") texts.emplace_back("RIFF0000WEBPANMF");
+  for (const std::string& text : texts) {
+    write_text(path, text);
+    EXPECT_THROW(facts_of_film(path), Error) << text;
+  }
 }
 
 TEST_P(Kinds, ABetterCrfIsCloserAndLarger) {
