@@ -183,6 +183,29 @@ bool Hdf5Reader::holds(const std::string& name) const {
   return find(name);
 }
 
+std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
+  constexpr std::size_t max_name = 256;
+  if (group != "/" && !find(group)) refuse(fmt::format("its {} is missing or damaged", group));
+  H5G_info_t info{};
+  if (H5Gget_info_by_name(file_.get(), group.c_str(), &info, H5P_DEFAULT) < 0) return {};
+  std::vector<std::string> names;
+  for (hsize_t k = 0; k < info.nlinks; ++k) {
+    stop_if_interrupted();
+    std::array<char, max_name> name{};
+    if (H5Lget_name_by_idx(file_.get(), group.c_str(), H5_INDEX_NAME, H5_ITER_INC, k, name.data(),
+                           name.size(), H5P_DEFAULT) < 0)
+      refuse(fmt::format("its {} is damaged", group));
+    names.emplace_back(name.data());
+  }
+  return names;
+}
+
+std::uint64_t Hdf5Reader::stored_bytes(const std::string& name) const {
+  if (!find(name)) refuse(fmt::format("its {} is missing or damaged", name));
+  const Hdf5Handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  return dataset.get() < 0 ? 0 : H5Dget_storage_size(dataset.get());
+}
+
 Hdf5Handle Hdf5Reader::open(const std::string& name) const {
   if (!find(name)) refuse(fmt::format("its {} is missing or damaged", name));
   Hdf5Handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);

@@ -27,6 +27,10 @@ class Hdf5Reader {
 
   // Datasets.
   bool holds(const std::string& name) const;
+  // Returns the names in a group, in order; "/" is the root.
+  std::vector<std::string> names(const std::string& group) const;
+  // Returns the bytes of its data in the file; 0 for a group.
+  std::uint64_t stored_bytes(const std::string& name) const;
   std::string text(const std::string& name) const;  // at most 64 MiB
   // Reads the first values of a series.
   std::vector<double> first_doubles(const std::string& name, hsize_t count) const;

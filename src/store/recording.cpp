@@ -14,13 +14,12 @@
 #include "store/hdf5_reader.hpp"
 #include "store/inputs_reader.hpp"
 #include "store/lattice_hash.hpp"
+#include "store/run_facts.hpp"
 #include "store/run_file.hpp"
 #include "store/xdmf.hpp"
 
 namespace hackle {
 namespace {
-
-constexpr std::int64_t max_records = 1'000'000;
 
 void check_format(const Hdf5Reader& file) {
   if (!file.has_attribute("software") || file.attribute("software") != "Hackle" ||
