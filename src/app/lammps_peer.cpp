@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "output/export/lammps_deck.hpp"
 #include "solver/default_step.hpp"
 
 namespace hackle {
@@ -59,46 +60,14 @@ bool lammps_is_installed() {
   return std::system("command -v lmp > /dev/null 2>&1") == 0;
 }
 
-std::string lammps_deck(const BenchDeck& deck, double alpha, int steps) {
-  const Lattice lattice(deck.plate, deck.numerics);
-  const double dx = lattice.grid.dx, rho = lattice.rho;
-  const double load =
-      deck.plate.loads.tractions.front().stress.constant().y() / dx;  // force density, N/m3
-  return fmt::format(
-      R"(units si
-dimension 2
-boundary s s p
-atom_style peri
-atom_modify map array
-lattice sq {dx:.17g}
-region plate block 0 {right} 0 {top} -0.5 0.5
-create_box 1 plate
-create_atoms 1 region plate
-set group all density {rho:.17g}
-set group all volume {volume:.17g}
-pair_style peri/pmb
-pair_coeff 1 1 {c:.17g} {horizon:.17g} {s0:.17g} {alpha:.17g}
-neighbor {skin:.17g} bin
-neigh_modify every 1000000 delay 1000000 check no
-region top_row block INF INF {below_top} INF INF INF
-region bottom_row block INF INF INF 0.5 INF INF
-group top region top_row
-group bottom region bottom_row
-fix up top addforce 0 {load:.17g} 0
-fix down bottom addforce 0 -{load:.17g} 0
-fix move all nve
-thermo {steps}
-timestep {dt:.17g}
-run {steps}
-)",
-      fmt::arg("dx", dx), fmt::arg("right", lattice.grid.nx - 0.5),
-      fmt::arg("top", lattice.grid.ny - 0.5), fmt::arg("below_top", lattice.grid.ny - 1.5),
-      fmt::arg("rho", rho), fmt::arg("volume", dx * dx), fmt::arg("c", lattice.calibration.c),
-      // Rounded positions must not decide whether a neighbour exactly at the horizon counts.
-      fmt::arg("horizon", (1.0 + 1e-6) * lattice.family.m() * dx),
-      fmt::arg("s0", lattice.calibration.s0), fmt::arg("alpha", alpha), fmt::arg("skin", 0.1 * dx),
-      fmt::arg("load", load), fmt::arg("steps", steps),
-      fmt::arg("dt", default_step(lattice.step_limit)));
+LammpsScene bench_scene(const BenchDeck& deck, double alpha) {
+  Plate plate = deck.plate;
+  plate.material.alpha = alpha;
+  plate.cracks.clear();
+  plate.no_fail.clear();
+  const Lattice lattice(plate, deck.numerics);
+  std::vector<std::string> notes;
+  return lammps_scene(plate, deck.numerics, default_step(lattice.step_limit), notes);
 }
 
 LammpsRun read_lammps_log(const std::string& log) {
@@ -115,7 +84,10 @@ LammpsRun read_lammps_log(const std::string& log) {
 
 LammpsRun run_lammps(const BenchDeck& deck, double alpha, int steps) {
   const ScratchFolder folder;
-  write_text(folder.path() / "plate.in", lammps_deck(deck, alpha, steps));
+  const LammpsScene scene = bench_scene(deck, alpha);
+  write_text(folder.path() / "plate.data", lammps_data(scene));
+  write_text(folder.path() / "plate.in",
+             lammps_deck(scene, {.steps = steps, .is_timed = true}, "plate.data"));
   const std::string command =
       fmt::format("cd {} && OMP_NUM_THREADS=1 lmp -in plate.in -log log -screen none > said 2>&1",
                   shell_word(folder.path().string()));

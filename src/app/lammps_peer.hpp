@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/bench_deck.hpp"
+#include "output/export/lammps_scene.hpp"
 
 namespace hackle {
 
@@ -24,16 +25,17 @@ struct LammpsRun {
 // Returns whether `lmp` is on the PATH.
 bool lammps_is_installed();
 
-// Returns the input deck. LAMMPS cannot cut bonds, so its plate has no crack and no no-fail zones:
-// at any time nearly all bonds are intact, in its plate and in Hackle's. Everything else favours
-// LAMMPS: its contact list is as short as the family and never rebuilt, and it prints nothing
-// between first and last step.
-std::string lammps_deck(const BenchDeck& deck, double alpha, int steps);
+// Returns the plate of the benchmark for LAMMPS: without the crack, which LAMMPS would need many
+// types of atoms for, and without no-fail zones; at any time nearly all bonds are intact, in its
+// plate and in Hackle's.
+LammpsScene bench_scene(const BenchDeck& deck, double alpha);
 
 // Throws Error (run_failed) if the log lacks the line with the time.
 LammpsRun read_lammps_log(const std::string& log);
 
-// Throws Error (run_failed) with the last line of LAMMPS if it fails.
+// Runs LAMMPS on bench_scene(). All else favours it: its list of contacts is as short as the family
+// and never made again, and it prints nothing between first and last step. Throws Error
+// (run_failed) with the last line of LAMMPS if it fails.
 LammpsRun run_lammps(const BenchDeck& deck, double alpha, int steps);
 
 }  // namespace hackle

@@ -9,11 +9,8 @@
 
 namespace hackle::test {
 
-// A plate in units of dx, of the step and of the density. In these units the nodes lie at multiples
-// of 1/2, and LAMMPS makes the same decisions as Hackle without a tolerance: squared distances are
-// exact, so a neighbour at exactly m dx counts (it tests r^2 <= m^2), and its weight 1 - (r - (m -
-// 1/2)) is 1/2 as in Hackle's ramp. LAMMPS sets changes of length below 2.2e-16 to 0, which has no
-// effect here; in SI units it would hide stretches of 4e-13.
+// A plate in units of dx, of the step and of the density (see LammpsScene), which a test fills from
+// the formulas.
 struct PeerPlate {
   Grid grid;
   std::vector<char> removed;  // per node: removed material
@@ -32,6 +29,10 @@ struct PeerSample {
 };
 
 bool lammps_is_installed();
+
+// Runs plate.in in `folder`, which samples into nodes.dump. Throws std::runtime_error with the last
+// words of LAMMPS if it fails.
+std::vector<PeerSample> run_deck(const std::filesystem::path& folder, const Grid& grid);
 
 // Solves `steps` steps in `folder` and samples every `every` steps, including the start. Throws
 // std::runtime_error with the last words of LAMMPS if it fails.
