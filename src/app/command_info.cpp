@@ -7,8 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
+#include "app/file_facts.hpp"
 #include "app/libraries.hpp"
+#include "app/voice.hpp"
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "base/machine.hpp"
 #include "base/streams.hpp"
 #include "base/units.hpp"
@@ -65,14 +68,36 @@ void print(const nlohmann::ordered_json& facts) {
   print_line("free memory", quantity(facts["memory_bytes"].get<double>(), "B"));
 }
 
+void print(const FileFacts& facts) {
+  for (const auto& [name, text] : facts.lines) print_line(name, printable(text));
+  for (const std::string& next : facts.next)
+    print_line(&next == facts.next.data() ? "next" : "", next);
+}
+
+void print_about_file(const InfoRequest& request) {
+  FileFacts facts = facts_of_file(request.file);
+  if (!request.json) return print(facts);
+  facts.json["next"] = facts.next;
+  using Json = nlohmann::ordered_json;
+  print_out("{}\n", facts.json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void print_about_program(bool json) {
+  if (json)
+    print_out("{}\n", facts().dump());
+  else
+    print(facts());
+}
+
 }  // namespace
 
-int command_info(bool json) {
-  return exit_code_of([json] {
-    if (json)
-      print_out("{}\n", facts().dump());
+int command_info(const InfoRequest& request) {
+  const InterruptHandler handler;
+  return exit_code_of([&request] {
+    if (request.file.empty())
+      print_about_program(request.json);
     else
-      print(facts());
+      print_about_file(request);
     return 0;
   });
 }

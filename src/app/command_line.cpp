@@ -14,7 +14,9 @@
 
 #include "app/command_bench.hpp"
 #include "app/command_check.hpp"
+#include "app/command_diff.hpp"
 #include "app/command_docs.hpp"
+#include "app/command_export.hpp"
 #include "app/command_info.hpp"
 #include "app/command_new.hpp"
 #include "app/command_prompt.hpp"
@@ -31,8 +33,8 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 7> commands{"run",   "check", "render", "new",
-                                                   "bench", "info",  "docs"};
+constexpr std::array<std::string_view, 9> commands{"run", "check", "render", "diff", "export",
+                                                   "new", "bench", "info",   "docs"};
 constexpr int max_threads = 1024;
 
 // The parsed command line.
@@ -42,7 +44,9 @@ struct Request {
   BenchRequest bench;
   std::vector<std::string> settings;
   std::string new_name;
-  bool info_as_json = false;
+  InfoRequest info;
+  DiffRequest diff;
+  ExportRequest exported;
   DocsRequest docs;
 };
 
@@ -196,6 +200,73 @@ void describe_bench(CLI::App& app, Request& request) {
   bench->add_flag("-q,--quiet", request.bench.quiet, "Print only errors");
 }
 
+void describe_info(CLI::App& app, Request& request) {
+  CLI::App* info =
+      app.add_subcommand("info", "Show what a file is, or version, libraries and machine");
+  info->add_option("FILE", request.info.file,
+                   "A run file, a checkpoint or a movie that Hackle made, also one that is being "
+                   "written or was cut off");
+  info->add_flag("--json", request.info.json, "Print one JSON object");
+}
+
+void describe_diff(CLI::App& app, Request& request) {
+  CLI::App* diff = app.add_subcommand(
+      "diff",
+      "Compare two runs: their inputs, and where, when and by how much their fields differ");
+  diff->add_option("A", request.diff.one, "A run file or a checkpoint")->required();
+  diff->add_option("B", request.diff.other, "Another one")->required();
+  diff->add_flag("--json", request.diff.json, "Print one JSON object");
+  diff->add_flag("-q,--quiet", request.diff.quiet, "Print only errors");
+  diff->footer("Exit code 0: they are equal; 1: they differ.");
+}
+
+void describe_times(CLI::App& command, ExportWishes& wishes) {
+  const CLI::AsNumberWithUnit seconds(
+      std::map<std::string, double>{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}});
+  CLI::Option* times =
+      command
+          .add_option(
+              "--time,--times", wishes.times,
+              "Times of the states, as in 10us,20us: the nearest records (the last; all for "
+              "--vtkhdf)")
+          ->type_name("TIME,...")
+          ->delimiter(',')
+          ->transform(seconds);
+  command
+      .add_option("--every", wishes.every,
+                  "Time between states, as in 1us; for --lammps between samples of the damage")
+      ->type_name("TIME")
+      ->transform(seconds)
+      ->excludes(times);
+  command
+      .add_option("--field,--fields", wishes.fields,
+                  "Fields by their names, as in damage,stress_1 (damage, displacement, velocity)")
+      ->type_name("NAME,...")
+      ->delimiter(',');
+}
+
+void describe_export(CLI::App& app, Request& request) {
+  CLI::App* command =
+      app.add_subcommand("export", "Write the states of a run, or its scene, for other programs");
+  command->add_option("RUN", request.exported.run, "A run file or a checkpoint")->required();
+  const auto add = [&](const char* name, ExportKind kind, const char* sentence) {
+    command->add_flag_callback(
+        name, [&request, kind] { request.exported.kinds.push_back(kind); }, sentence);
+  };
+  add("--csv", ExportKind::csv, "A table: a row per node and time");
+  add("--vtk", ExportKind::vtk, "Legacy VTK: a file per time, points with their fields");
+  add("--vtkhdf", ExportKind::vtkhdf,
+      "VTKHDF: one file with all times, for ParaView 5.12 and VTK 9.3");
+  add("--lammps", ExportKind::lammps,
+      "The scene as an input deck of LAMMPS (pair_style peri/pmb) with its data file");
+  command
+      ->add_option("-o,--output", request.exported.output,
+                   "File to write (the name of the run, here)")
+      ->type_name("FILE");
+  describe_times(*command, request.exported.wishes);
+  command->add_flag("-q,--quiet", request.exported.quiet, "Print only errors");
+}
+
 void describe_docs(CLI::App& app, Request& request) {
   CLI::App* docs = app.add_subcommand("docs", "Write the reference to stdout");
   docs->require_option(0, 1);
@@ -216,10 +287,11 @@ void describe(CLI::App& app, Request& request) {
   describe_run(app, request);
   describe_check(app, request);
   describe_render(app, request);
+  describe_diff(app, request);
+  describe_export(app, request);
   describe_new(app, request);
   describe_bench(app, request);
-  CLI::App* info = app.add_subcommand("info", "Show version, libraries and machine");
-  info->add_flag("--json", request.info_as_json, "Print one JSON object");
+  describe_info(app, request);
   describe_docs(app, request);
   app.footer("hackle FILE.lua is short for hackle run FILE.lua; hackle alone opens the prompt.");
 }
@@ -248,9 +320,11 @@ int execute(const CLI::App& app, Request& request) {
   if (app.got_subcommand("run")) return command_run(request.run);
   if (app.got_subcommand("check")) return command_check(request.run);
   if (app.got_subcommand("render")) return command_render(request.render);
+  if (app.got_subcommand("diff")) return command_diff(request.diff);
+  if (app.got_subcommand("export")) return command_export(request.exported);
   if (app.got_subcommand("new")) return command_new(request.new_name);
   if (app.got_subcommand("bench")) return command_bench(request.bench);
-  if (app.got_subcommand("info")) return command_info(request.info_as_json);
+  if (app.got_subcommand("info")) return command_info(request.info);
   if (app.got_subcommand("docs")) return command_docs(request.docs, command_table(app));
   return command_prompt(request.run.limits);
 }

@@ -143,13 +143,6 @@ void check_values(Console& console, const RenderJob& job) {
   }
 }
 
-// Makes a text from a file safe to print on a terminal.
-std::string printable(std::string text) {
-  const auto controls = [](unsigned char c) { return std::iscntrl(c) != 0; };
-  std::ranges::replace_if(text, controls, '?');
-  return text;
-}
-
 // Describes a run file, and what can be made of it.
 void tell_of(Console& console, const std::string& run) {
   print_out("{}: {}\n", run, printable(console.evaluate("recording " + quoted(run)).at(0)));

@@ -68,9 +68,12 @@ _hackle() {
 
 constexpr std::string_view bash_tail = R"(  esac
   _hackle_offer -W "$words"
-  case $command in ''|run)
+  case $command in ''|run|check)
     mapfile -t scripts < <(compgen -f -X '!*.lua' -- "${COMP_WORDS[COMP_CWORD]}"
                            compgen -d -- "${COMP_WORDS[COMP_CWORD]}")
+    COMPREPLY+=("${scripts[@]}") ;;
+  render|info|diff|export)
+    mapfile -t scripts < <(compgen -f -- "${COMP_WORDS[COMP_CWORD]}")
     COMPREPLY+=("${scripts[@]}") ;;
   esac
 }

@@ -2,6 +2,7 @@
 #include "app/voice.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <set>
@@ -78,6 +79,12 @@ void tell_files(const std::vector<Summary>& simulations) {
       if (told.insert(file).second) tell_file(file);
   const auto run = std::ranges::find(told, ".h5", &std::filesystem::path::extension);
   if (run != told.end()) say("next: hackle render {}\n", shell_word(run->string()));
+}
+
+std::string printable(std::string text) {
+  const auto controls = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  std::ranges::replace_if(text, controls, '?');
+  return text;
 }
 
 Talk talk(bool quiet) {

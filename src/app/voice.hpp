@@ -27,6 +27,9 @@ void tell_file(const std::filesystem::path& file);
 // with a recording.
 void tell_files(const std::vector<Summary>& simulations);
 
+// Returns a text from a file, safe to print on a terminal: without control characters.
+std::string printable(std::string text);
+
 // Returns how much to report, given the terminal and the user's wish.
 Talk talk(bool quiet);
 

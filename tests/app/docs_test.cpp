@@ -71,7 +71,8 @@ TEST_F(DocsTest, TheManualPageIsWellFormed) {
 TEST_F(DocsTest, CompletionsKnowEveryCommandAndOption) {
   for (const std::string_view shell : shell_names) {
     const std::string text = docs({"--completion", std::string(shell)});
-    for (const char* word : {"run", "bench", "info", "docs", "instructions", "accuracy", "lammps"})
+    for (const char* word :
+         {"run", "bench", "info", "diff", "export", "docs", "instructions", "accuracy", "lammps"})
       EXPECT_THAT(text, HasSubstr(word)) << shell;
   }
 }
@@ -92,12 +93,14 @@ TEST_F(DocsTest, BashCompletes) {
   EXPECT_EQ(offered("ru"), "run\n");
   EXPECT_EQ(offered("run sc"), "scene.lua\n");
   EXPECT_EQ(offered("run --js"), "--json\n");
+  EXPECT_EQ(offered("info sc"), "scene.lua\n");
+  EXPECT_EQ(offered("export --vtk"), "--vtk --vtkhdf\n");
   EXPECT_EQ(offered("bench --peer la"), "lammps\n");
   EXPECT_EQ(offered("docs --completion \"\""), "bash zsh fish\n");
 }
 
 TEST_F(DocsTest, EveryCommandHasHelpAndEveryOptionASentence) {
-  for (const char* command : {"run", "bench", "info", "docs"}) {
+  for (const char* command : {"run", "bench", "info", "diff", "export", "docs"}) {
     const std::string help = program_.run({command, "-h"}).out;
     EXPECT_THAT(help, HasSubstr("Usage: hackle " + std::string(command)));
   }
