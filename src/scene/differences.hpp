@@ -39,6 +39,8 @@ class Differences {
   std::vector<Difference> list() && { return std::move(list_); }
 
  private:
+  static constexpr std::size_t max_paired = 1000;  // entries of a list
+
   static std::string below(const std::string& path, std::string_view name) {
     return fmt::format("{}{}{}", path, path.empty() || name.empty() ? "" : ".", name);
   }
@@ -96,16 +98,42 @@ class Differences {
   template <class T>
   void compare_lists(const std::vector<T>& one, const std::vector<T>& other,
                      const std::string& path, const About& about) {
-    const auto entry = [&](const std::vector<T>& list, std::size_t k) {
-      return k < list.size() ? Wording()(list[k], about) : std::string("none");
-    };
-    for (std::size_t k = 0; k < std::max(one.size(), other.size()); ++k) {
-      const std::string at = fmt::format("{}[{}]", path, k + 1);
-      if (k < one.size() && k < other.size())
-        compare(one[k], other[k], at, about);
+    const std::vector<std::size_t> partners = partners_of(one, other);
+    for (std::size_t k = 0; k < one.size(); ++k)
+      if (partners[k] < other.size())
+        compare(one[k], other[partners[k]], fmt::format("{}[{}]", path, k + 1), about);
       else
-        list_.push_back({at, entry(one, k), entry(other, k)});
+        list_.push_back({fmt::format("{}[{}]", path, k + 1), Wording()(one[k], about), "none"});
+    std::vector<char> is_partner(other.size() + 1, 0);
+    for (const std::size_t partner : partners) is_partner[partner] = 1;
+    for (std::size_t k = 0; k < other.size(); ++k)
+      if (is_partner[k] == 0)
+        list_.push_back({fmt::format("{}[{}]", path, k + 1), "none", Wording()(other[k], about)});
+  }
+
+  // Returns the place in the other list of what each entry is compared with; its size for nothing.
+  // The order of loads does not matter: equal ones are partners wherever they stand, and of the
+  // others first those that act in the same place.
+  template <class T>
+  static std::vector<std::size_t> partners_of(const std::vector<T>& one,
+                                              const std::vector<T>& other) {
+    std::vector<std::size_t> partners(one.size(), other.size());
+    std::vector<char> taken(other.size(), 0);
+    const auto pair_up = [&](const auto& fits) {
+      for (std::size_t k = 0; k < one.size(); ++k)
+        for (std::size_t l = 0; partners[k] == other.size() && l < other.size(); ++l)
+          if (taken[l] == 0 && fits(k, l)) partners[k] = l, taken[l] = 1;
+    };
+    // Every pair is looked at: not in a file that somebody has filled with loads.
+    const bool few = one.size() <= max_paired && other.size() <= max_paired;
+    if constexpr (requires(const T& load) { same_place(load, load); }) {
+      if (few) pair_up([&](std::size_t k, std::size_t l) { return same(one[k], other[l]); });
+      if (few) pair_up([&](std::size_t k, std::size_t l) { return same_place(one[k], other[l]); });
+      if (few) pair_up([](std::size_t, std::size_t) { return true; });
+      if (few) return partners;
     }
+    for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k) partners[k] = k;
+    return partners;
   }
 
   // In more digits where four do not tell them apart. Values that even then read alike, such as

@@ -40,6 +40,20 @@ TEST(Differences, NameTheMemberByItsPathWithItsUnit) {
                           "damping: 0 1/s against 3 1/s"));
 }
 
+TEST(Differences, DoNotMindTheOrderOfLoads) {
+  Plate plate = test::edge_crack(12e6);
+  std::swap(plate.loads.tractions[0], plate.loads.tractions[1]);
+  EXPECT_THAT(texts(test::edge_crack(12e6), plate), ElementsAre());
+  // The traction on the top edge, wherever it stands.
+  plate.loads.tractions[1].stress = Vec2(0.0, 14e6);
+  EXPECT_THAT(texts(test::edge_crack(12e6), plate),
+              ElementsAre("tractions[1].stress: (0 Pa, 12 MPa) against (0 Pa, 14 MPa)"));
+  plate.loads.tractions.erase(plate.loads.tractions.begin());
+  EXPECT_THAT(texts(test::edge_crack(12e6), plate),
+              ElementsAre("tractions[1].stress: (0 Pa, 12 MPa) against (0 Pa, 14 MPa)",
+                          "tractions[2]: edge bottom, stress (0 Pa, -12 MPa) against none"));
+}
+
 TEST(Differences, ShowWhatOnlyOneHas) {
   Plate plate = test::edge_crack(12e6);
   plate.cracks.clear();
