@@ -102,13 +102,14 @@ bool is_being_written(const fs::path& path) {
   }
 }
 
-// Checkpoints beside a run that did not end.
+// Checkpoints that runs keep by themselves, beside one that did not end.
 void offer_checkpoints(FileFacts& facts, const fs::path& run) {
   std::error_code failure;
   const fs::path folder = run.has_parent_path() ? run.parent_path() : fs::path(".");
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure))
-    if (entry.path().extension() == ".ckpt")
+    if (entry.path().extension() == ".ckpt" &&
+        entry.path().stem().extension().string().starts_with(".auto"))
       names.push_back((run.parent_path() / entry.path().filename()).string());
   std::ranges::sort(names);
   for (const std::string& name : names)
@@ -165,7 +166,8 @@ FileFacts facts_of_run_file(const fs::path& path) {
   add_records(facts, run, path);
   add_fields(facts, run.fields);
   if (run.records > 0) offer_views_of(facts, path);
-  if (!run.is_complete) offer_checkpoints(facts, path);
+  if (facts.json["complete"] == false && facts.json["being_written"] == false)
+    offer_checkpoints(facts, path);
   return facts;
 }
 
@@ -208,8 +210,11 @@ FileFacts facts_of_checkpoint(const fs::path& path) {
   const State& state = checkpoint.snapshot.state;
   check_arrays(state, path);
   const double dt = checkpoint.inputs.numerics.step.value_or(0.0);
-  const double time = state.clock.time(state.step, 0.0, dt);
-  const double end = std::max(checkpoint.snapshot.aim.end_time, time);
+  const double of_step = state.clock.time(state.step, 0.0, dt),
+               aim = checkpoint.snapshot.aim.end_time;
+  // A run that has ended between two steps is seen at its end.
+  const double time = aim > of_step - dt ? std::min(aim, of_step) : of_step;
+  const double end = std::max(aim, time);
   FileFacts facts;
   begin(facts, path, "checkpoint");
   facts.json.update({{"steps", state.step},

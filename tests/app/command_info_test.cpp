@@ -43,7 +43,7 @@ TEST_F(FilesOfRuns, SayWhatTheyAreAndHowToGoOn) {
         "spacing 2 mm", "complete: 4 records from 0 s to 3 us", "damage", "hackle render a.h5"})
     EXPECT_THAT(run.out, HasSubstr(text));
   const test::Ended saved = info("a.ckpt");
-  for (const char* text : {"checkpoint       a.ckpt", "step 4", "load \"a.ckpt\""})
+  for (const char* text : {"checkpoint       a.ckpt", "at 3 us, step 4", "load \"a.ckpt\""})
     EXPECT_THAT(saved.out, HasSubstr(text));
   const test::Ended movie = info("a.mp4");
   for (const char* text : {"movie            a.mp4", "a.lua", "of 320 x"})
