@@ -25,9 +25,9 @@ struct LammpsRun {
 // Returns whether `lmp` is on the PATH.
 bool lammps_is_installed();
 
-// Returns the plate of the benchmark for LAMMPS: without the crack, which LAMMPS would need many
-// types of atoms for, and without no-fail zones; at any time nearly all bonds are intact, in its
-// plate and in Hackle's.
+// Returns the plate of the benchmark for LAMMPS: without the crack, so that all atoms are of one
+// type, and without no-fail zones. At any time nearly all bonds are intact, in its plate and in
+// Hackle's.
 LammpsScene bench_scene(const BenchDeck& deck, double alpha);
 
 // Throws Error (run_failed) if the log lacks the line with the time.
