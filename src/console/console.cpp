@@ -10,6 +10,7 @@
 #include "base/files.hpp"
 #include "console/language/checkpoint_binding.hpp"
 #include "console/language/constant_calls.hpp"
+#include "console/language/gauge_binding.hpp"
 #include "console/language/material_binding.hpp"
 #include "console/language/plate_binding.hpp"
 #include "console/language/recording_binding.hpp"
@@ -19,6 +20,7 @@
 #include "console/language/scripted_run.hpp"
 #include "console/language/simulation_binding.hpp"
 #include "console/language/units_binding.hpp"
+#include "console/language/values_binding.hpp"
 #include "console/lua/guard.hpp"
 #include "console/lua/interrupt_hook.hpp"
 #include "console/lua/lua_function.hpp"
@@ -175,6 +177,8 @@ struct Console::Parts {
     open_type(L, type_name<Plate>, plate_type());
     open_type(L, type_name<ScriptedRun>, simulation_type());
     open_type(L, type_name<ScriptedRecording>, recording_type());
+    open_type(L, type_name<ScriptedGauge>, gauge_type());
+    open_type(L, type_name<ScriptedValues>, values_type());
     keep_load_of_lua(L);
     open_functions(L, all_functions());
     open_exit(L);

@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "scene/check_members.hpp"
+#include "scene/load_names.hpp"
 
 namespace hackle {
 namespace {
@@ -54,6 +55,7 @@ void check(const Loads& loads, Problems& problems) {
   }
   for (const Pressure& pressure : loads.pressures)
     check_part(pressure.angles, "pressure", problems);
+  check_load_names(loads, problems);
   check_members(loads, problems);
 }
 

@@ -11,13 +11,13 @@
 #include "base/machine.hpp"
 #include "lattice/check_numerics.hpp"
 #include "solver/bond_energy.hpp"
-#include "solver/bond_visit.hpp"
 #include "solver/cpu/engine.hpp"
 #include "solver/default_step.hpp"
 #include "solver/f32_range.hpp"
 #include "solver/initial_motion.hpp"
 #include "solver/terms/damping.hpp"
 #include "solver/terms/heat.hpp"
+#include "solver/terms/node_force.hpp"
 
 namespace hackle {
 namespace {
@@ -47,14 +47,6 @@ Lattice with_strength(Lattice lattice, std::vector<float> strength) {
   problems.throw_if_any();
   if (!strength.empty()) lattice.strength = std::move(strength);
   return lattice;
-}
-
-// Returns the entry of a node in a list by index, or nullptr.
-template <class Entry>
-const Entry* entry_of(const std::vector<Entry>& list, int i, int j, const Grid& grid) {
-  const auto index = [&](const Entry& entry) { return grid.index(entry.i, entry.j); };
-  const auto found = std::ranges::lower_bound(list, grid.index(i, j), {}, index);
-  return found != list.end() && index(*found) == grid.index(i, j) ? &*found : nullptr;
 }
 
 // The components along which a node is prescribed are those of `prescribed`, the others free.
@@ -209,22 +201,14 @@ std::vector<Vec2> MovingPlate::velocities() const {
 
 Vec2 MovingPlate::velocity(int i, int j) const {
   const Vec2 free = caught_up(state_.v(i, j), acceleration(i, j));
-  const PrescribedNode* node = entry_of(terms_.actions().prescribed, i, j, lattice_.grid);
+  const auto* node = entry_of<PrescribedNode>(terms_.actions().prescribed, i, j, lattice_.grid);
   return node == nullptr ? free : led(*node, grid_speed() * state_.v(i, j), free);
 }
 
-// Of one node, in lattice units: by its bonds (src/solver/README.md 2.2) and by what else acts.
+// Of one node, in lattice units: by its bonds and by what else acts.
 Vec2 MovingPlate::acceleration(int i, int j) const {
-  if (lattice_.is_void(i, j)) return {0, 0};
-  const double rho = lattice_.material_at(i, j).material.rho;
-  const std::size_t own = lattice_.grid.index(i, j);
-  Vec2 sum(0, 0);
-  visit_bonds_of(i, j, lattice_, state_, thermal_strain(), [&](const VisitedBond& bond) {
-    const double K = bond.c * bond.weight * lattice_.grid.dx * dt_ * dt_ / (rho * bond.length);
-    const Vec2 pull = K * bond.s / (1.0 + bond.s) * (bond.xi + bond.h);
-    sum += bond.one == own ? pull : Vec2(-pull);
-  });
-  const LoadedNode* load = entry_of(terms_.actions().forces, i, j, lattice_.grid);
+  Vec2 sum = pull_of_bonds(lattice_, state_, thermal_strain(), dt_, i, j);
+  const auto* load = entry_of<LoadedNode>(terms_.actions().forces, i, j, lattice_.grid);
   if (load != nullptr) sum += dt_ * dt_ / lattice_.grid.dx * load->acceleration;
   return sum;
 }

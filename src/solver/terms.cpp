@@ -127,6 +127,10 @@ Ledger Terms::ledger(const Surroundings& around, const State& state) const {
 std::vector<Reaction> Terms::reactions(const Surroundings& around, const State& state) const {
   std::vector<Reaction> list;
   for (const Cloned<Term>& term : list_) term->add_reactions(around, state, list);
+  const auto is_body = [](const Reaction& one) {
+    return one.who != "support" && one.who != "foundation";
+  };
+  std::ranges::stable_partition(list, is_body);
   return list;
 }
 

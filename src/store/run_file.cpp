@@ -18,6 +18,7 @@
 #include "store/hdf5.hpp"
 #include "store/inputs.hpp"
 #include "store/lattice_hash.hpp"
+#include "store/run_series.hpp"
 #include "store/xdmf.hpp"
 
 namespace hackle {
@@ -251,6 +252,10 @@ void RunFile::add(const Simulation& simulation) {
   parts_->times.push_back(time);
   const auto records = static_cast<double>(parts_->times.size());
   if (records >= sidecar_growth * static_cast<double>(parts_->in_sidecar)) parts_->write_sidecar();
+}
+
+void RunFile::add(std::span<const SeriesTable> tables) {
+  write_series(parts_->file, tables);
 }
 
 void RunFile::finish() {

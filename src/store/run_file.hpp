@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "base/origin.hpp"
 #include "solver/simulation.hpp"
+#include "store/series_file.hpp"
 
 namespace hackle {
 
@@ -24,6 +26,7 @@ namespace hackle {
 //   /records/0/00000/discs          K x 5  f64       of K impactors, if there are any
 //   /records/0/00000/rollers        K x 5  f64       likewise
 //   /records/0/00000/platens        K x 6  f64       likewise
+//   /series/NAME/HEADING            rows   f64       tables of s:log, at the end of the run
 //   /script, /inputs                text             the script; plate and numerics in JSON
 // Every dataset has `long_name` and, if it holds numbers, `units`. The root has format_version,
 // software, version, git_hash, compiler, created (UTC), script_name, lattice_hash (see
@@ -51,6 +54,8 @@ class RunFile {
   // Appends the present state. Throws Error (files), e.g. on a full disk: committed records stay
   // valid. Throws Error (run_failed) if a value is not a finite float.
   void add(const Simulation& simulation);
+  // Adds the tables of the run; call it at most once, before finish(). See write_series().
+  void add(std::span<const SeriesTable> tables);
   // Closes the file and completes the sidecar. Call it only once.
   void finish();
 

@@ -37,13 +37,14 @@ p:traction { edge = "bottom", stress = {0, -12*MPa} }
 s = simulate(p, { spacing = 2*mm })
 )";
 
-// Recording r of that simulation, with two records; a new s like the first.
+// Recording r of that simulation, with two records; a new s like the first, and its values v.
 inline const std::string recorded = R"(
 s:record { "r.h5", every = 1*us }
 s:run(1*us)
 s:close()
 r = recording "r.h5"
 s = simulate(p, { spacing = 2*mm })
+v = s:values("damage")
 )";
 
 // Opens the same recording again in the folder that holds it.

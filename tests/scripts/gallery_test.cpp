@@ -2,6 +2,8 @@
 // What the pictures of the gallery must show.
 #include <regex>
 
+#include <fmt/format.h>
+
 #include "scripts/watched_script.hpp"
 
 namespace hackle {
@@ -70,6 +72,16 @@ TEST(Gallery, OwnPictureBreaksFromItsCusp) {
             14 * mm);
   EXPECT_GT(script("runs[1].s:cracks { from = {35*mm, 12*mm}, to = {50*mm, 40*mm} }.right"),
             42 * mm);
+}
+
+// The bar holds until the crack starts; then nothing bears the grip.
+TEST(Gallery, TheBarBearsALoadUntilItsCrackStarts) {
+  test::WatchedScript script("gallery/load_displacement.lua");
+  EXPECT_EQ(script("#runs"), 2);
+  for (const char* run : {"runs[1]", "runs[2]"}) {
+    EXPECT_GT(script(fmt::format("{}.s.damage.broken_bonds", run)), 200) << run;
+    EXPECT_GT(script(fmt::format("{}.s:reaction('grip').uy", run)), 0.3 * mm) << run;
+  }
 }
 
 // On lattices this coarse the soft rim counts for up to 15 %; see specimens_test.cpp.

@@ -20,7 +20,8 @@ inline constexpr Option axis_option{.name = "axis",
 
 inline constexpr auto body_force_options = joined(options_of<BodyForce>, region_options);
 
-inline constexpr auto clamp_options = joined(std::array{axis_option}, region_options);
+inline constexpr auto clamp_options = joined(
+    std::array{axis_option, option_of<std::string>("name", about_load_name)}, region_options);
 
 inline constexpr auto move_options = joined(
     joined(without("along_x", without("along_y", options_of<Support>)), std::array{axis_option}),

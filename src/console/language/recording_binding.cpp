@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/units.hpp"
 #include "console/language/background_binding.hpp"
+#include "console/language/gauge_binding.hpp"
 #include "console/language/recording_docs.hpp"
 #include "console/language/scripted_recording.hpp"
+#include "console/language/series_binding.hpp"
+#include "console/language/values_binding.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
 #include "console/session.hpp"
@@ -148,8 +152,16 @@ int push_script(lua_State* L) {
   return 1;
 }
 
-constexpr std::array methods{Function{&recorded_frame_doc, guarded<frame>},
-                             Function{&recorded_movie_doc, guarded<movie>}};
+constexpr std::array own_methods{Function{&recorded_frame_doc, guarded<frame>},
+                                 Function{&recorded_movie_doc, guarded<movie>}};
+
+std::vector<Function> all_methods_of_recording() {
+  std::vector<Function> all(own_methods.begin(), own_methods.end());
+  for (const std::span<const Function> part :
+       {recorded_series_methods(), recorded_gauge_methods(), recorded_values_methods()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
 
 constexpr std::array recording_fields{
     Property{"times", "s", "Times of the records, a list.", push_times},
@@ -174,12 +186,13 @@ Tiles tiles_of(Arguments& arguments, const char* who) {
 }
 
 const TypeDoc& recording_type() {
-  static constexpr TypeDoc type{.name = "recording",
-                                .sentence = "A recorded run, for pictures and movies.",
-                                .methods = methods,
-                                .fields = recording_fields,
-                                .to_text = guarded<recording_to_text>,
-                                .destroy = destroy_object<ScriptedRecording>};
+  static const std::vector<Function> methods = all_methods_of_recording();
+  static const TypeDoc type{.name = "recording",
+                            .sentence = "A recorded run, for pictures, movies and tables.",
+                            .methods = methods,
+                            .fields = recording_fields,
+                            .to_text = guarded<recording_to_text>,
+                            .destroy = destroy_object<ScriptedRecording>};
   return type;
 }
 

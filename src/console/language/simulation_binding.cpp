@@ -16,14 +16,18 @@
 #include "base/units.hpp"
 #include "console/language/background_binding.hpp"
 #include "console/language/checkpoint_binding.hpp"
+#include "console/language/gauge_binding.hpp"
 #include "console/language/load_binding.hpp"
 #include "console/language/measure_binding.hpp"
+#include "console/language/reaction_binding.hpp"
 #include "console/language/relax_binding.hpp"
 #include "console/language/scripted_plate.hpp"
 #include "console/language/scripted_run.hpp"
+#include "console/language/series_binding.hpp"
 #include "console/language/show_binding.hpp"
 #include "console/language/simulation_docs.hpp"
 #include "console/language/steering_binding.hpp"
+#include "console/language/values_binding.hpp"
 #include "console/lua/description.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
@@ -262,8 +266,6 @@ int push_hash(lua_State* L) {
 
 constexpr auto energy_keys = std::to_array<std::string_view>(
     {"kinetic", "strain", "broken", "damped", "released", "contact", "external", "residual"});
-constexpr auto reaction_keys =
-    std::to_array<std::string_view>({"body", "number", "x", "y", "fx", "fy"});
 constexpr auto damage_keys = std::to_array<std::string_view>({"broken_bonds", "most"});
 
 int push_energy(lua_State* L) {
@@ -278,25 +280,6 @@ int push_energy(lua_State* L) {
   set_number(L, "contact", ledger.contact);
   set_number(L, "external", ledger.external);
   set_number(L, "residual", ledger.residual());
-  return 1;
-}
-
-int push_reactions(lua_State* L) {
-  const std::vector<Reaction> reactions = results_of(L).reactions();
-  lua_createtable(L, static_cast<int>(reactions.size()), 0);
-  lua_Integer place = 0;
-  for (const auto& [who, number, centre, force] : reactions) {
-    lua_createtable(L, 0, reaction_keys.size());
-    close_names(L, "s.reactions", reaction_keys);
-    push_text(L, std::string(who));
-    lua_setfield(L, -2, "body");
-    set_integer(L, "number", number);
-    set_number(L, "x", centre.x());
-    set_number(L, "y", centre.y());
-    set_number(L, "fx", force.x());
-    set_number(L, "fy", force.y());
-    lua_rawseti(L, -2, ++place);
-  }
   return 1;
 }
 
@@ -332,11 +315,10 @@ constexpr std::array simulation_fields{
              push_energy, energy_keys},
     Property{"damage", "", "Table: broken_bonds since the start, and the largest damage of a node.",
              push_damage, damage_keys},
-    Property{
-        "reactions", "N/m",
-        "List of impactors, rollers and platens: body, number, its centre x and y (m), and the "
-        "force of the plate on it, fx and fy per metre of thickness.",
-        push_reactions},
+    Property{"reactions", "N/m",
+             "List of impactors, rollers, platens, supports and foundations, as s:reaction returns "
+             "one.",
+             push_reactions},
     Property{"hash", "", "Hash of the state; equal only if every bit is.", push_hash},
 };
 
@@ -346,7 +328,8 @@ std::vector<Function> all_methods_of_simulation() {
   for (const std::span<const Function> part :
        {std::span<const Function>(own_methods_of_simulation), load_methods_of_simulation(),
         relax_methods(), measure_methods(), steering_methods(), checkpoint_methods(),
-        background_methods(), show_methods()})
+        background_methods(), show_methods(), reaction_methods(), series_methods(), gauge_methods(),
+        values_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -14,6 +14,7 @@
 #include "console/reference/specimen_list.hpp"
 #include "console/reference/vocabulary.hpp"
 #include "console/schema/option_row.hpp"
+#include "measure/quantity.hpp"
 #include "measure/scalar.hpp"
 
 namespace hackle {
@@ -113,7 +114,8 @@ std::string page_of_function(std::string_view name) {
   }
   if (first == nullptr) return "";
   std::string text = reference_of(*first);
-  if (!others.empty()) text += line_of("between two runs", comma_text(others));
+  if (!others.empty())
+    text += line_of(first->owner == "p" ? "between two runs" : "also", comma_text(others));
   return text + takers_line(name);
 }
 
@@ -190,6 +192,7 @@ std::string page_of_list(std::string_view name) {
   if (name == "specimens") return list_of_specimens(reference_width);
   if (name == "functions") return list_of_functions();
   if (name == "fields") return list_of_fields();
+  if (name == "columns") return list_of_columns();
   return name == "units" ? list_of_units() : "";
 }
 
@@ -251,6 +254,32 @@ std::string list_of_fields() {
   return text;
 }
 
+// Returns a line for each of a kind of column.
+template <class Quantities>
+std::string lines_of_columns(const Quantities& quantities, std::size_t column) {
+  std::string text;
+  for (const auto& one : quantities) {
+    const std::string unit = one.unit.empty() ? "" : fmt::format("[{}] ", one.unit);
+    text += entry(one.name, column, unit + std::string(one.sentence));
+  }
+  return text;
+}
+
+std::string list_of_columns() {
+  constexpr std::size_t column = 12;
+  std::string text =
+      hanging(
+          "Used as in s:log { \"run.csv\", every = 1*us, \"external\", \"tip.x\" }; the first "
+          "column is always the time. In the file a column is named with its unit: tip_x_m.",
+          0, reference_width) +
+      "\n\n" + lines_of_columns(quantities(), column) +
+      "\nOf a load, by its name or its kind and number, as in \"grip.fx\", \"roller1.uy\":\n" +
+      lines_of_columns(load_quantities(), column) + "\nOf a field, as in \"max.stress_1\":\n" +
+      lines_of_columns(field_quantities(), column);
+  text.pop_back();
+  return text;
+}
+
 std::string reference_of(const FunctionDoc& doc) {
   std::vector<OptionRow> rows;
   for (const Option& option : doc.options) rows.push_back(row_of(option));
@@ -286,8 +315,8 @@ std::string reference_of(std::string_view name) {
 }
 
 std::vector<std::string> topics() {
-  std::set<std::string_view> names{"functions", "units",     "materials", "fields",
-                                   "order",     "specimens", "times"};
+  std::set<std::string_view> names{"functions", "units", "materials", "fields",
+                                   "columns",   "order", "specimens", "times"};
   for (const FunctionDoc* doc : all_docs()) {
     names.insert(doc->name);
     for (const Option& option : doc->options) names.insert(option.name);

@@ -13,6 +13,7 @@
 #include "console/reference/tour.hpp"
 #include "console/reference/vocabulary.hpp"
 #include "console/schema/option_row.hpp"
+#include "measure/quantity.hpp"
 #include "measure/scalar.hpp"
 
 namespace hackle {
@@ -76,6 +77,23 @@ std::string scalar_table() {
   return text + "\n";
 }
 
+template <class Quantities>
+void add_columns(std::string& text, std::string_view before, const Quantities& quantities) {
+  for (const auto& one : quantities)
+    text += fmt::format("| {} | {} | {} |\n", markdown_code(fmt::format("{}{}", before, one.name)),
+                        markdown(one.unit), markdown(one.sentence));
+}
+
+std::string column_table() {
+  std::string text = "## Columns of tables\n\n| column | unit | |\n|---|---|---|\n";
+  add_columns(text, "", quantities());
+  add_columns(text, "LOAD.", load_quantities());
+  for (const PartQuantity& one : field_quantities())
+    text += fmt::format("| {} | | {} |\n", markdown_code(fmt::format("{}.FIELD", one.name)),
+                        markdown(one.sentence));
+  return text + "\n";
+}
+
 std::string material_table() {
   const Materials materials(data_file("assets/materials.lua"));
   std::string text = "## Materials\n\n| name | | source |\n|---|---|---|\n";
@@ -109,7 +127,7 @@ std::string markdown_reference() {
   std::string text = "## Functions\n\n";
   for (const Function& function : all_functions()) text += function_section(*function.doc);
   for (const TypeDoc* type : all_types()) text += type_section(*type);
-  return text + scalar_table() + unit_table() + material_table();
+  return text + scalar_table() + column_table() + unit_table() + material_table();
 }
 
 std::string roff_reference() {
@@ -119,6 +137,9 @@ std::string roff_reference() {
   std::string text = ".SH SCENE LANGUAGE\nLua 5.4, all numbers in SI units.\n" +
                      roff_example(first) + ".SS Functions\n" + roff_functions(all_functions());
   for (const TypeDoc* type : all_types()) text += roff_type(*type);
+  text += ".SS Columns of tables\n";
+  for (const Quantity& one : quantities())
+    text += fmt::format(".TP\n{}\n{}\n", roff_code(one.name), roff(one.sentence));
   text += ".SS Fields of pictures\n";
   for (const Scalar& scalar : scalars())
     text += fmt::format(".TP\n{}\n{}\n", roff_code(scalar.name), roff(scalar.sentence));

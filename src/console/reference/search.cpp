@@ -12,6 +12,7 @@
 #include "base/units.hpp"
 #include "console/reference/reference.hpp"
 #include "console/reference/vocabulary.hpp"
+#include "measure/quantity.hpp"
 #include "measure/scalar.hpp"
 
 namespace hackle {
@@ -117,6 +118,8 @@ std::vector<Entry> entries() {
       add(fmt::format("{} (option)", option.name), option.name, option.sentence);
   for (const Scalar& scalar : scalars())
     add(fmt::format("{} (field)", scalar.name), scalar.name, scalar.sentence);
+  for (const Quantity& one : quantities())
+    add(fmt::format("{} (column)", one.name), one.name, one.sentence);
   return all;
 }
 

@@ -33,6 +33,10 @@ constexpr auto groups = std::to_array<std::string_view>({
     "contact_sheet side_by_side recording frame",
     "close movie record",
     "cracks fragments at report",
+    "log record report on",
+    "gauge read at values log",
+    "values at max min mean save frame",
+    "reaction clamp move roller platen log",
     "options help",
 });
 

@@ -6,6 +6,7 @@
 #include "console/language/background_binding.hpp"
 #include "console/language/checkpoint_binding.hpp"
 #include "console/language/contact_sheet_binding.hpp"
+#include "console/language/gauge_binding.hpp"
 #include "console/language/help_binding.hpp"
 #include "console/language/load_binding.hpp"
 #include "console/language/material_binding.hpp"
@@ -14,11 +15,13 @@
 #include "console/language/recording_binding.hpp"
 #include "console/language/show_binding.hpp"
 #include "console/language/simulation_binding.hpp"
+#include "console/language/values_binding.hpp"
 
 namespace hackle {
 
 std::vector<const TypeDoc*> all_types() {
-  return {&material_type(), &plate_type(), &simulation_type(), &recording_type()};
+  return {&material_type(),  &plate_type(), &simulation_type(),
+          &recording_type(), &gauge_type(), &values_type()};
 }
 
 std::vector<Function> all_functions() {
@@ -26,7 +29,7 @@ std::vector<Function> all_functions() {
   for (const auto functions :
        {material_functions(), plate_functions(), amplitude_functions(), simulation_functions(),
         background_functions(), show_functions(), checkpoint_functions(), recording_functions(),
-        contact_sheet_functions(), options_functions(), help_functions()})
+        contact_sheet_functions(), gauge_functions(), options_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());
   return list;
 }

@@ -71,7 +71,11 @@ void Arguments::read_table(lua_State* L, int index) {
   }
   const Option* positional = find_positional(*doc_);
   if (positional != nullptr) read_positional(L, index, *positional);
-  report_others(L, index, positional != nullptr);
+  const auto rest = std::ranges::find(doc_->options, true, &Option::rest);
+  if (rest != doc_->options.end()) read_rest(L, index, *rest);
+  const bool has_rest = rest != doc_->options.end();
+  const auto listed = static_cast<lua_Integer>(lua_rawlen(L, index));
+  report_others(L, index, has_rest ? listed : positional != nullptr ? 1 : 0);
 }
 
 void Arguments::read_positional(lua_State* L, int index, const Option& option) {
@@ -84,13 +88,31 @@ void Arguments::read_positional(lua_State* L, int index, const Option& option) {
   lua_pop(L, 1);
 }
 
-void Arguments::report_others(lua_State* L, int index, bool first_is_known) {
+// Takes the entries from [2] on as a list.
+void Arguments::read_rest(lua_State* L, int index, const Option& option) {
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
+  if (count < 2) return;
+  if (has(option.name) || at(option.name).bad) {
+    problems.add(fmt::format("{}: {} is given twice", doc_->name, option.name));
+    return;
+  }
+  lua_createtable(L, static_cast<int>(std::min<lua_Integer>(count, 1 << 16)), 0);
+  for (lua_Integer k = 2; k <= count; ++k) {
+    lua_rawgeti(L, index, k);
+    lua_rawseti(L, -2, k - 1);
+  }
+  take(L, lua_gettop(L), option);
+  lua_pop(L, 1);
+}
+
+// Entries without a name are known up to [known].
+void Arguments::report_others(lua_State* L, int index, lua_Integer known) {
   std::set<std::string> unknown, nameless;
   for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
     const bool named = lua_type(L, -2) == LUA_TSTRING;
-    const bool first = lua_isinteger(L, -2) && lua_tointeger(L, -2) == 1;
+    const lua_Integer place = lua_isinteger(L, -2) ? lua_tointeger(L, -2) : 0;
     if (named && find_option(*doc_, text_at(L, -2)) == nullptr) unknown.emplace(text_at(L, -2));
-    if (!named && !(first && first_is_known)) nameless.insert(description(L, -1));
+    if (!named && !(place >= 1 && place <= known)) nameless.insert(description(L, -1));
   }
   for (const std::string& name : unknown) unknown_name(name);
   for (const std::string& value : nameless)

@@ -82,7 +82,8 @@ class Arguments {
 
   void read_table(lua_State* L, int index);
   void read_positional(lua_State* L, int index, const Option& option);
-  void report_others(lua_State* L, int index, bool first_is_known);
+  void read_rest(lua_State* L, int index, const Option& option);
+  void report_others(lua_State* L, int index, lua_Integer known);
   void report_more(lua_State* L, int index);  // a value there or beyond
   void take(lua_State* L, int index, const Option& option);
   void require_all();

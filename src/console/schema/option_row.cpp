@@ -38,6 +38,8 @@ std::string_view type_word(OptionType type) {
       return "list of numbers";
     case OptionType::recordings:
       return "list of recordings";
+    case OptionType::columns:
+      return "columns";
     case OptionType::choice:
       return "choice";
     case OptionType::material:

@@ -64,6 +64,8 @@ std::string expectation(const Option& option) {
       return fmt::format("a list of {} or more numbers{}", option.range.min, in_unit);
     case OptionType::recordings:
       return fmt::format("a list of {} or more of what recording returns", option.range.min);
+    case OptionType::columns:
+      return "names of columns, functions of the simulation, gauges, or {name = function}";
     case OptionType::choice:
       return "one of " + comma_list(option.choices);
     case OptionType::material:

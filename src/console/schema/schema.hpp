@@ -29,6 +29,7 @@ enum class OptionType {
   markers,       // a list of {x, y, "label"}; range of its length
   numbers,       // a list of finite numbers; range of its length
   recordings,    // a list of values of recording{...}; range of its length
+  columns,       // a list of names, functions and gauges; range of its length
   choice,        // one of `choices`
   material,      // its name, or a value of material{...}
   areas,         // {centre = ..., radius = ...}, the options of a shape, or a list of such
@@ -45,12 +46,13 @@ using ValueReader = std::any (*)(const GivenValue& given);
 struct Option {
   std::string_view name;
   OptionType type = OptionType::number;
-  ValueReader read = nullptr;  // beside its binding; markers, recordings, material, areas need one
+  ValueReader read = nullptr;  // beside its binding; what one noun knows needs one
   std::string_view unit{};     // "" for none
   Range range{};
   bool required = false;
   std::string_view unless{};    // an option that makes this one unnecessary
   bool positional = false;      // may be given as [1], without its name
+  bool rest = false;            // may be given as [2], [3], ..., without its name
   std::string_view fallback{};  // default as told to the user
   std::span<const std::string_view> choices{};
   bool alternative = false;  // the user gives one of several alternatives; its function checks this

@@ -38,13 +38,14 @@ std::vector<std::string_view> movie_endings() {
   return endings;
 }
 
-const std::array<Endings, 5>& all_endings() {
-  static const std::array<Endings, 5> all{
+const std::array<Endings, 6>& all_endings() {
+  static const std::array<Endings, 6> all{
       Endings{FileKind::movie, "movie", "movie", movie_endings()},
       Endings{FileKind::run_file, "run file", "record", {".h5", ".hdf5"}},
       Endings{FileKind::checkpoint, "checkpoint", "save", {".ckpt"}},
       Endings{FileKind::picture, "picture", "frame", {".png", ".pdf", ".svg"}},
-      Endings{FileKind::script, "script", "script", {".lua"}}};
+      Endings{FileKind::script, "script", "script", {".lua"}},
+      Endings{FileKind::table, "table", "log", {".csv"}}};
   return all;
 }
 
@@ -94,6 +95,7 @@ std::vector<fs::path> companions(const fs::path& path, FileKind kind) {
     case FileKind::picture:
     case FileKind::script:
       return {partial_name(path)};
+    case FileKind::table:
     case FileKind::text:
       break;
   }
@@ -171,7 +173,8 @@ bool OutputNames::may_replace(const Claim& claim, const Claim& former) const {
   if (claim.kind != former.kind || !common(claim.own, former.own)) return false;
   // What a script saves is not what a run keeps and removes by itself.
   if (claim.kind == FileKind::checkpoint && claim.who != former.who) return false;
-  const bool at_once = claim.kind != FileKind::movie && claim.kind != FileKind::run_file;
+  const bool at_once = claim.kind != FileKind::movie && claim.kind != FileKind::run_file &&
+                       claim.kind != FileKind::table;
   return at_once || (replaces_complete && former.is_complete);
 }
 

@@ -11,7 +11,7 @@
 
 namespace hackle {
 
-enum class FileKind { movie, run_file, checkpoint, picture, script, text };
+enum class FileKind { movie, run_file, checkpoint, picture, script, table, text };
 
 // Throws Error (refused) unless the name has an extension of its kind; the message lists them with
 // the nearest; `who` names the calling function. A text may have any extension.

@@ -60,6 +60,7 @@ void RecordOutput::close() {
   if (failed_ || complete_ || !file_) return;
   const Stopwatch watch(store_seconds_);
   failed_ = true;
+  if (tables_) file_->add(tables_());
   file_->finish();
   lock_.reset();
   failed_ = false;

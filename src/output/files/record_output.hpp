@@ -2,7 +2,10 @@
 // A run file, written between steps. It may be read while it is written.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "base/file_lock.hpp"
 #include "base/progress.hpp"
@@ -19,6 +22,11 @@ class RecordOutput : public Output {
                const Simulation& simulation, Origin origin, Talk talk,
                std::shared_ptr<const OutputNames> names);
 
+  // Sets who tells the tables of the run when the file is completed.
+  void take_tables(std::function<std::vector<SeriesTable>()> tables) {
+    tables_ = std::move(tables);
+  }
+
   void reserve() override;
   void close() override;
   Expected expected(double until, std::int64_t max_looks) const override;
@@ -32,6 +40,7 @@ class RecordOutput : public Output {
   Origin origin_;
   Talk talk_;
   std::shared_ptr<const OutputNames> names_;
+  std::function<std::vector<SeriesTable>()> tables_;
   std::unique_ptr<HeldFile> lock_;  // from reserve() to close()
   std::unique_ptr<RunFile> file_;   // created with the first record
   bool failed_ = false;

@@ -55,7 +55,7 @@ class ScheduledObserver : public Observer {
  public:
   explicit ScheduledObserver(Schedule schedule) : schedule_(std::move(schedule)) {}
 
-  std::int64_t next_due(const Simulation& simulation) final {
+  std::int64_t next_due(const Simulation& simulation) override {
     return schedule_.next_due(simulation);
   }
   bool due(const Simulation& simulation) override { return schedule_.reached(simulation); }

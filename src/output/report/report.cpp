@@ -61,13 +61,23 @@ std::string damage_line(const Summary& summary) {
                      grouped(summary.damage.broken_bonds), summary.damage.max);
 }
 
-// Returns "\n  bodies   ..." with the force of the plate on each rigid body, or "".
-std::string bodies_line(const std::vector<Reaction>& reactions) {
+// Returns "roller 1", or "support 1 (grip)".
+std::string spoken_name(const Reaction& one) {
+  const std::string plain = fmt::format("{} {}", one.who, one.number);
+  return one.name == fmt::format("{}{}", one.who, one.number)
+             ? plain
+             : fmt::format("{} ({})", plain, one.name);
+}
+
+// Returns "\n  forces   ..." with the force of the plate on each body, support and foundation, or
+// "".
+std::string reactions_line(const std::vector<Reaction>& reactions) {
   std::string line;
-  for (const auto& [who, number, centre, force] : reactions)
-    line += fmt::format("{}{} {} at ({}, {}) bears ({:.4g}, {:.4g}) N/m",
-                        line.empty() ? "\n  bodies   " : "; ", who, number,
-                        quantity(centre.x(), "m"), quantity(centre.y(), "m"), force.x(), force.y());
+  for (const Reaction& one : reactions)
+    line += fmt::format("{}{} at ({}, {}) bears ({:.4g}, {:.4g}) N/m, moment {:.4g} N",
+                        line.empty() ? "\n  forces   " : "; ", spoken_name(one),
+                        quantity(one.centre.x(), "m"), quantity(one.centre.y(), "m"), one.force.x(),
+                        one.force.y(), one.moment);
   return line;
 }
 
@@ -117,7 +127,7 @@ std::string report(const Simulation& simulation, const Summary& summary) {
       "{}\n  wall     {}\n  state    {}",
       describe(simulation.plate()), lattice_line(simulation, summary), model_line(simulation),
       time_line(summary), damage_line(summary), energy_line(summary.energy),
-      bodies_line(summary.reactions), describe_features(simulation), tiles_line(summary),
+      reactions_line(summary.reactions), describe_features(simulation), tiles_line(summary),
       wall_line(simulation, summary), summary.hash);
 }
 

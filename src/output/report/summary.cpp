@@ -31,11 +31,14 @@ nlohmann::ordered_json to_json(const std::vector<Stage>& stages) {
 
 nlohmann::ordered_json to_json(const std::vector<Reaction>& reactions) {
   auto json = nlohmann::ordered_json::array();
-  for (const auto& [who, number, centre, force] : reactions)
-    json.push_back({{"body", who},
-                    {"number", number},
-                    {"centre_m", {centre.x(), centre.y()}},
-                    {"force_N_per_m", {force.x(), force.y()}}});
+  for (const Reaction& one : reactions)
+    json.push_back({{"name", one.name},
+                    {"body", one.who},
+                    {"number", one.number},
+                    {"centre_m", {one.centre.x(), one.centre.y()}},
+                    {"force_N_per_m", {one.force.x(), one.force.y()}},
+                    {"moment_N", one.moment},
+                    {"moved_m", {one.moved.x(), one.moved.y()}}});
   return json;
 }
 

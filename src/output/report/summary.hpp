@@ -43,7 +43,7 @@ struct Summary {
   StageSeconds wall;
   Energy energy;  // J/m
   DamageCount damage;
-  std::vector<Reaction> reactions;           // of impactors, rollers and platens
+  std::vector<Reaction> reactions;           // of bodies, supports and foundations
   std::uint64_t peak_rss = 0;                // bytes, of the process
   std::string hash;                          // of the state
   std::vector<std::filesystem::path> files;  // complete files written

@@ -18,6 +18,7 @@
 #include "output/files/outputs.hpp"
 #include "output/files/picture_files.hpp"
 #include "output/files/record_output.hpp"
+#include "output/files/series_output.hpp"
 #include "output/picture/chart_data.hpp"
 #include "output/picture/painting.hpp"
 #include "output/report/notes.hpp"
@@ -34,6 +35,17 @@ bool same_lattice(const Lattice& one, const Lattice& other) {
   return one.grid.layout() == other.grid.layout() && one.grid.dx == other.grid.dx &&
          one.bonds == other.bonds && one.initial_neighbours == other.initial_neighbours &&
          one.material == other.material && one.strength == other.strength;
+}
+
+// Tables that cannot be read back are left out: they say so themselves when they are completed.
+std::vector<SeriesTable> tables_of(const std::vector<SeriesOutput*>& series) {
+  std::vector<SeriesTable> tables;
+  for (SeriesOutput* one : series) try {
+      if (auto table = one->table()) tables.push_back(std::move(*table));
+    } catch (const Error&) {
+      continue;
+    }
+  return tables;
 }
 
 }  // namespace
@@ -65,7 +77,8 @@ struct Run::Parts {
   Simulation simulation;
   double setup_seconds = 0.0;
   Outputs outputs{default_output_limit};
-  PictureFiles pictures;  // of frame()
+  std::vector<SeriesOutput*> series;  // among the outputs
+  PictureFiles pictures;              // of frame()
   std::vector<fs::path> saved;
   RunLoop loop;
   Notes notes{talk};
@@ -115,7 +128,20 @@ void Run::record(const fs::path& path, const RecordOptions& options) {
   auto output = std::make_unique<RecordOutput>(path, options, parts_->simulation, parts_->origin,
                                                parts_->talk, parts_->outputs.names());
   const std::string remark = output->remark();
+  output->take_tables([parts = parts_.get()] { return tables_of(parts->series); });
   parts_->outputs.add("record", path, FileKind::run_file, std::move(output));
+  parts_->notes.add(remark);
+}
+
+void Run::log(const fs::path& path, const SeriesOptions& options, std::vector<Column> columns) {
+  parts_->loop.refuse_while_running();
+  check_ending("log", path, FileKind::table);
+  auto output =
+      std::make_unique<SeriesOutput>(path, options, std::move(columns), parts_->simulation);
+  SeriesOutput* const series = output.get();
+  const std::string remark = output->remark();
+  parts_->outputs.add("log", path, FileKind::table, std::move(output));
+  parts_->series.push_back(series);
   parts_->notes.add(remark);
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/origin.hpp"
 #include "base/progress.hpp"
@@ -17,6 +18,7 @@ namespace hackle {
 class Observer;
 class OutputNames;
 class Simulation;
+struct Column;
 struct Execution;
 struct Loads;
 struct MovieOptions;
@@ -27,6 +29,7 @@ struct QuasistaticResult;
 struct RecordOptions;
 struct Rehearsal;
 struct RelaxResult;
+struct SeriesOptions;
 struct Summary;
 
 inline constexpr double default_output_limit = 20e9;  // bytes
@@ -45,6 +48,8 @@ class Run {
   // movie. Returns the path, or the one with the extension of the fallback.
   std::filesystem::path movie(const std::filesystem::path& path, const MovieOptions& options);
   void record(const std::filesystem::path& path, const RecordOptions& options);
+  void log(const std::filesystem::path& path, const SeriesOptions& options,
+           std::vector<Column> columns);
   // Writes a PNG of the present state.
   void frame(const std::filesystem::path& path, const PictureOptions& options);
 

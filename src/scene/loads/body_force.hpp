@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
+#include "scene/loads/load_name.hpp"
 #include "scene/shape.hpp"
 
 namespace hackle {
@@ -12,6 +15,7 @@ struct BodyForce {
   Region region;
   VectorField force;  // N/m3
   Amplitude amplitude;
+  std::string name;  // "" for none
 };
 
 template <>
@@ -21,7 +25,8 @@ inline constexpr auto description_of<BodyForce> =
                          {.unit = "N/m3",
                           .required = true,
                           .sentence = "Force per volume; positive right and up."}),
-                  member("time", &BodyForce::amplitude, about_amplitude));
+                  member("time", &BodyForce::amplitude, about_amplitude),
+                  member("name", &BodyForce::name, about_load_name));
 
 inline bool same_place(const BodyForce& one, const BodyForce& other) {
   return one.region == other.region;

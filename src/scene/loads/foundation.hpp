@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
+#include "scene/loads/load_name.hpp"
 #include "scene/shape.hpp"
 
 namespace hackle {
@@ -13,6 +16,7 @@ struct Foundation {
   Region region;
   double stiffness = 0.0;  // N/m4: N/m3 per m
   Along along = Along::both;
+  std::string name;  // "" for none
 
   double along_x() const { return along == Along::y ? 0.0 : stiffness; }
   double along_y() const { return along == Along::x ? 0.0 : stiffness; }
@@ -31,7 +35,8 @@ inline constexpr auto description_of<Foundation> = describe_noun(
             .required = true,
             .sentence = "Force per volume and displacement, N/m3 per m."}),
     member("along", &Foundation::along,
-           {.fallback = "both", .sentence = "Along which axis it pulls; the other stays free."}));
+           {.fallback = "both", .sentence = "Along which axis it pulls; the other stays free."}),
+    member("name", &Foundation::name, about_load_name));
 
 template <>
 inline constexpr Introduction introduction_of<Foundation>{

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "base/described.hpp"
 #include "scene/amplitude.hpp"
+#include "scene/loads/load_name.hpp"
 #include "scene/vec2.hpp"
 
 namespace hackle {
@@ -32,6 +34,7 @@ struct Guided {
   Amplitude amplitude;
   double friction = 0.0;
   double mass = 0.0;  // kg per m of thickness, with a force; 0: that of a body of steel
+  std::string name;   // "" for none
 };
 
 template <>
@@ -56,7 +59,8 @@ inline constexpr auto description_of<Guided> = describe_noun(
            {.unit = "kg/m",
             .range = above(0.0),
             .fallback = "steel",
-            .sentence = "Its mass per metre of thickness, with a force."}));
+            .sentence = "Its mass per metre of thickness, with a force."}),
+    member("name", &Guided::name, about_load_name));
 
 // Returns the mass of a guided body of this area (m2), kg/m.
 inline double mass_of(const Guided& guided, double area) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "scene/loads/guided.hpp"
+#include "scene/loads/load_name.hpp"
 #include "scene/vec2.hpp"
 
 namespace hackle {
@@ -14,6 +17,7 @@ struct Impactor {
   double mass = 0.0;    // kg per m of thickness
   double friction = 0.0;
   double restitution = 1.0;
+  std::string name;  // "" for none
 };
 
 template <>
@@ -42,7 +46,8 @@ inline constexpr auto description_of<Impactor> = describe_noun(
            {.range = between(0.0, 1.0),
             .fallback = "1",
             .sentence = "Speed after a rebound over that before it, apart from what waves carry "
-                        "away."}));
+                        "away."}),
+    member("name", &Impactor::name, about_load_name));
 
 // Never: a disc moves, so a new one does not replace it.
 inline bool same_place(const Impactor&, const Impactor&) {

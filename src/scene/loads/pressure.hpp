@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scene/amplitude.hpp"
+#include "scene/loads/load_name.hpp"
 #include "scene/loads/rim_part.hpp"
 
 namespace hackle {
@@ -15,6 +16,7 @@ struct Pressure {
   double pressure = 0.0;  // Pa
   Amplitude amplitude;
   RimPart angles;
+  std::string name;  // "" for none
 };
 
 template <>
@@ -28,7 +30,8 @@ inline constexpr auto description_of<Pressure> = describe_noun(
     member("pressure", &Pressure::pressure,
            {.unit = "Pa", .required = true, .sentence = "Pressure, positive into the material."}),
     member("time", &Pressure::amplitude, about_amplitude),
-    member("angles", &Pressure::angles, about_rim_part));
+    member("angles", &Pressure::angles, about_rim_part),
+    member("name", &Pressure::name, about_load_name));
 
 inline bool same_place(const Pressure& one, const Pressure& other) {
   return one.rim == other.rim && one.angles == other.angles;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
+#include "scene/loads/load_name.hpp"
 #include "scene/shape.hpp"
 
 namespace hackle {
@@ -16,6 +19,7 @@ struct Support {
   bool along_x = true;
   bool along_y = true;
   Amplitude amplitude;
+  std::string name;  // "" for none
 };
 
 template <>
@@ -29,7 +33,8 @@ inline constexpr auto description_of<Support> = describe_noun(
                       .alternative = true,
                       .sentence = "Prescribed velocity, instead of a displacement."}})),
     member("along_x", &Support::along_x), member("along_y", &Support::along_y),
-    member("time", &Support::amplitude, about_amplitude));
+    member("time", &Support::amplitude, about_amplitude),
+    member("name", &Support::name, about_load_name));
 
 inline bool same_place(const Support& one, const Support& other) {
   return one.region == other.region && one.along_x == other.along_x && one.along_y == other.along_y;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
+#include "scene/loads/load_name.hpp"
 #include "scene/shape.hpp"
 
 namespace hackle {
@@ -12,6 +15,7 @@ struct ThermalLoad {
   Region region;
   ScalarField change;  // K
   Amplitude amplitude;
+  std::string name;  // "" for none
 };
 
 template <>
@@ -19,7 +23,8 @@ inline constexpr auto description_of<ThermalLoad> = describe_noun(
     "temperature", "temperature change", member("region", &ThermalLoad::region, about_region),
     member("change", &ThermalLoad::change,
            {.unit = "K", .required = true, .sentence = "Change from the stress-free temperature."}),
-    member("time", &ThermalLoad::amplitude, about_amplitude));
+    member("time", &ThermalLoad::amplitude, about_amplitude),
+    member("name", &ThermalLoad::name, about_load_name));
 
 inline bool same_place(const ThermalLoad& one, const ThermalLoad& other) {
   return one.region == other.region;

@@ -7,6 +7,7 @@
 #include "scene/amplitude.hpp"
 #include "scene/field_of_place.hpp"
 #include "scene/loads/edge.hpp"
+#include "scene/loads/load_name.hpp"
 #include "scene/loads/rim_part.hpp"
 
 namespace hackle {
@@ -21,6 +22,7 @@ struct Traction {
   Amplitude amplitude;
   std::string rim;  // name of the cut-out or outline; "" with an edge
   RimPart angles;
+  std::string name;  // "" for none
 };
 
 template <>
@@ -43,7 +45,8 @@ inline constexpr auto description_of<Traction> = describe_noun(
            {.alternative = true,
             .sentence = "Name of a hole, a notch or an outline whose rim it acts on, instead of an "
                         "edge."}),
-    member("angles", &Traction::angles, about_rim_part));
+    member("angles", &Traction::angles, about_rim_part),
+    member("name", &Traction::name, about_load_name));
 
 // Returns whether a new load replaces the old one; likewise in the other headers of this folder.
 inline bool same_place(const Traction& one, const Traction& other) {

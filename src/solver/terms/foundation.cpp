@@ -3,13 +3,16 @@
 // into them and comes back, as work of a load: by halves before and after a step, which is what
 // they store, exactly.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "lattice/carve.hpp"
+#include "scene/load_names.hpp"
 #include "solver/exact_sum.hpp"
+#include "solver/terms/bearing.hpp"
 #include "solver/terms/forces.hpp"
 #include "solver/terms/makers.hpp"
 
@@ -23,24 +26,34 @@ struct Spring {
   Vec2 stiffness{0, 0};
 };
 
-// Of one foundation after the other.
-std::vector<Spring> springs_of(const Plate& plate, const Lattice& lattice) {
+// The springs of one foundation, by name.
+struct Bed {
+  std::string name;
   std::vector<Spring> springs;
+};
+
+std::vector<Bed> beds_of(const Plate& plate, const Lattice& lattice) {
+  std::vector<Bed> beds;
   for (const Foundation& foundation : plate.loads.foundations) {
-    const std::size_t before = springs.size();
+    std::vector<Spring> springs;
     for_nodes_in(foundation.region, lattice.grid, [&](int i, int j) {
       if (!lattice.is_void(i, j))
         springs.push_back({i, j, {foundation.along_x(), foundation.along_y()}});
     });
-    if (springs.size() == before)
+    if (springs.empty())
       throw Error(ErrorKind::refused, "foundation: there is no node in its area",
                   "give it a larger area, or a smaller spacing");
+    const int number = static_cast<int>(beds.size()) + 1;
+    beds.push_back(
+        {load_name(foundation.name, description_of<Foundation>.noun, number), std::move(springs)});
   }
-  return springs;
+  return beds;
 }
 
 // Each node once, by index. Stiffnesses are summed exactly: their order means nothing.
-std::vector<Spring> joined_by_node(std::vector<Spring> springs, const Grid& grid) {
+std::vector<Spring> joined_by_node(const std::vector<Bed>& beds, const Grid& grid) {
+  std::vector<Spring> springs;
+  for (const Bed& bed : beds) springs.insert(springs.end(), bed.springs.begin(), bed.springs.end());
   const auto index = [&](const Spring& spring) { return grid.index(spring.i, spring.j); };
   std::ranges::stable_sort(springs, {}, index);
   std::vector<Spring> joined;
@@ -56,7 +69,8 @@ std::vector<Spring> joined_by_node(std::vector<Spring> springs, const Grid& grid
 
 class Springs final : public Term {
  public:
-  Springs(std::vector<Spring> springs, const Lattice& lattice) : springs_(std::move(springs)) {
+  Springs(std::vector<Bed> beds, const Lattice& lattice)
+      : beds_(std::move(beds)), springs_(joined_by_node(beds_, lattice.grid)) {
     for (const Spring& spring : springs_) {
       const double rho = lattice.material_at(spring.i, spring.j).material.rho;
       forces_.push_back({spring.i, spring.j, {0, 0}, rho / lattice.rho});
@@ -88,9 +102,26 @@ class Springs final : public Term {
                 "let s:damping{} calm it while it runs, or hold it by supports instead");
   }
 
+  void add_reactions(const Surroundings& around, const State& state,
+                     std::vector<Reaction>& list) const override {
+    const Grid& grid = around.lattice.grid;
+    for (std::size_t k = 0; k < beds_.size(); ++k) {
+      Bearing sum;
+      for (const Spring& spring : beds_[k].springs) {
+        const Vec2 u = state.origin + state.u(spring.i, spring.j);
+        const Vec2 place = grid.from_centre(spring.i, spring.j) + u;
+        sum.add(place, spring.stiffness.cwiseProduct(u));
+        sum.count(place, u);
+      }
+      list.push_back(sum.reaction(beds_[k].name, description_of<Foundation>.noun,
+                                  static_cast<int>(k) + 1, grid, std::pow(grid.dx, 3)));
+    }
+  }
+
  private:
-  std::vector<Spring> springs_;
-  std::vector<Vec2> pull_;  // acceleration per displacement of one spacing, m/s2
+  std::vector<Bed> beds_;
+  std::vector<Spring> springs_;  // of all of them, each node once
+  std::vector<Vec2> pull_;       // acceleration per displacement of one spacing, m/s2
   std::vector<LoadedNode> forces_;
 };
 
@@ -98,8 +129,7 @@ class Springs final : public Term {
 
 std::unique_ptr<Term> make_foundation(const Plate& plate, const Lattice& lattice, double) {
   if (plate.loads.foundations.empty()) return nullptr;
-  return std::make_unique<Springs>(joined_by_node(springs_of(plate, lattice), lattice.grid),
-                                   lattice);
+  return std::make_unique<Springs>(beds_of(plate, lattice), lattice);
 }
 
 }  // namespace hackle

@@ -2,7 +2,9 @@
 #include "solver/terms/guided_bodies.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "scene/load_names.hpp"
 #include "solver/order_free_sum.hpp"
 #include "solver/terms/cell_overlap.hpp"
 #include "solver/terms/forces.hpp"
@@ -105,16 +107,18 @@ std::vector<LoadedNode> GuidedBodies::push(std::size_t k, const Surroundings& ar
   const Disc& at = place(state, k);
   std::vector<LoadedNode> pushed;
   OrderFreeSum back;
+  touch_[k].push_on_nodes = {};
   for (const std::size_t node : touch_[k].near) {
     const auto columns = static_cast<std::size_t>(grid.nx);
     const int i = static_cast<int>(node % columns), j = static_cast<int>(node / columns);
-    const Vec2 overlap = body.overlap(place_now(grid, state, i, j), at.centre);
+    const Vec2 here = place_now(grid, state, i, j), overlap = body.overlap(here, at.centre);
     if (overlap.isZero(0.0)) continue;
     const double inertia = lattice.material_at(i, j).material.rho / lattice.rho;
     Vec2 force = strength_ * lattice.micromodulus_at(i, j) / lattice.calibration.c * overlap;
     force += loss_of(body.roughness, force, state.v(i, j) - at.velocity, hold_of_body * inertia);
     pushed.push_back({i, j, force * (unit / inertia), inertia});
     back.subtract(force);
+    touch_[k].push_on_nodes.add(here, -force);
   }
   touch_[k].push = back.value();
   return pushed;
@@ -124,9 +128,16 @@ void GuidedBodies::add_reactions(const Surroundings& around, const State& state,
                                  std::vector<Reaction>& list) const {
   const Grid& grid = around.lattice.grid;
   const double unit = around.energy_unit() / grid.dx;
-  for (std::size_t k = 0; k < bodies_.size(); ++k)
-    list.push_back({bodies_[k].who, static_cast<int>(k < rollers_ ? k : k - rollers_) + 1,
-                    grid.centre + grid.dx * place(state, k).centre, unit * touch_[k].push});
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const GuidedBody& body = bodies_[k];
+    const int number = static_cast<int>(k < rollers_ ? k : k - rollers_) + 1;
+    Reaction reaction = touch_[k].push_on_nodes.reaction(load_name(body.name, body.who, number),
+                                                         body.who, number, grid, unit);
+    reaction.centre = grid.centre + grid.dx * place(state, k).centre;
+    reaction.force = unit * touch_[k].push;
+    reaction.moved = grid.dx * (place(state, k).centre - body.start);
+    list.push_back(std::move(reaction));
+  }
 }
 
 // Forces on bodies become those on nodes: rho dx^3/dt^2 over the area of a node, in c dx^2.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/terms/bearing.hpp"
 #include "solver/terms/guided_body.hpp"
 #include "solver/terms/term.hpp"
 
@@ -53,6 +54,7 @@ class GuidedBodies final : public Term {
   struct Touch {
     std::vector<std::size_t> near;  // nodes that it may push until they are watched again
     Vec2 push{0, 0};                // by the plate on it
+    Bearing push_on_nodes;          // the same with its moment
   };
 
   // The state has the places of rollers and platens apart.

@@ -42,6 +42,7 @@ GuidedBody body_of(const Load& load, const Lattice& lattice, double dt) {
   const Guided& guided = load.guided;
   const double unit = guided.guide == Guide::force ? node * dx / (dt * dt) : dx;
   return {description_of<Load>.noun,
+          guided.name,
           guided.guide,
           grid.from_centre(middle_of(load)),
           radius_of(load) / dx,

@@ -3,6 +3,7 @@
 // dx from the centre of the lattice, forces in rho dx^3/dt^2.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace hackle {
 
 struct GuidedBody {
   std::string_view who;  // "roller"
+  std::string name;      // as given; may be empty
   Guide guide;
   Vec2 start{0, 0};     // centre before it moves
   double radius = 0.0;  // of a disc; 0 for a box

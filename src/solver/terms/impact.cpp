@@ -9,6 +9,7 @@
 
 #include "base/units.hpp"
 #include "lattice/carve.hpp"
+#include "scene/load_names.hpp"
 #include "solver/order_free_sum.hpp"
 #include "solver/terms/cell_overlap.hpp"
 #include "solver/terms/forces.hpp"
@@ -47,7 +48,7 @@ Impact::Impact(const Plate& plate, const Lattice& lattice, double dt)
   for (const Impactor& impactor : plate.loads.impactors) {
     check(impactor, lattice, problems);
     discs_.push_back(
-        {impactor, impactor.radius / dx, impactor.mass / (lattice.rho * dx * dx), {0, 0}, {}});
+        {impactor, impactor.radius / dx, impactor.mass / (lattice.rho * dx * dx), {0, 0}, {}, {}});
   }
   problems.throw_if_any();
 }
@@ -122,10 +123,11 @@ std::vector<LoadedNode> Impact::push(RigidDisc& disc, const Disc& place, const L
   const double unit = grid.dx / (dt_ * dt_);
   std::vector<LoadedNode> pushed;
   OrderFreeSum back;
+  disc.push_on_nodes = {};
   for (const std::size_t node : disc.near) {
     const auto columns = static_cast<std::size_t>(grid.nx);
     const int i = static_cast<int>(node % columns), j = static_cast<int>(node / columns);
-    const Vec2 way = way_to_cell(place_now(grid, state, i, j), place.centre);
+    const Vec2 at = place_now(grid, state, i, j), way = way_to_cell(at, place.centre);
     const double r = way.norm();
     if (!(r < disc.radius && r > 0.0)) continue;
     const double strength = strength_ * lattice.micromodulus_at(i, j) / lattice.calibration.c;
@@ -135,6 +137,7 @@ std::vector<LoadedNode> Impact::push(RigidDisc& disc, const Disc& place, const L
       force += loss_of(roughness, force, state.v(i, j) - place.velocity, hold_of_body * inertia);
     pushed.push_back({i, j, force * (unit / inertia), inertia});
     back.subtract(force);
+    disc.push_on_nodes.add(at, -force);
   }
   disc.push = back.value();
   return pushed;
@@ -157,9 +160,16 @@ void Impact::add_reactions(const Surroundings& around, const State& state,
                            std::vector<Reaction>& list) const {
   const Grid& grid = around.lattice.grid;
   const double unit = around.energy_unit() / grid.dx;
-  for (std::size_t k = 0; k < discs_.size(); ++k)
-    list.push_back({"impactor", static_cast<int>(k) + 1,
-                    grid.centre + grid.dx * state.discs[k].centre, unit * discs_[k].push});
+  for (std::size_t k = 0; k < discs_.size(); ++k) {
+    const RigidDisc& disc = discs_[k];
+    const int number = static_cast<int>(k) + 1;
+    Reaction reaction = disc.push_on_nodes.reaction(
+        load_name(disc.impactor.name, "impactor", number), "impactor", number, grid, unit);
+    reaction.centre = grid.centre + grid.dx * state.discs[k].centre;
+    reaction.force = unit * disc.push;
+    reaction.moved = reaction.centre - disc.impactor.centre;
+    list.push_back(std::move(reaction));
+  }
 }
 
 void Impact::check_rest(const std::string& who) const {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/terms/bearing.hpp"
 #include "solver/terms/term.hpp"
 
 namespace hackle {
@@ -41,6 +42,7 @@ class Impact final : public Term {
     double radius;                  // dx
     double mass;                    // of a node of the plate's own material
     Vec2 push{0, 0};                // by the plate on the disc, in units of rho dx^3/dt^2
+    Bearing push_on_nodes;          // the same with its moment
     std::vector<std::size_t> near;  // nodes that it may push until watch_again_
   };
 

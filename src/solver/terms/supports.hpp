@@ -2,6 +2,7 @@
 // Nodes that are clamped or moved: they go where they are told, and no force changes that.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "solver/tabulated_amplitude.hpp"
@@ -12,7 +13,9 @@ namespace hackle {
 
 class Supports final : public Term {
  public:
-  Supports(const std::vector<SpreadSupport>& supports, const Lattice& lattice, double dt);
+  // `names` are those of the supports.
+  Supports(const std::vector<SpreadSupport>& supports, const std::vector<std::string>& names,
+           const Lattice& lattice, double dt);
 
   std::unique_ptr<Term> clone() const override { return std::make_unique<Supports>(*this); }
   std::string_view name() const override { return "varying loads"; }
@@ -27,6 +30,9 @@ class Supports final : public Term {
   void add_open(const Surroundings& around, const State& state, Ledger& ledger) const override;
   void halt(const Surroundings& around, const State& state, double passed) override;
   bool acts_at_rest() const override { return true; }
+  // What a support bears is what it keeps its nodes from doing (src/solver/README.md 3.10).
+  void add_reactions(const Surroundings& around, const State& state,
+                     std::vector<Reaction>& list) const override;
   std::size_t bytes() const override;
 
  private:
@@ -38,10 +44,16 @@ class Supports final : public Term {
     TabulatedAmplitude amplitude;
     TabulatedCourse<Vec2> course;  // of the value, m or m/s
     double unit;                   // of the value, per m or m/s
+    std::string name;
+  };
+  // The supports that hold a node, as positions in parts_; -1 for none.
+  struct Holders {
+    int along_x = -1;
+    int along_y = -1;
   };
 
-  void add(const SpreadSupport& support, const std::vector<std::size_t>& all,
-           const Lattice& lattice, double dt);
+  void add(const SpreadSupport& support, const std::string& name,
+           const std::vector<std::size_t>& all, const Lattice& lattice, double dt);
   template <class Values>
   void follow_courses(const Values& values_of);
   template <class Factor>
@@ -49,6 +61,7 @@ class Supports final : public Term {
 
   std::vector<Part> parts_;
   std::vector<PrescribedNode> prescribed_;
+  std::vector<Holders> holders_;  // of each of them
 };
 
 }  // namespace hackle

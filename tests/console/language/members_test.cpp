@@ -295,12 +295,14 @@ TEST_F(Members, OfRegions) {
 
 TEST_F(Members, OfTractionsAndPressures) {
   const std::string tractions =
-      "p:traction { edge = 'right', stress = {1*MPa, 2*MPa}, depth = 3*mm, time = ramp(4*us) }\n"
+      "p:traction { edge = 'right', stress = {1*MPa, 2*MPa}, depth = 3*mm, time = ramp(4*us), name "
+      "= 'pull' }\n"
       "p:traction { edge = 'left', stress = function(x, y) return 5*x, 6*y end }\n"
       "p:traction { rim = 'bore', stress = function(x, y, t) return 5*x, 6*t end, angles = {1, 2} "
       "}\n";
   const std::string pressures =
-      "p:pressure { rim = 'bore', pressure = 7*MPa, time = pulse(2*us, 3*us), angles = {3, 4} }";
+      "p:pressure { rim = 'bore', pressure = 7*MPa, time = pulse(2*us, 3*us), angles = {3, 4}, "
+      "name = 'gas' }";
   expect_all_named(plate_traction_doc, tractions);
   expect_all_named(plate_pressure_doc, pressures);
   const Loads& loads = plate_after(tractions + pressures).loads;
@@ -309,7 +311,9 @@ TEST_F(Members, OfTractionsAndPressures) {
   EXPECT_EQ(loads.tractions[0].stress.constant(), Vec2(1e6, 2e6));
   EXPECT_EQ(loads.tractions[0].depth, 3e-3);
   EXPECT_DOUBLE_EQ(loads.tractions[0].amplitude.at(1e-6), 0.25);
+  EXPECT_EQ(loads.tractions[0].name, "pull");
   EXPECT_EQ(loads.tractions[1].edge, Edge::left);
+  EXPECT_EQ(loads.tractions[1].name, "");
   EXPECT_EQ(loads.tractions[1].stress.at({10.0, 100.0}), Vec2(50.0, 600.0));
   EXPECT_EQ(loads.tractions[1].depth, 0.0);
   EXPECT_TRUE(loads.tractions[1].amplitude.is_constant());
@@ -322,6 +326,7 @@ TEST_F(Members, OfTractionsAndPressures) {
   ASSERT_EQ(loads.pressures.size(), 1U);
   EXPECT_EQ(loads.pressures[0].angles, Vec2(3.0, 4.0));
   EXPECT_EQ(loads.pressures[0].rim, "bore");
+  EXPECT_EQ(loads.pressures[0].name, "gas");
   EXPECT_EQ(loads.pressures[0].pressure, 7e6);
   EXPECT_EQ(loads.pressures[0].amplitude.at(2.9e-6), 0.0);
   EXPECT_EQ(loads.pressures[0].amplitude.at(4.9e-6), 1.0);
@@ -355,7 +360,7 @@ TEST_F(Members, OfBodyForcesAndTemperatures) {
 
 TEST_F(Members, OfFoundations) {
   const std::string beds =
-      "p:foundation { stiffness = 1e13, along = 'y', edge = 'left', depth = 1*mm }\n"
+      "p:foundation { stiffness = 1e13, along = 'y', edge = 'left', depth = 1*mm, name = 'bed' }\n"
       "p:foundation { stiffness = 2e13, from = {1*mm, 1*mm}, to = {2*mm, 3*mm} }\n"
       "p:foundation { stiffness = 3e13, along = 'x', centre = {50*mm, 20*mm}, radius = 2*mm }\n"
       "p:foundation { stiffness = 4e13, along = 'both' }\n";
@@ -368,6 +373,7 @@ TEST_F(Members, OfFoundations) {
     EXPECT_EQ(found[k].stiffness, 1e13 * (1.0 + static_cast<double>(k)));
     EXPECT_EQ(found[k].along, along[k]) << k;
   }
+  EXPECT_EQ(found[0].name, "bed");
   expect_box(found[0].region, {0, 0}, {1e-3, 0.04});
   expect_box(found[1].region, {1e-3, 1e-3}, {2e-3, 3e-3});
   expect_box(found[2].region, {0.048, 0.018}, {0.052, 0.022});
@@ -386,10 +392,12 @@ TEST_F(Members, OfAbsorbingEdges) {
 
 TEST_F(Members, OfRollersAndPlatens) {
   const std::string rollers =
-      "p:roller { centre = {50*mm, 46*mm}, radius = 5*mm, velocity = {1, -2}, friction = 0.3, time "
+      "p:roller { centre = {50*mm, 46*mm}, radius = 5*mm, velocity = {1, -2}, name = 'pin', "
+      "friction = 0.3, time "
       "= ramp(4*us) } p:roller { centre = {5*mm, -3*mm}, radius = 3*mm }\n";
   const std::string platens =
-      "p:platen { from = {0, 41*mm}, to = {100*mm, 50*mm}, displacement = {0, -1e-5}, friction = "
+      "p:platen { from = {0, 41*mm}, to = {100*mm, 50*mm}, displacement = {0, -1e-5}, name = "
+      "'anvil', friction = "
       "0.2, time = ramp(4*us) } p:platen { from = {0, -9*mm}, to = {100*mm, 0}, velocity = {0, 1} "
       "} p:platen { from = {0, -9*mm}, to = {100*mm, 0}, force = {0, 2e5}, mass = 3 }\n";
   expect_all_named(plate_load_doc<Roller>, rollers +
@@ -406,6 +414,7 @@ TEST_F(Members, OfRollersAndPlatens) {
   EXPECT_EQ(roller.guided.guide, Guide::velocity);
   EXPECT_EQ(roller.guided.value, Vec2(1, -2));
   EXPECT_EQ(roller.guided.friction, 0.3);
+  EXPECT_EQ(roller.guided.name, "pin");
   EXPECT_EQ(roller.guided.amplitude.at(1e-6), 0.25);
   EXPECT_EQ(loads.rollers[1].guided.guide, Guide::displacement);
   EXPECT_EQ(loads.rollers[1].guided.value, Vec2(0, 0));
@@ -413,6 +422,7 @@ TEST_F(Members, OfRollersAndPlatens) {
   EXPECT_NEAR((platen.from - Vec2(0, 41e-3)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((platen.to - Vec2(100e-3, 50e-3)).norm(), 0.0, 1e-15);
   EXPECT_EQ(platen.guided.guide, Guide::displacement);
+  EXPECT_EQ(platen.guided.name, "anvil");
   EXPECT_EQ(platen.guided.value, Vec2(0, -1e-5));
   EXPECT_EQ(platen.guided.friction, 0.2);
   EXPECT_EQ(platen.guided.amplitude.at(1e-6), 0.25);
@@ -442,15 +452,17 @@ TEST_F(Members, OfRollersMustAgree) {
 
 TEST_F(Members, OfSupports) {
   const std::string moves =
-      "p:move { velocity = {1, 2}, edge = 'left', depth = 1*mm, axis = 'x', time = ramp(4*us) }\n"
+      "p:move { velocity = {1, 2}, edge = 'left', depth = 1*mm, axis = 'x', time = ramp(4*us), "
+      "name = 'grip' }\n"
       "p:move { displacement = {3e-6, 4e-6}, from = {1*mm, 1*mm}, to = {2*mm, 3*mm}, axis = 'y' }\n"
       "p:move { velocity = {5, 6}, centre = {50*mm, 20*mm}, radius = 2*mm }\n";
   expect_all_named(plate_move_doc, moves);
-  const Loads& loads = plate_after(moves +
-                                   "p:clamp { edge = 'right', depth = 2*mm, axis = 'x' }\n"
-                                   "p:clamp { edge = 'top', depth = 3*mm, axis = 'y' }\n"
-                                   "p:clamp { edge = 'bottom', depth = 4*mm }")
-                           .loads;
+  const Loads& loads =
+      plate_after(moves +
+                  "p:clamp { edge = 'right', depth = 2*mm, axis = 'x', name = 'wall' }\n"
+                  "p:clamp { edge = 'top', depth = 3*mm, axis = 'y' }\n"
+                  "p:clamp { edge = 'bottom', depth = 4*mm }")
+          .loads;
   ASSERT_EQ(loads.supports.size(), 6U);
   const bool along_x[] = {true, false, true, true, false, true};
   const bool along_y[] = {false, true, true, false, true, true};
@@ -464,6 +476,8 @@ TEST_F(Members, OfSupports) {
     EXPECT_EQ(support.amplitude.is_constant(), k != 0) << k;
   }
   EXPECT_DOUBLE_EQ(loads.supports[0].amplitude.at(1e-6), 0.25);
+  EXPECT_EQ(loads.supports[0].name, "grip");
+  EXPECT_EQ(loads.supports[3].name, "wall");
   expect_box(loads.supports[0].region, {0, 0}, {1e-3, 0.04});
   expect_box(loads.supports[1].region, {1e-3, 1e-3}, {2e-3, 3e-3});
   expect_box(loads.supports[2].region, {0.048, 0.018}, {0.052, 0.022});
@@ -473,7 +487,7 @@ TEST_F(Members, OfSupports) {
 TEST_F(Members, OfImpactorsDampingAndStarts) {
   const std::string impactors =
       "p:impactor { centre = {-6*mm, 20*mm}, radius = 5*mm, velocity = {50, -3}, mass = 9, "
-      "friction = 0.2, restitution = 0.7 }\n"
+      "friction = 0.2, restitution = 0.7, name = 'ball' }\n"
       "p:impactor { centre = {120*mm, 21*mm}, radius = 4*mm, velocity = {-7, 1}, density = 1000 }\n"
       "p:impactor { centre = {50*mm, 60*mm}, radius = 2*mm, velocity = {0, -1} }\n";
   expect_all_named(plate_impactor_doc, impactors);
@@ -491,6 +505,7 @@ TEST_F(Members, OfImpactorsDampingAndStarts) {
   EXPECT_EQ(one.mass, 9.0);
   EXPECT_EQ(one.friction, 0.2);
   EXPECT_EQ(one.restitution, 0.7);
+  EXPECT_EQ(one.name, "ball");
   EXPECT_NEAR(plate.loads.impactors[1].mass, pi * 16e-6 * 1000.0, 1e-12);
   EXPECT_NEAR(plate.loads.impactors[2].mass, pi * 4e-6 * 7850.0, 1e-12);
   EXPECT_EQ(plate.loads.damping, 12345.0);

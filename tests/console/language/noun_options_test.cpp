@@ -21,6 +21,7 @@
 #include "lattice/numerics.hpp"
 #include "output/files/record_options.hpp"
 #include "output/files/replay_options.hpp"
+#include "output/files/series_options.hpp"
 #include "store/noun_reader.hpp"
 #include "support/nouns.hpp"
 
@@ -200,6 +201,7 @@ const Trip trips[] = {
     trip<Roller>("Roller"),
     trip<Scatter>("Scatter"),
     trip<Segment>("Segment"),
+    trip<SeriesOptions>("SeriesOptions"),
     trip<SheetOptions>("SheetOptions"),
     trip<ShownRecord>("ShownRecord"),
     trip<SideBySideOptions>("SideBySideOptions"),

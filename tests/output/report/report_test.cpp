@@ -36,10 +36,11 @@ TEST(Report, SaysWhatBodiesBear) {
   Plate plate = test::bare_plate(20, 10);
   plate.loads.platens.push_back({{0.0, 8e-3}, {10e-3, 10e-3}, {}});
   const hackle::Run run(plate, test::numerics(), {1}, Talk::quiet, {"x.lua", ""});
-  EXPECT_THAT(run.report(), HasSubstr("\n  bodies   platen 1 at (5 mm, 9 mm) bears (0, 0) N/m\n"));
+  EXPECT_THAT(run.report(), HasSubstr("\n  forces   platen 1 at (5 mm, 9 mm) bears (0, 0) N/m, "
+                                      "moment 0 N\n"));
   const hackle::Run bare(test::bare_plate(20, 10), test::numerics(), {1}, Talk::quiet,
                          {"x.lua", ""});
-  EXPECT_THAT(bare.report(), testing::Not(HasSubstr("bodies")));
+  EXPECT_THAT(bare.report(), testing::Not(HasSubstr("forces")));
 }
 
 TEST(Report, SaysPlaneQuadratureAndMicromodulus) {

@@ -50,11 +50,12 @@ TEST(Summary, HasTheKeysOfSchemaOneInOrder) {
 
 TEST(Summary, HasReactionsWhereThereAreBodies) {
   Summary summary;
-  summary.reactions = {{"platen", 2, {1.5, 2.5}, {3.5, 4.5}}};
+  summary.reactions = {{"press", "platen", 2, {1.5, 2.5}, {3.5, 4.5}, 5.5, {6.5, 7.5}}};
   const auto reactions = to_json(summary)["reactions"];
   ASSERT_EQ(reactions.size(), 1U);
   EXPECT_EQ(reactions[0].dump(),
-            R"({"body":"platen","number":2,"centre_m":[1.5,2.5],"force_N_per_m":[3.5,4.5]})");
+            R"({"name":"press","body":"platen","number":2,"centre_m":[1.5,2.5],)"
+            R"("force_N_per_m":[3.5,4.5],"moment_N":5.5,"moved_m":[6.5,7.5]})");
 }
 
 TEST(Summary, BeforeTheFirstStepTheRateIsZeroNotNaN) {
