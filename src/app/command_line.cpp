@@ -21,6 +21,7 @@
 #include "app/command_new.hpp"
 #include "app/command_prompt.hpp"
 #include "app/command_render.hpp"
+#include "app/command_replay.hpp"
 #include "app/command_run.hpp"
 #include "app/exit_code.hpp"
 #include "app/libraries.hpp"
@@ -33,7 +34,7 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 9> commands{"run", "check", "render", "diff", "export",
+constexpr std::array<std::string_view, 10> commands{"run", "check", "render", "replay", "diff", "export",
                                                    "new", "bench", "info",   "docs"};
 constexpr int max_threads = 1024;
 
@@ -41,6 +42,7 @@ constexpr int max_threads = 1024;
 struct Request {
   RunRequest run;
   RenderRequest render;
+  ReplayRequest replay;
   BenchRequest bench;
   std::vector<std::string> settings;
   std::string new_name;
@@ -180,6 +182,18 @@ void describe_render(CLI::App& app, Request& request) {
       "hackle render run.h5 stress.png field=stress_1 time=20us range=0:12MPa");
 }
 
+void describe_replay(CLI::App& app, Request& request) {
+  CLI::App* replay = app.add_subcommand(
+      "replay", "Compute a recorded run again and name the first record that differs");
+  replay->add_option("FILE", request.replay.run, "Run file, .h5")->required();
+  describe_execution(*replay, request.replay.execution);
+  replay->add_flag("--json", request.replay.json, "Print one JSON object on stdout");
+  replay->add_flag("-q,--quiet", request.replay.quiet, "Print only differences and errors");
+  replay->footer(
+      "Every record must have the same bits, on any machine and any number of threads: exit code\n"
+      "0 if all agree, 1 if one differs, 4 if the file does not say enough to compute one.");
+}
+
 void describe_bench(CLI::App& app, Request& request) {
   CLI::App* bench = app.add_subcommand("bench", "Measure how fast this machine solves a plate");
   bench->add_option("--peer", request.bench.peer, "Peer to compare with: lammps or none")
@@ -289,6 +303,7 @@ void describe(CLI::App& app, Request& request) {
   describe_render(app, request);
   describe_diff(app, request);
   describe_export(app, request);
+  describe_replay(app, request);
   describe_new(app, request);
   describe_bench(app, request);
   describe_info(app, request);
@@ -322,6 +337,7 @@ int execute(const CLI::App& app, Request& request) {
   if (app.got_subcommand("render")) return command_render(request.render);
   if (app.got_subcommand("diff")) return command_diff(request.diff);
   if (app.got_subcommand("export")) return command_export(request.exported);
+  if (app.got_subcommand("replay")) return command_replay(request.replay);
   if (app.got_subcommand("new")) return command_new(request.new_name);
   if (app.got_subcommand("bench")) return command_bench(request.bench);
   if (app.got_subcommand("info")) return command_info(request.info);

@@ -2,10 +2,8 @@
 #include "store/checkpoint.hpp"
 
 #include <bit>
-#include <cmath>
 #include <concepts>
 #include <span>
-#include <stdexcept>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -24,6 +22,7 @@
 #include "store/inputs.hpp"
 #include "store/lattice_hash.hpp"
 #include "store/sealed_file.hpp"
+#include "store/snapshot_head.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -35,97 +34,25 @@ using HeadJson = nlohmann::json;
 constexpr std::string_view first_line = "Hackle checkpoint 1\n";
 constexpr std::uint64_t max_head = std::uint64_t{256} << 20U;
 
-// The small members of a state to and from JSON.
-HeadJson json_of(const Vec2& vector) {
-  return {vector.x(), vector.y()};
-}
-HeadJson json_of(const Clock& clock) {
-  return {clock.moment, clock.since};
-}
-HeadJson json_of(double number) {
-  return number;
-}
-HeadJson json_of(std::int64_t number) {
-  return number;
-}
-HeadJson json_of(const std::vector<Disc>& discs) {
-  HeadJson list = HeadJson::array();
-  for (const Disc& disc : discs) list.push_back({json_of(disc.centre), json_of(disc.velocity)});
-  return list;
-}
-
-double number(const HeadJson& json) {
-  const double value = json.get<double>();
-  if (!std::isfinite(value)) throw std::invalid_argument("not finite");
-  return value;
-}
-void set(double& to, const HeadJson& json) {
-  to = number(json);
-}
-void set(std::int64_t& to, const HeadJson& json) {
-  to = json.get<std::int64_t>();
-  if (to < 0 || static_cast<double>(to) > max_steps) throw std::invalid_argument("a step");
-}
-void set(Vec2& to, const HeadJson& json) {
-  to = {number(json.at(0)), number(json.at(1))};
-}
-void set(Clock& to, const HeadJson& json) {
-  to.moment = number(json.at(0));
-  set(to.since, json.at(1));
-}
-void set(std::vector<Disc>& to, const HeadJson& json) {
-  for (const HeadJson& disc : json) {
-    to.emplace_back();
-    set(to.back().centre, disc.at(0));
-    set(to.back().velocity, disc.at(1));
-  }
-}
-
-HeadJson json_of(const std::vector<LoadedNode>& nodes) {
-  HeadJson list = HeadJson::array();
-  for (const LoadedNode& node : nodes)
-    list.push_back({node.i, node.j, json_of(node.acceleration), node.inertia});
-  return list;
-}
-
-std::vector<LoadedNode> loaded_nodes(const HeadJson& json) {
-  std::vector<LoadedNode> nodes;
-  for (const HeadJson& entry : json) {
-    LoadedNode& node = nodes.emplace_back();
-    node.i = entry.at(0).get<int>();
-    node.j = entry.at(1).get<int>();
-    set(node.acceleration, entry.at(2));
-    node.inertia = number(entry.at(3));
-  }
-  return nodes;
-}
-
+// The head of a checkpoint: that of its snapshot, the sizes of its arrays, and where it comes from.
 HeadJson head_of(const Simulation& simulation, const Snapshot& snapshot, const Origin& origin) {
-  HeadJson state, sizes;
+  HeadJson head = hackle::head_of(snapshot), sizes;
   for_each_member(snapshot.state, [&](const char* name, const auto& member, bool) {
     using Member = std::remove_cvref_t<decltype(member)>;
     if constexpr (std::same_as<Member, BondBits>)
       sizes[name] = member.words().size();
-    else if constexpr (requires { json_of(member); })
-      state[name] = json_of(member);
-    else
+    else if constexpr (!is_in_head<Member>)
       sizes[name] = member.size();
   });
-  return {{"software", "Hackle"},
-          {"version", std::string(version())},
-          {"git_hash", std::string(git_hash())},
-          {"script_name", origin.script_name},
-          {"script", origin.script_text},
-          {"inputs", inputs_of(simulation)},
-          {"lattice_hash", lattice_hash(simulation.lattice())},
-          {"precision", std::string(name_of(snapshot.state.precision()))},
-          {"state", state},
-          {"sizes", sizes},
-          {"aim", {snapshot.aim.end_time, snapshot.aim.last_step}},
-          {"borne", json_of(snapshot.borne)},
-          {"widened_at", snapshot.widened_at ? HeadJson(*snapshot.widened_at) : HeadJson()},
-          {"max_energy", snapshot.max_energy},
-          {"solve_seconds", snapshot.solve_seconds}};
+  head.update({{"software", "Hackle"},
+               {"version", std::string(version())},
+               {"git_hash", std::string(git_hash())},
+               {"script_name", origin.script_name},
+               {"script", origin.script_text},
+               {"inputs", inputs_of(simulation)},
+               {"lattice_hash", lattice_hash(simulation.lattice())},
+               {"sizes", sizes}});
+  return head;
 }
 
 void write_state(const State& state, SealedWriter& writer) {
@@ -133,7 +60,7 @@ void write_state(const State& state, SealedWriter& writer) {
     using Member = std::remove_cvref_t<decltype(member)>;
     if constexpr (std::same_as<Member, BondBits>)
       writer.write(std::span(member.words()));
-    else if constexpr (!requires { json_of(member); })
+    else if constexpr (!is_in_head<Member>)
       writer.write(std::span(member.data(), member.size()));
   });
 }
@@ -215,23 +142,17 @@ Values<T> array_of(const HeadJson& size, SealedReader& reader) {
   return values;
 }
 
-State read_state(const HeadJson& head, const NodeLayout& layout, SealedReader& reader) {
-  const HeadJson &small = head.at("state"), &sizes = head.at("sizes");
-  State state;
-  state.layout = layout;
-  if (head.at("precision") == name_of(Precision::f32)) state.motion = Motion<float>();
+// Reads the arrays of a state whose head has been read.
+void read_arrays(const HeadJson& sizes, State& state, SealedReader& reader) {
   for_each_member(state, [&](const char* name, auto& member, bool) {
     using Member = std::remove_cvref_t<decltype(member)>;
     if constexpr (std::same_as<Member, BondBits>) {
       const auto words = array_of<std::uint32_t>(sizes.at(name), reader);
-      member = BondBits(layout, {words.begin(), words.end()});
-    } else if constexpr (requires { set(member, small); }) {
-      set(member, small.at(name));
-    } else {
+      member = BondBits(state.layout, {words.begin(), words.end()});
+    } else if constexpr (!is_in_head<Member>) {
       member = array_of<typename Member::value_type>(sizes.at(name), reader);
     }
   });
-  return state;
 }
 
 void check_parts(const Checkpoint& checkpoint, const Grid& grid, const SealedReader& reader) {
@@ -259,13 +180,9 @@ Checkpoint read_parts(const fs::path& path) {
   if (!problems.empty()) reader.refuse("its scene is impossible");
   const Grid grid = make_grid(checkpoint.inputs.plate, checkpoint.inputs.numerics.spacing);
   Snapshot& snapshot = checkpoint.snapshot;
-  snapshot.state = read_state(head, grid.layout(), reader);
-  set(snapshot.aim.end_time, head.at("aim").at(0));
-  set(snapshot.aim.last_step, head.at("aim").at(1));
-  snapshot.borne = loaded_nodes(head.at("borne"));
-  if (!head.at("widened_at").is_null()) snapshot.widened_at = number(head.at("widened_at"));
-  snapshot.max_energy = number(head.at("max_energy"));
-  snapshot.solve_seconds = number(head.at("solve_seconds"));
+  snapshot.state.layout = grid.layout();
+  read_head(head, snapshot);
+  read_arrays(head.at("sizes"), snapshot.state, reader);
   check_parts(checkpoint, grid, reader);
   return checkpoint;
 }

@@ -194,11 +194,11 @@ void Hdf5File::write(const Hdf5Handle& group, const Dataset& dataset, hid_t memo
   describe(made.get(), "long_name", dataset.long_name);
 }
 
-void Hdf5File::write_text(const std::string& name, const std::string& text,
+void Hdf5File::write_text(const Hdf5Handle& group, const std::string& name, const std::string& text,
                           const std::string& long_name) {
   const Hdf5Handle type = text_type(text.size());
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), name.c_str(), type.get(), space.get(),
+  const Hdf5Handle dataset(checked(H5Dcreate2(group.get(), name.c_str(), type.get(), space.get(),
                                               H5P_DEFAULT, timeless().get(), H5P_DEFAULT),
                                    "create " + name + " in"),
                            H5Dclose);

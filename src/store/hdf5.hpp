@@ -69,7 +69,7 @@ class Hdf5File {
   Hdf5Handle group(unsigned members);
   void name(const Hdf5Handle& group, const std::string& name);
 
-  // Creates a dataset of single values that grows by append().
+  // Creates a dataset of single values, numbers or texts, that grows by append().
   Hdf5Handle series(const std::string& name, hid_t type, const std::string& units,
                     const std::string& long_name);
   // Appends a value as number `index`.
@@ -80,7 +80,8 @@ class Hdf5File {
   void write(const Hdf5Handle& group, const Dataset& dataset, hid_t memory_type, hsize_t columns,
              const void* values);
   // Writes a text of any length as its own dataset; attributes are limited to 64 KiB.
-  void write_text(const std::string& name, const std::string& text, const std::string& long_name);
+  void write_text(const Hdf5Handle& group, const std::string& name, const std::string& text,
+                  const std::string& long_name);
   const Hdf5Handle& root() const { return file_; }
   void flush();
   void close();

@@ -353,6 +353,18 @@ std::vector<std::int64_t> Hdf5Reader::first_integers(const std::string& name, hs
   return part<std::int64_t>(name, dataset, {count}, H5T_NATIVE_INT64);
 }
 
+std::string Hdf5Reader::first_texts(const std::string& name, hsize_t count,
+                                    std::size_t length) const {
+  const Hdf5Handle dataset = open_series(name, count);
+  const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
+  const bool fixed = H5Tget_class(type.get()) == H5T_STRING && H5Tis_variable_str(type.get()) == 0;
+  if (!fixed || H5Tget_size(type.get()) != length)
+    refuse(fmt::format("its {} holds no texts of {} characters", name, length));
+  std::string all(count * length, '\0');
+  read_rows(name, dataset, {0}, {count}, type.get(), all.data());
+  return all;
+}
+
 std::vector<double> Hdf5Reader::doubles(const std::string& name, const std::vector<hsize_t>& shape,
                                         hsize_t columns) const {
   const Hdf5Handle dataset = open_shaped(name, shape);

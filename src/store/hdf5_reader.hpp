@@ -35,6 +35,8 @@ class Hdf5Reader {
   // Reads the first values of a series.
   std::vector<double> first_doubles(const std::string& name, hsize_t count) const;
   std::vector<std::int64_t> first_integers(const std::string& name, hsize_t count) const;
+  // The same of texts that all have this length, one after the other.
+  std::string first_texts(const std::string& name, hsize_t count, std::size_t length) const;
   // Reads the first columns of a dataset of this shape, row by row.
   std::vector<double> doubles(const std::string& name, const std::vector<hsize_t>& shape,
                               hsize_t columns) const;

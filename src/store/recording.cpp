@@ -1,38 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "store/recording.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.hpp"
 #include "base/machine.hpp"
 #include "lattice/check_numerics.hpp"
 #include "solver/default_step.hpp"
 #include "store/hdf5_reader.hpp"
-#include "store/inputs_reader.hpp"
 #include "store/lattice_hash.hpp"
-#include "store/run_facts.hpp"
+#include "store/recorded_bonds.hpp"
+#include "store/recorded_run.hpp"
 #include "store/run_file.hpp"
 #include "store/xdmf.hpp"
 
 namespace hackle {
 namespace {
-
-void check_format(const Hdf5Reader& file) {
-  if (!file.has_attribute("software") || file.attribute("software") != "Hackle" ||
-      !file.has_attribute("format_version"))
-    file.refuse("it is no run file of Hackle", "s:record{} writes run files");
-  const std::int64_t format = file.integer("format_version");
-  if (format < run_file_format)
-    file.refuse(fmt::format("it was written in format {}, which lacks the bonds", format),
-                "run its script again to record it anew");
-  if (format > run_file_format)
-    file.refuse(fmt::format("it was written in format {}, newer than {}", format, run_file_format),
-                "take the version of Hackle that wrote it");
-}
 
 // Removes the loads: a shown plate never evaluates them.
 Plate unloaded(Plate plate) {
@@ -51,6 +40,20 @@ Numerics recorded(Numerics numerics) {
   return numerics;
 }
 
+// Pictures need every bond and the motion of every node.
+void check_contents(const Hdf5Reader& file, const Grid& grid) {
+  const RecordContents contents = contents_of(file, grid);
+  if (contents.part)
+    file.refuse("it holds only a part of the nodes of its plate",
+                "ParaView opens its .xdmf; record without a region or coarsen for pictures");
+  std::vector<std::string_view> lacking;
+  for (const char* needed : {"displacement", "velocity", "bonds"})
+    if (!contents.holds(needed)) lacking.emplace_back(needed);
+  if (!lacking.empty())
+    file.refuse(fmt::format("it was recorded without {}", fmt::join(lacking, ", ")),
+                "ParaView opens its .xdmf; add them to the fields of s:record for pictures");
+}
+
 // An impossible scene is a fault of the file. Names are removed, so that no message quotes the
 // file.
 void check_scene(const Hdf5Reader& file, Plate plate, const Numerics& numerics) {
@@ -64,6 +67,7 @@ void check_scene(const Hdf5Reader& file, Plate plate, const Numerics& numerics) 
   if (!problems.empty()) file.refuse(problems.list().front().what);
   // Checked before a lattice takes memory: it has as many nodes as the file has positions.
   const Grid grid = make_grid(plate, numerics.spacing);
+  check_contents(file, grid);
   file.check_shape("nodes", {grid.nodes(), 3});
 }
 
@@ -83,14 +87,6 @@ void check_lattice(const Hdf5Reader& file, const Lattice& lattice) {
                 "run its script again with this version, or take the version that recorded it");
 }
 
-std::int64_t committed(const Hdf5Reader& file) {
-  const std::int64_t count = file.integer("records_committed");
-  if (count < 0 || count > max_records)
-    file.refuse(fmt::format("it says that it holds {} records", count));
-  if (count == 0) file.refuse("it holds no record", "its run ended before the first one");
-  return count;
-}
-
 void put(const std::vector<double>& values, const Grid& grid, double unit, const char* what,
          const Hdf5Reader& file, const auto& set) {
   for (const double value : values)
@@ -102,42 +98,20 @@ void put(const std::vector<double>& values, const Grid& grid, double unit, const
     }
 }
 
-void break_bonds(const std::vector<std::uint32_t>& broken, const Grid& grid, int words,
-                 BondBits& bonds) {
-  auto bits = broken.begin();
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      for (int word = 0; word < words; ++word, ++bits)
-        if (*bits != 0) bonds.clear(grid.layout().at(i, j), word, *bits);
-}
-
 }  // namespace
 
 struct Recording::Parts {
   explicit Parts(const std::filesystem::path& path_)
       : path(path_),
-        count(static_cast<hsize_t>(committed(opened(path_)))),
-        file(opened(path_)),
-        inputs(read_inputs(file.text("inputs"))),
-        plate(unloaded(inputs.plate)),
-        numerics(recorded(inputs.numerics)),
+        run(path_),
+        file(run.file()),
+        plate(unloaded(run.inputs().plate)),
+        numerics(recorded(run.inputs().numerics)),
         lattice(rebuilt(file, plate, numerics)),
         dt(numerics.step.value_or(default_step(plate, lattice, numerics.safety))),
         state(lattice, Precision::f64) {
     check_lattice(file, lattice);
-    times = file.first_doubles("time", count);
-    steps = file.first_integers("step", count);
-    for (std::size_t k = 0; k < count; ++k)
-      if (!(std::isfinite(times[k]) && steps[k] >= 0 &&
-            static_cast<double>(steps[k]) <= max_steps && (k == 0 || times[k] >= times[k - 1])))
-        file.refuse(fmt::format("time or step of record {} is damaged", k));
     origin = {file.attribute("script_name"), file.text("script")};
-  }
-
-  static Hdf5Reader opened(const std::filesystem::path& path) {
-    Hdf5Reader file(path);
-    check_format(file);
-    return file;
   }
 
   // Shows the record in that group; nothing has changed if it throws.
@@ -153,9 +127,7 @@ struct Recording::Parts {
         [&](int i, int j, const Vec2& u) { next.set_u(i, j, u); });
     put(file.doubles(group + "/velocity", vectors, 2), grid, grid.dx / dt, "velocity", file,
         [&](int i, int j, const Vec2& v) { next.set_v(i, j, v); });
-    const int words = lattice.family.words();
-    break_bonds(file.words(group + "/broken", {grid.nodes(), static_cast<hsize_t>(words)}), grid,
-                words, next.bonds);
+    break_recorded(file, group, lattice, next.bonds);
     if (file.holds(group + "/thermal_strain"))
       strain = file.doubles(group + "/thermal_strain", {grid.nodes()}, 1);
     read_bodies(group, next, bodies);
@@ -166,7 +138,7 @@ struct Recording::Parts {
 
   // Puts the rigid bodies of a record into its state, and what they are into `shown_bodies`.
   void read_bodies(const std::string& group, State& next, Loads& shown_bodies) const {
-    const Loads& loads = inputs.plate.loads;
+    const Loads& loads = run.inputs().plate.loads;
     read_places(group + "/discs", loads.impactors.size(), 5, next.discs,
                 [&](const Disc& disc, const double* size) {
                   shown_bodies.impactors.push_back({disc.centre, size[0], disc.velocity});
@@ -198,12 +170,8 @@ struct Recording::Parts {
   }
 
   std::filesystem::path path;
-  // Read through a separate opening before that of `file`: the library determines the end of a file
-  // only once, on opening, and everything counted before lies before that end, however fast the
-  // file grows.
-  hsize_t count;
-  Hdf5Reader file;
-  Inputs inputs;
+  RecordedRun run;
+  const Hdf5Reader& file;
   Plate plate;  // as it is shown: without loads but for the rigid bodies of the record
   Numerics numerics;
   Lattice lattice;
@@ -211,8 +179,6 @@ struct Recording::Parts {
   State state;
   std::vector<double> thermal_strain;
   Origin origin;
-  std::vector<double> times;
-  std::vector<std::int64_t> steps;
   std::size_t shown = 0;
 };
 
@@ -231,23 +197,20 @@ const Origin& Recording::origin() const {
 }
 
 const Plate& Recording::plate() const {
-  return parts_->inputs.plate;
+  return parts_->run.inputs().plate;
 }
 
 const std::vector<double>& Recording::times() const {
-  return parts_->times;
+  return parts_->run.times();
 }
 
 std::size_t Recording::nearest(double time) const {
-  const std::vector<double>& times = parts_->times;
-  const auto after = std::ranges::lower_bound(times, time);
-  if (after == times.begin()) return 0;
-  const bool later = after != times.end() && *after - time < time - *(after - 1);
-  return static_cast<std::size_t>(after - times.begin()) - (later ? 0 : 1);
+  return parts_->run.nearest(time);
 }
 
 void Recording::go_to(std::size_t record) {
-  parts_->show(record_group(record), parts_->steps.at(record), parts_->times.at(record));
+  parts_->show(record_group(record), parts_->run.steps().at(record),
+               parts_->run.times().at(record));
   parts_->shown = record;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "store/run_file.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <ctime>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/chrono.h>
@@ -14,10 +16,11 @@
 #include "base/error.hpp"
 #include "base/files.hpp"
 #include "base/version.hpp"
-#include "measure/field.hpp"
+#include "store/exact_state.hpp"
 #include "store/hdf5.hpp"
 #include "store/inputs.hpp"
 #include "store/lattice_hash.hpp"
+#include "store/record_arrays.hpp"
 #include "store/run_series.hpp"
 #include "store/xdmf.hpp"
 
@@ -25,57 +28,35 @@ namespace hackle {
 namespace {
 
 constexpr unsigned max_groups = 1000;  // of a thousand records each
-constexpr unsigned max_members = 6;    // per record
+// Per record, beside its fields: bonds, thermal strain, three kinds of bodies, the journal, five
+// arrays and the rest of an exact state.
+constexpr unsigned more_members = 12;
 
-std::vector<double> places(const Grid& grid) {
+std::vector<double> places(const Grid& grid, const NodeWindow& nodes) {
   std::vector<double> list;
-  list.reserve(2 * grid.nodes());
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      const Vec2 place = grid.position(i, j);
-      list.insert(list.end(), {place.x(), place.y()});
-    }
+  list.reserve(2 * nodes.nodes());
+  nodes.for_each([&](int i, int j) {
+    const Vec2 place = grid.position(i, j);
+    list.insert(list.end(), {place.x(), place.y()});
+  });
   return list;
 }
 
-void require_finite(const Field& field) {
-  for (const float value : field.values)
-    if (!std::isfinite(value))
-      throw Error(ErrorKind::run_failed,
-                  fmt::format("record: the {} is not a finite number everywhere", field.name),
-                  "take a smaller step");
-}
-
-// Returns the bonds broken since the start as bits, node by node, the words of each together.
-std::vector<std::uint32_t> broken_bonds(const Simulation& simulation) {
-  const Grid& grid = simulation.lattice().grid;
-  const BondBits &initial = simulation.lattice().bonds, &now = simulation.state().bonds;
-  const auto words = static_cast<std::size_t>(simulation.lattice().family.words());
-  std::vector<std::uint32_t> broken;
-  broken.reserve(words * grid.nodes());
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      auto at = static_cast<std::size_t>(grid.layout().at(i, j));
-      for (std::size_t word = 0; word < words; ++word, at += initial.plane())
-        broken.push_back(initial.words()[at] & ~now.words()[at]);
-    }
-  return broken;
-}
-
-// Returns position (m) and velocity (m/s) of each rigid body, and the size (m) that size_of(body)
-// gives: one number or two.
-template <class Body, class SizeOf>
-std::vector<double> bodies_at(const std::vector<Disc>& places, const std::vector<Body>& bodies,
-                              const Simulation& simulation, const SizeOf& size_of) {
-  const Grid& grid = simulation.lattice().grid;
-  std::vector<double> list;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const Vec2 place = grid.centre + grid.dx * places[k].centre;
-    const Vec2 velocity = grid.dx / simulation.dt() * places[k].velocity;
-    list.insert(list.end(), {place.x(), place.y(), velocity.x(), velocity.y()});
-    for (const double size : size_of(bodies[k])) list.push_back(size);
-  }
+std::vector<std::uint8_t> materials_of(const Lattice& lattice, const NodeWindow& nodes) {
+  std::vector<std::uint8_t> list;
+  list.reserve(nodes.nodes());
+  nodes.for_each([&](int i, int j) { list.push_back(lattice.material[lattice.grid.index(i, j)]); });
   return list;
+}
+
+// The types of the values of a dataset, in the file and in memory.
+hid_t file_type_of(const RecordArray& array) {
+  const std::array types{H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_STD_U32LE};
+  return types.at(array.values.index());
+}
+hid_t memory_type_of(const RecordArray& array) {
+  const std::array types{H5T_NATIVE_FLOAT, H5T_NATIVE_DOUBLE, H5T_NATIVE_UINT32};
+  return types.at(array.values.index());
 }
 
 // The sidecar is rewritten whenever the number of records has grown by this factor: its cost stays
@@ -101,87 +82,72 @@ std::filesystem::path sidecar_of(std::filesystem::path run_file) {
   return run_file.replace_extension(".xdmf");
 }
 
-double run_file_bytes(std::size_t nodes, std::int64_t records) {
-  constexpr double fixed = 1e5, places = 4.0, a_record = 8e3, a_node_and_record = 8.0;
-  const auto each = static_cast<double>(nodes), times = static_cast<double>(records);
-  return fixed + places * each + times * (a_record + a_node_and_record * each);
+double run_file_bytes(const RecordContents& contents, const Grid& grid, std::int64_t records) {
+  constexpr double fixed = 1e5, places = 4.0, a_record = 8e3, a_scalar = 3.0, standard = 8.0;
+  constexpr double exact = 40.0;  // bytes of each node
+  const auto nodes = static_cast<double>(contents.nodes.nodes());
+  const auto others = static_cast<double>(std::ranges::count_if(contents.fields, [](const auto& f) {
+    return std::ranges::find(standard_fields, f) == standard_fields.end();
+  }));
+  const double of_record = a_record + nodes * (standard + a_scalar * others) +
+                           (contents.exact ? exact * static_cast<double>(grid.nodes()) : 0.0);
+  return fixed + places * nodes + static_cast<double>(records) * of_record;
 }
 
 struct RunFile::Parts {
-  Parts(const std::filesystem::path& path_, const Simulation& simulation, const Origin& origin)
-      : path(path_), grid(simulation.lattice().grid), file(prepared(path_)) {
+  Parts(const std::filesystem::path& path_, const Simulation& simulation, const Origin& origin,
+        RecordContents contents_)
+      : path(path_),
+        contents(std::move(contents_)),
+        grid(simulation.lattice().grid),
+        file(prepared(path_)) {
     describe(simulation, origin);
-    write(file.root(), {"nodes", H5T_IEEE_F64LE, {grid.nodes(), 3}, "m", "positions of the nodes"},
-          H5T_NATIVE_DOUBLE, 2, places(grid).data());
+    const hsize_t nodes = contents.nodes.nodes();
+    file.write(file.root(), {"nodes", H5T_IEEE_F64LE, {nodes, 3}, "m", "positions of the nodes"},
+               H5T_NATIVE_DOUBLE, 2, places(grid, contents.nodes).data());
     has_material = !simulation.lattice().material.empty();
     if (has_material)
-      write(file.root(),
-            {"material",
-             H5T_STD_U8LE,
-             {grid.nodes()},
-             "",
-             "0: of the plate, k: of its k-th other material, 255: cut out"},
-            H5T_NATIVE_UINT8, 1, simulation.lattice().material.data());
+      file.write(file.root(),
+                 {"material",
+                  H5T_STD_U8LE,
+                  {nodes},
+                  "",
+                  "0: of the plate, k: of its k-th other material, 255: cut out"},
+                 H5T_NATIVE_UINT8, 1, materials_of(simulation.lattice(), contents.nodes).data());
     time = file.series("time", H5T_IEEE_F64LE, "s", "simulated time of each record");
     step = file.series("step", H5T_STD_I64LE, "", "time steps done at each record");
+    hash_type = {H5Tcopy(H5T_C_S1), H5Tclose};
+    H5Tset_size(hash_type.get(), hash_digits);
+    H5Tset_strpad(hash_type.get(), H5T_STR_NULLPAD);  // no room for a terminator
+    hash = file.series("state_hash", hash_type.get(), "", "hash of the state after that step");
     file.name(file.group(max_groups), "records");
     file.flush();
   }
 
-  void write(const Hdf5Handle& group, const Dataset& dataset, hid_t memory_type, hsize_t columns,
-             const void* values) {
-    file.write(group, dataset, memory_type, columns, values);
+  // Writes the data of a record into its group.
+  void write(const Hdf5Handle& group, const Simulation& simulation, const std::string& journal) {
+    const bool with_state = contents.exact || times.empty();
+    shown.clear();
+    for_each_dataset(simulation, contents, with_state, [&](const RecordArray& array) {
+      std::visit(
+          [&](const auto& values) {
+            file.write(group,
+                       {array.name, file_type_of(array), array.shape, array.unit, array.long_name},
+                       memory_type_of(array), array.given, values.data());
+          },
+          array.values);
+      if (contents.holds(array.name)) shown.push_back(shown_in_sidecar(array));
+    });
+    if (with_state)
+      file.write_text(group, "state", exact_head(simulation),
+                      "the rest of the state to the last bit, in JSON");
+    if (!journal.empty())
+      file.write_text(group, "journal", journal, "what was done since the last record, in JSON");
   }
 
-  // Writes a field that ParaView shows; vectors need three components.
-  void write_field(const Hdf5Handle& group, const Field& field, const std::string& long_name) {
-    require_finite(field);
-    std::vector<hsize_t> shape{grid.nodes()};
-    if (field.components > 1) shape.push_back(3);
-    write(group, {field.name, H5T_IEEE_F32LE, shape, field.unit, long_name}, H5T_NATIVE_FLOAT,
-          static_cast<hsize_t>(field.components), field.values.data());
-  }
-
-  // Writes the rest of the state.
-  void write_state(const Hdf5Handle& group, const Simulation& simulation) {
-    const auto words = static_cast<hsize_t>(simulation.lattice().family.words());
-    write(group,
-          {"broken",
-           H5T_STD_U32LE,
-           {grid.nodes(), words},
-           "",
-           "bits of the kept bonds of a node that have broken since the start"},
-          H5T_NATIVE_UINT32, words, broken_bonds(simulation).data());
-    if (const std::vector<double>& strain = simulation.thermal_strain(); !strain.empty())
-      write(group, {"thermal_strain", H5T_IEEE_F32LE, {grid.nodes()}, "", "thermal strain"},
-            H5T_NATIVE_DOUBLE, 1, strain.data());
-    write_bodies(group, simulation);
-  }
-
-  void write_bodies(const Hdf5Handle& group, const Simulation& simulation) {
-    const View view = simulation.view();
-    const State& state = view.state();
-    const Loads& loads = simulation.plate().loads;
-    const auto radius = [](const auto& body) { return std::array{body.radius}; };
-    const auto half = [](const Platen& platen) {
-      const Vec2 size = 0.5 * (platen.to - platen.from).cwiseAbs();
-      return std::array{size.x(), size.y()};
-    };
-    write_bodies(group, "discs", "impactor", "radius",
-                 bodies_at(state.discs, loads.impactors, simulation, radius), 5);
-    write_bodies(group, "rollers", "roller", "radius",
-                 bodies_at(state.rollers, loads.rollers, simulation, radius), 5);
-    write_bodies(group, "platens", "platen", "half of width and height",
-                 bodies_at(state.platens, loads.platens, simulation, half), 6);
-  }
-
-  void write_bodies(const Hdf5Handle& group, const char* name, const char* body, const char* size,
-                    const std::vector<double>& list, hsize_t columns) {
-    if (list.empty()) return;
-    const std::string meaning =
-        fmt::format("of each {}: position x and y (m), velocity x and y (m/s), {} (m)", body, size);
-    write(group, {name, H5T_IEEE_F64LE, {list.size() / columns, columns}, "", meaning},
-          H5T_NATIVE_DOUBLE, columns, list.data());
+  static SidecarField shown_in_sidecar(const RecordArray& array) {
+    const bool is_double = std::holds_alternative<std::vector<double>>(array.values);
+    return {array.name, array.shape.size() > 1 ? 3 : 1, is_double ? 8 : 4};
   }
 
   void describe(const Simulation& simulation, const Origin& origin) {
@@ -196,8 +162,10 @@ struct RunFile::Parts {
                    fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
     file.attribute("script_name", origin.script_name);
     file.attribute("lattice_hash", lattice_hash(simulation.lattice()));
-    file.write_text("script", origin.script_text, "the script that made this run");
-    file.write_text("inputs", inputs_of(simulation), "plate and numerics, resolved, in JSON");
+    file.write_text(file.root(), "script", origin.script_text, "the script that made this run");
+    file.write_text(file.root(), "inputs", inputs_of(simulation),
+                    "plate and numerics, resolved, in JSON");
+    file.write_text(file.root(), "contents", text_of(contents), "what is recorded, in JSON");
   }
 
   // Starts a group for the next thousand records.
@@ -208,44 +176,49 @@ struct RunFile::Parts {
   }
 
   void write_sidecar() {
-    hackle::write_text(sidecar_of(path), xdmf(grid, path, times, has_material));
+    hackle::write_text(sidecar_of(path),
+                       xdmf(grid_of(contents.nodes, grid), path, times, has_material, shown));
     in_sidecar = times.size();
   }
 
   std::filesystem::path path;
+  RecordContents contents;
   Grid grid;
   Hdf5File file;
-  Hdf5Handle time, step;
+  Hdf5Handle time, step, hash_type, hash;
   std::vector<double> times;
+  std::vector<SidecarField> shown;  // in the sidecar
   bool has_material = false;
   std::size_t in_sidecar = 0;
 };
 
 RunFile::RunFile(const std::filesystem::path& path, const Simulation& simulation,
-                 const Origin& origin)
-    : parts_(std::make_unique<Parts>(path, simulation, origin)) {
+                 const Origin& origin, std::optional<RecordContents> contents)
+    : parts_(std::make_unique<Parts>(
+          path, simulation, origin,
+          contents ? std::move(*contents) : standard_contents(simulation.lattice().grid))) {
 }
 
 RunFile::~RunFile() = default;
 
-void RunFile::add(const Simulation& simulation) {
+void RunFile::add(const Simulation& simulation, const std::string& journal) {
   const std::size_t record = parts_->times.size();
   Hdf5File& file = parts_->file;
   if (record % records_a_group == 0) parts_->begin_thousand();
   // Three flushes: first data without links, then their names, then the count that commits them. At
   // no moment does committed data depend on bytes that are still to be written.
-  const Hdf5Handle group = file.group(max_members);
-  parts_->write_field(group, damage(simulation), "share of a node's initial bonds that are broken");
-  parts_->write_field(group, displacement(simulation), "displacement of the nodes");
-  parts_->write_field(group, velocity(simulation), "velocity of the nodes");
-  parts_->write_state(group, simulation);
+  const auto fields = static_cast<unsigned>(parts_->contents.fields.size());
+  const Hdf5Handle group = file.group(fields + more_members);
+  parts_->write(group, simulation, journal);
   file.flush();
 
   const double time = simulation.time();
   const std::int64_t step = simulation.state().step;
+  const std::string hash = simulation.state().hash();
   file.name(group, record_group(record));
   file.append(parts_->time, record, H5T_NATIVE_DOUBLE, &time);
   file.append(parts_->step, record, H5T_NATIVE_INT64, &step);
+  file.append(parts_->hash, record, parts_->hash_type.get(), hash.data());
   file.flush();
   file.attribute("records_committed", static_cast<long long>(record) + 1);
   file.flush();
@@ -263,6 +236,7 @@ void RunFile::finish() {
   parts_->file.attribute("complete", 1LL);
   parts_->time.reset();
   parts_->step.reset();
+  parts_->hash.reset();
   parts_->file.close();
 }
 

@@ -21,21 +21,36 @@ struct Contents {
   Grid grid;
   std::vector<double> times;
   bool has_material = false;
+  std::vector<SidecarField> fields;
 };
+
+std::vector<SidecarField> sidecar_fields(const RecordContents& contents) {
+  std::vector<SidecarField> list;
+  for (const std::string& name : contents.fields) {
+    if (name == "bonds") continue;
+    const bool vector = name == "displacement" || name == "velocity";
+    list.push_back({name, vector ? 3 : 1, vector && contents.exact ? 8 : 4});
+  }
+  return list;
+}
 
 // Returns nothing for a file that we did not write, or that is complete or empty.
 std::optional<Contents> cut_off_contents(const fs::path& path) {
   try {
     const Hdf5Reader file(path);
     if (!file.has_attribute("complete") || file.integer("complete") != 0 ||
-        file.attribute("software") != "Hackle" || file.integer("format_version") != run_file_format)
+        file.attribute("software") != "Hackle" ||
+        file.integer("format_version") < oldest_run_file_format ||
+        file.integer("format_version") > run_file_format)
       return std::nullopt;
     const std::int64_t records = file.integer("records_committed");
     if (records < 1) return std::nullopt;
     const Inputs inputs = read_inputs(file.text("inputs"));
-    return Contents{make_grid(inputs.plate, inputs.numerics.spacing),
+    const Grid grid = make_grid(inputs.plate, inputs.numerics.spacing);
+    const RecordContents contents = contents_of(file, grid);
+    return Contents{grid_of(contents.nodes, grid),
                     file.first_doubles("time", static_cast<hsize_t>(records)),
-                    file.holds("material")};
+                    file.holds("material"), sidecar_fields(contents)};
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::interrupted) throw;
     return std::nullopt;
@@ -64,7 +79,8 @@ std::optional<RescuedRun> rescue_run(const fs::path& path,
     throw Error(ErrorKind::files,
                 "cannot keep '" + path.string() + "', which was cut off: " + failure.message(),
                 "move it away, or choose another file name");
-  write_text(sidecar_of(name), xdmf(contents->grid, name, contents->times, contents->has_material));
+  write_text(sidecar_of(name),
+             xdmf(contents->grid, name, contents->times, contents->has_material, contents->fields));
   return RescuedRun{name, static_cast<std::int64_t>(contents->times.size())};
 }
 

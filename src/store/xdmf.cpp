@@ -16,16 +16,16 @@ namespace {
 
 // Describes a field of one record. Only whole datasets: ParaView's two readers, XDMF 2 and XDMF 3,
 // each misread the way in which the other refers to parts of a dataset.
-std::string attribute(const Grid& grid, const std::string& source, const char* name,
-                      int components) {
+std::string attribute(const Grid& grid, const std::string& source, const SidecarField& field) {
   return fmt::format(
       R"(      <Attribute Name="{name}" AttributeType="{type}" Center="Node">
-        <DataItem Dimensions="1 {ny} {nx}{last}" NumberType="Float" Precision="4" Format="HDF">{source}/{name}</DataItem>
+        <DataItem Dimensions="1 {ny} {nx}{last}" NumberType="Float" Precision="{precision}" Format="HDF">{source}/{name}</DataItem>
       </Attribute>
 )",
-      fmt::arg("name", name), fmt::arg("type", components == 1 ? "Scalar" : "Vector"),
+      fmt::arg("name", field.name), fmt::arg("type", field.components == 1 ? "Scalar" : "Vector"),
       fmt::arg("ny", grid.ny), fmt::arg("nx", grid.nx),
-      fmt::arg("last", components == 1 ? "" : " 3"), fmt::arg("source", source));
+      fmt::arg("last", field.components == 1 ? "" : " 3"), fmt::arg("source", source),
+      fmt::arg("precision", field.precision));
 }
 
 // Describes the material, the same for all records. A threshold below 255 hides cut-outs.
@@ -60,8 +60,13 @@ std::string record_group(std::size_t record) {
   return fmt::format("records/{}/{:05}", record / records_a_group, record);
 }
 
+std::vector<SidecarField> standard_sidecar() {
+  return {{"damage"}, {"displacement", 3}, {"velocity", 3}};
+}
+
 std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
-                 const std::vector<double>& times, bool has_material) {
+                 const std::vector<double>& times, bool has_material,
+                 const std::vector<SidecarField>& fields) {
   const std::string file = xml(run_file.filename().string());
   const Vec2 first = grid.position(0, 0);
   std::string text =
@@ -80,9 +85,7 @@ std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
                    times[record], grid.ny, grid.nx, first.y(), first.x(), grid.dx, grid.dx,
                    grid.dx);
     const std::string source = file + ":/" + record_group(record);
-    text += attribute(grid, source, "damage", 1);
-    text += attribute(grid, source, "displacement", 3);
-    text += attribute(grid, source, "velocity", 3);
+    for (const SidecarField& field : fields) text += attribute(grid, source, field);
     if (has_material) text += material_attribute(grid, file);
     text += "   </Grid>\n";
   }

@@ -20,9 +20,18 @@ std::string record_group(std::size_t record);
 // be UTF-8 without control characters.
 void check_name(const std::filesystem::path& run_file);
 
+// A field of every record.
+struct SidecarField {
+  std::string name;
+  int components = 1;  // in the file: 1 or 3
+  int precision = 4;   // bytes of a number
+};
+std::vector<SidecarField> standard_sidecar();
+
 // Returns the XML for the records at these times (s). The nodes are the points of an image, so that
 // ParaView at once shows a coloured surface and can warp it by the displacement.
 std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,
-                 const std::vector<double>& times, bool has_material = false);
+                 const std::vector<double>& times, bool has_material = false,
+                 const std::vector<SidecarField>& fields = standard_sidecar());
 
 }  // namespace hackle

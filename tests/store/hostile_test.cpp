@@ -331,6 +331,10 @@ std::vector<Crafted> packings() {
          const hsize_t piece = 2048, rows = 1'000'000;
          pack(file, "time", H5T_NATIVE_DOUBLE, {rows}, {piece});
          pack(file, "step", H5T_NATIVE_LLONG, {rows}, {piece});
+         const hid_t hash = H5Tcopy(H5T_C_S1);
+         H5Tset_size(hash, hash_digits);
+         pack(file, "state_hash", hash, {rows}, {piece});
+         H5Tclose(hash);
        },
        "is missing or damaged"},
       {"more_records_than_can_be",

@@ -110,10 +110,12 @@ int frame(lua_State* L) {
 
 int record(lua_State* L) {
   ScriptedRun& scripted = self<ScriptedRun>(L, record_doc);
-  const Arguments arguments = Arguments::from_table(L, 2, record_doc);
+  Arguments arguments = Arguments::from_table(L, 2, record_doc);
+  auto options = noun_of<RecordOptions>(arguments);
+  options.region = region_of(arguments, scripted.simulation().plate(), "record");
   arguments.problems.throw_if_any();
   const auto path = session_of(L).output_path("record", arguments.text("file"));
-  scripted.run().record(path, noun_of<RecordOptions>(arguments));
+  scripted.run().record(path, options);
   scripted.promised.push_back(path);
   return 0;
 }

@@ -6,6 +6,7 @@
 
 #include "console/language/noun_options.hpp"
 #include "console/language/picture_options.hpp"
+#include "console/language/region_options.hpp"
 #include "console/schema/schema.hpp"
 #include "lattice/numerics.hpp"
 #include "output/files/record_options.hpp"
@@ -76,14 +77,18 @@ inline constexpr FunctionDoc frame_doc{.name = "frame",
                                            "s:frame { \"crack.pdf\", paper = 85*mm, theme = "
                                            "\"light\", axes = true }"};
 
-inline constexpr auto record_options = joined(file_option, options_of<RecordOptions>);
+inline constexpr auto record_options =
+    joined(file_option, joined(options_of<RecordOptions>, region_options));
 
 inline constexpr FunctionDoc record_doc{
     .name = "record",
     .owner = "s",
     .sentence = "Records the following run in an HDF5 file that ParaView opens.",
     .options = record_options,
-    .example = "s:record { \"crack.h5\", every = 1*us }"};
+    .example =
+        "s:record { \"crack.h5\", every = 1*us }\n"
+        "s:record { \"tip.h5\", steps = 5, fields = { \"stress_1\", \"damage\" },\n"
+        "  from = { 0, 2*mm }, to = { 10*mm, 8*mm }, coarsen = 2 }"};
 
 inline constexpr FunctionDoc report_doc{.name = "report",
                                         .owner = "s",

@@ -15,13 +15,23 @@
 #include "store/xdmf.hpp"
 
 namespace hackle {
+namespace {
+
+// Steps are counted from the last one, which the plate may be seen before.
+Schedule schedule_of(const RecordOptions& options, const Simulation& simulation) {
+  const View view = simulation;
+  return Schedule("record", interval_of(options, view.dt()), options.steps ? view.at_step() : view);
+}
+
+}  // namespace
 
 RecordOutput::RecordOutput(std::filesystem::path path, const RecordOptions& options,
                            const Simulation& simulation, Origin origin, Talk talk,
                            std::shared_ptr<const OutputNames> names)
-    : Output(Schedule("record", options.every, simulation)),
+    : Output(schedule_of(options, simulation)),
       path_(std::move(path)),
-      nodes_(simulation.lattice().grid.nodes()),
+      contents_(contents_of(options, simulation.lattice())),
+      grid_(simulation.lattice().grid),
       origin_(std::move(origin)),
       talk_(talk),
       names_(std::move(names)) {
@@ -46,14 +56,17 @@ void RecordOutput::look(const Simulation& simulation) {
   const Stopwatch watch(store_seconds_);
   failed_ = true;  // unless this function completes
   reserve();
-  if (!file_) file_ = std::make_unique<RunFile>(path_, simulation, origin_);
-  file_->add(simulation);
+  if (!file_) {
+    file_ = std::make_unique<RunFile>(path_, simulation, origin_, contents_);
+    journal_->begin();
+  }
+  file_->add(simulation, journal_->take(simulation));
   failed_ = false;
 }
 
 Expected RecordOutput::expected(double until, std::int64_t max_looks) const {
   const std::int64_t records = schedule().moments(until, max_looks);
-  return {path_, records, run_file_bytes(nodes_, records)};
+  return {path_, records, run_file_bytes(contents_, grid_, records)};
 }
 
 void RecordOutput::close() {

@@ -12,6 +12,7 @@
 #include "output/files/output.hpp"
 #include "output/files/output_names.hpp"
 #include "output/files/record_options.hpp"
+#include "store/journal.hpp"
 #include "store/run_file.hpp"
 
 namespace hackle {
@@ -26,6 +27,8 @@ class RecordOutput : public Output {
   void take_tables(std::function<std::vector<SeriesTable>()> tables) {
     tables_ = std::move(tables);
   }
+  // Is to be told what is done with the simulation beside stepping.
+  const std::shared_ptr<Journal>& journal() const { return journal_; }
 
   void reserve() override;
   void close() override;
@@ -36,7 +39,9 @@ class RecordOutput : public Output {
  private:
   void look(const Simulation& simulation) override;
   std::filesystem::path path_;
-  std::size_t nodes_;
+  RecordContents contents_;
+  Grid grid_;
+  std::shared_ptr<Journal> journal_ = std::make_shared<Journal>();
   Origin origin_;
   Talk talk_;
   std::shared_ptr<const OutputNames> names_;

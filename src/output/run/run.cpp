@@ -26,6 +26,7 @@
 #include "output/run/rehearsal.hpp"
 #include "output/run/run_loop.hpp"
 #include "store/checkpoint.hpp"
+#include "store/journal.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -80,10 +81,18 @@ struct Run::Parts {
   std::vector<SeriesOutput*> series;  // among the outputs
   PictureFiles pictures;              // of frame()
   std::vector<fs::path> saved;
+  std::vector<std::shared_ptr<Journal>> journals;  // of its records
   RunLoop loop;
   Notes notes{talk};
   Prospect prospect;
   bool rehearsing = false;
+
+  // Tells the journals what has been done.
+  template <class Tell>
+  void note(const Tell& tell) const {
+    if (outputs.closed() || rehearsing) return;
+    for (const auto& journal : journals) tell(*journal);
+  }
 
   // Outputs, watchers and `others` look on while the simulation goes where it aims.
   void go_on(std::vector<Observer*> others) {
@@ -91,6 +100,39 @@ struct Run::Parts {
     for (Observer* output : outputs.observers()) others.push_back(output);
     loop.go_on(simulation, loop.with_watchers(std::move(others)));
   }
+};
+
+namespace {
+
+// Tells each look before the other observers look.
+class LookCounter : public Observer {
+ public:
+  explicit LookCounter(std::function<void()> tell) : tell_(std::move(tell)) {}
+  bool due(const Simulation&) override {
+    tell_();
+    return false;
+  }
+  void observe(const Simulation&) override {}
+
+ private:
+  std::function<void()> tell_;
+};
+
+}  // namespace
+
+// Tells the journals that slow loading begins, and, however it ends, that it has ended.
+class Run::SlowNote {
+ public:
+  SlowNote(const Parts& parts, const LoadedSlowly& loading) : parts_(parts) {
+    parts_.note([&](Journal& journal) { journal.loads_slowly(parts_.simulation, loading); });
+  }
+  ~SlowNote() {
+    parts_.note([&](Journal& journal) { journal.ended_slowly(parts_.simulation); });
+  }
+  SlowNote(const SlowNote&) = delete;
+
+ private:
+  const Parts& parts_;
 };
 
 Run::Run(Plate plate, Numerics numerics, Execution execution, Talk talk, Origin origin)
@@ -129,7 +171,9 @@ void Run::record(const fs::path& path, const RecordOptions& options) {
                                                parts_->talk, parts_->outputs.names());
   const std::string remark = output->remark();
   output->take_tables([parts = parts_.get()] { return tables_of(parts->series); });
+  const std::shared_ptr<Journal> journal = output->journal();
   parts_->outputs.add("record", path, FileKind::run_file, std::move(output));
+  parts_->journals.push_back(journal);
   parts_->notes.add(remark);
 }
 
@@ -179,6 +223,7 @@ void Run::set_loads(Loads loads) {
   const std::vector<double> strain = parts_->simulation.thermal_strain();
   if (parts_->rehearsing) parts_->prospect.exchange_loads(parts_->simulation, loads);
   parts_->simulation.set_loads(std::move(loads));
+  parts_->note([&](Journal& journal) { journal.changed_loads(parts_->simulation); });
   parts_->notes.exchange_loads(parts_->simulation, strain);
   if (under_way() && !parts_->rehearsing) parts_->notes.look_at_loads(parts_->simulation);
 }
@@ -316,12 +361,14 @@ RelaxResult Run::relax(double tolerance) {
   }
   const Mark busy = parts_->loop.mark_busy();
   Progress progress(parts_->talk);
-  return parts_->simulation.relax(
+  const RelaxResult result = parts_->simulation.relax(
       {tolerance, [&](double fraction, int iterations) {
          if (progress.due(fraction))
            progress.show(fraction,
                          fmt::format("coming to rest  iteration {}", grouped(iterations)));
        }});
+  parts_->note([&](Journal& journal) { journal.came_to_rest(parts_->simulation, tolerance); });
+  return result;
 }
 
 QuasistaticResult Run::load_slowly(double duration, int increments, double tolerance) {
@@ -333,7 +380,9 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
     return {};
   }
   parts_->outputs.reserve();
-  const std::vector<Observer*> observers = parts_->loop.with_watchers(parts_->outputs.observers());
+  LookCounter counter([this] { parts_->note([](Journal& journal) { journal.looked(); }); });
+  std::vector<Observer*> observers = parts_->loop.with_watchers(parts_->outputs.observers());
+  observers.insert(observers.begin(), &counter);
   const Mark busy = parts_->loop.mark_busy();
   Progress progress(parts_->talk);
   const auto show = [&](double fraction, int increment, int pass, std::int64_t broken) {
@@ -343,6 +392,7 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
   };
   QuasistaticResult result;
   parts_->loop.keeping(parts_->simulation, [&] {
+    const SlowNote note(*parts_, {parts_->simulation.end_time() + duration, increments, tolerance});
     result = parts_->simulation.load_slowly({duration, increments, tolerance, show}, observers);
   });
   return result;

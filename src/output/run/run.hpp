@@ -134,6 +134,7 @@ class Run {
 
  private:
   struct Parts;
+  class SlowNote;
   explicit Run(std::unique_ptr<Parts> parts);
   void check_open(const char* who) const;
   void check_arrived(const char* who) const;

@@ -5,6 +5,7 @@
 
 #include "base/files.hpp"
 #include "console/scripts.hpp"
+#include "output/run/proof.hpp"
 
 namespace hackle {
 namespace {
@@ -65,12 +66,9 @@ constexpr Scene scenes[] = {
 
 class Checkpoints : public testing::TestWithParam<Scene> {};
 
-// On as many threads as there are, with the bits of a run that was never stopped, and on from
-// there: the remainder of a step that a run went too far is kept, too.
-TEST_P(Checkpoints, GoOnAsIfNothingHadBeen) {
-  const Scene& scene = GetParam();
-  const test::Folder folder;
-  const std::string text = std::string(R"(
+// Makes the simulation s of a scene.
+std::string script_of(const Scene& scene) {
+  return std::string(R"(
     local function make(glass)
       local p = plate { width = 100*mm, height = 40*mm, material = material(glass) }
       p:crack { from = {0, 20*mm}, to = {50*mm, 20*mm} }
@@ -78,8 +76,15 @@ TEST_P(Checkpoints, GoOnAsIfNothingHadBeen) {
       return p:traction { edge = "bottom", stress = {0, -12*MPa} }
     end
     local p = make "duran50"
-    )") + scene.plate + "\nlocal s = simulate(p, { spacing = 1*mm" +
-                           scene.options + " })\n" + scene.before + R"(
+    )") + scene.plate +
+         "\nlocal s = simulate(p, { spacing = 1*mm" + scene.options + " })\n" + scene.before;
+}
+
+// On as many threads as there are, with the bits of a run that was never stopped, and on from
+// there: the remainder of a step that a run went too far is kept, too.
+TEST_P(Checkpoints, GoOnAsIfNothingHadBeen) {
+  const test::Folder folder;
+  const std::string text = script_of(GetParam()) + R"(
     s:save { "a.ckpt" }
     local t = load "a.ckpt"
     assert(t.hash == s.hash and t.time == s.time and t.steps == s.steps)
@@ -99,6 +104,28 @@ TEST_P(Checkpoints, GoOnAsIfNothingHadBeen) {
   ConsoleSettings settings = test::quiet(folder.path);
   settings.execution.threads = 0;
   EXPECT_EQ(test::message_of(text, settings), "");
+}
+
+// A run file of it can be computed again, and its exact records are checkpoints: those of its first
+// and last step.
+TEST_P(Checkpoints, AreInExactRecordsToo) {
+  const test::Folder folder;
+  const std::string text = script_of(GetParam()) + R"(
+    local f = s:fork()
+    f:record { "a.h5", steps = 3, exact = true }
+    f:step(6) f:traction { edge = "top", stress = {0, 9*MPa} } f:step(3) f:close()
+    local t, u = load { "a.h5", time = 0 }, load "a.h5"
+    assert(t.hash == s.hash and u.hash == f.hash and u.steps == f.steps)
+    t:step(6) t:traction { edge = "top", stress = {0, 9*MPa} } t:step(3)
+    assert(t.hash == f.hash)
+    s:step(6) s:traction { edge = "top", stress = {0, 9*MPa} } s:step(8) u:step(5)
+    assert(u.hash == s.hash)
+  )";
+  EXPECT_EQ(test::message_of(text, test::quiet(folder.path)), "");
+  const Proof proof = prove(folder.path / "a.h5", {2}, Talk::quiet);
+  EXPECT_EQ(proof.compared, 4U);
+  EXPECT_EQ(proof.stopped, "");
+  EXPECT_FALSE(proof.difference) << proof.difference->quantity;
 }
 INSTANTIATE_TEST_SUITE_P(OfScenes, Checkpoints, testing::ValuesIn(scenes),
                          [](const auto& info) { return std::string(info.param.name); });
@@ -139,6 +166,10 @@ TEST(CheckpointBinding, RefusesWhatItCannotDo) {
            {"s:save {}", "save: file is missing"},
            {"load 'nowhere.ckpt'", "No such file"},
            {"load 'b.ckpt'", "it does not begin with 'Hackle checkpoint 1'"},
+           {"load { 'b.ckpt', time = 1*us }", "a checkpoint has one time only"},
+           {"load 'nowhere.h5'", "there is no such file"},
+           {"s:record { 'c.h5', every = 1*us } s:run(2*us) s:close() load { 'c.h5', time = 2*us }",
+            "its record at 2 us does not hold the exact state"},
            {"load { 'b.ckpt', 3 }", "3 stands in the braces without a name"},
            {"s:frame { 'c.png' } s:save { 'c.png' }", "no checkpoint"}})
     EXPECT_THAT(test::message_of(test::scene + text, test::quiet(folder.path)), HasSubstr(message))
