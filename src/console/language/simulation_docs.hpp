@@ -77,8 +77,16 @@ inline constexpr FunctionDoc frame_doc{.name = "frame",
                                            "s:frame { \"crack.pdf\", paper = 85*mm, theme = "
                                            "\"light\", axes = true }"};
 
-inline constexpr auto record_options =
-    joined(file_option, joined(options_of<RecordOptions>, region_options));
+inline constexpr auto record_options = [] {
+  auto options = joined(file_option, joined(options_of<RecordOptions>, region_options));
+  for (Option& option : options)
+    if (option.name == "every") {
+      option.required = true;
+      option.unless = "steps";
+      option.alternative = false;
+    }
+  return options;
+}();
 
 inline constexpr FunctionDoc record_doc{
     .name = "record",
