@@ -34,8 +34,8 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 10> commands{"run", "check", "render", "replay", "diff", "export",
-                                                   "new", "bench", "info",   "docs"};
+constexpr std::array<std::string_view, 10> commands{"run",    "check", "render", "replay", "diff",
+                                                    "export", "new",   "bench",  "info",   "docs"};
 constexpr int max_threads = 1024;
 
 // The parsed command line.
