@@ -16,7 +16,7 @@ namespace {
 
 using ReplayJson = nlohmann::ordered_json;
 
-std::string place_of(const Difference& difference) {
+std::string place_of(const Discrepancy& difference) {
   std::string text;
   if (difference.node)
     text =
@@ -35,7 +35,7 @@ std::string verdict_on_hash(const Proof& proof) {
 }
 
 std::string text_of_difference(const Proof& proof) {
-  const Difference& difference = *proof.difference;
+  const Discrepancy& difference = *proof.difference;
   return fmt::format("record {} at {} (step {}) differs: {}{} is {} in the file, {} computed\n{}\n",
                      difference.record, quantity(difference.time, "s"), difference.step,
                      difference.quantity, place_of(difference), difference.recorded,
@@ -43,7 +43,7 @@ std::string text_of_difference(const Proof& proof) {
 }
 
 ReplayJson json_of_difference(const Proof& proof) {
-  const Difference& difference = *proof.difference;
+  const Discrepancy& difference = *proof.difference;
   ReplayJson json = {{"record", difference.record},    {"time_s", difference.time},
                      {"step", difference.step},        {"quantity", difference.quantity},
                      {"detail", difference.detail},    {"recorded", difference.recorded},

@@ -47,15 +47,15 @@ Proof differing() {
   proof.records = 9;
   proof.compared = 3;
   proof.has_hashes = true;
-  proof.difference = Difference{.record = 2,
-                                .time = 2e-6,
-                                .step = 40,
-                                .quantity = "broken",
-                                .node = Vec2(5, 7),
-                                .place = Vec2(2.75e-3, 3.75e-3),
-                                .detail = "bond to the node 1 columns and 0 rows on",
-                                .recorded = "broken",
-                                .computed = "intact"};
+  proof.difference = Discrepancy{.record = 2,
+                                 .time = 2e-6,
+                                 .step = 40,
+                                 .quantity = "broken",
+                                 .node = Vec2(5, 7),
+                                 .place = Vec2(2.75e-3, 3.75e-3),
+                                 .detail = "bond to the node 1 columns and 0 rows on",
+                                 .recorded = "broken",
+                                 .computed = "intact"};
   return proof;
 }
 

@@ -46,8 +46,8 @@ class Comparison {
       : run_(run), contents_(contents) {}
 
   // Returns the first difference in the fields, bodies and state of a record, or in its hash.
-  std::optional<Difference> look(std::size_t record, const Simulation& simulation) {
-    std::optional<Difference> found;
+  std::optional<Discrepancy> look(std::size_t record, const Simulation& simulation) {
+    std::optional<Discrepancy> found;
     const std::string group = record_group(record);
     for_each_dataset(simulation, contents_, run_.is_exact(record), [&](const RecordArray& array) {
       if (!found) found = in_array(record, group, array, simulation);
@@ -66,21 +66,22 @@ class Comparison {
   bool same_hash() const { return same_hash_; }
 
  private:
-  Difference begun(std::size_t record) const {
-    Difference difference;
+  Discrepancy begun(std::size_t record) const {
+    Discrepancy difference;
     difference.record = record;
     difference.time = run_.times()[record];
     difference.step = run_.steps()[record];
     return difference;
   }
 
-  std::optional<Difference> in_array(std::size_t record, const std::string& group,
-                                     const RecordArray& array, const Simulation& simulation) const {
+  std::optional<Discrepancy> in_array(std::size_t record, const std::string& group,
+                                      const RecordArray& array,
+                                      const Simulation& simulation) const {
     const std::vector<double> recorded =
         recorded_values(run_.file(), group + "/" + array.name, array);
     for (std::size_t at = 0; at < recorded.size(); ++at)
       if (!same_bits(recorded[at], array.value(at))) {
-        Difference difference = begun(record);
+        Discrepancy difference = begun(record);
         difference.quantity = array.name;
         difference.recorded = fmt::format("{}", recorded[at]);
         difference.computed = fmt::format("{}", array.value(at));
@@ -91,7 +92,7 @@ class Comparison {
   }
 
   // Says to what a value of an array belongs.
-  void place(Difference& difference, const RecordArray& array, std::size_t at, double recorded,
+  void place(Discrepancy& difference, const RecordArray& array, std::size_t at, double recorded,
              const Lattice& lattice) const {
     const std::size_t row = at / array.given, column = at % array.given;
     if (is_of_bodies(array.name)) {
@@ -117,7 +118,7 @@ class Comparison {
   }
 
   // Names the first bond of a word of bits that is not as recorded.
-  static void tell_bond(Difference& difference, const Family& family, std::size_t word,
+  static void tell_bond(Discrepancy& difference, const Family& family, std::size_t word,
                         double recorded, double computed) {
     const auto bits = static_cast<std::uint32_t>(recorded) ^ static_cast<std::uint32_t>(computed);
     const int bit = 32 * static_cast<int>(word) + std::countr_zero(bits);

@@ -14,7 +14,7 @@
 namespace hackle {
 
 // The first thing that is not as it was recorded.
-struct Difference {
+struct Discrepancy {
   std::size_t record = 0;
   double time = 0.0;  // s
   std::int64_t step = 0;
@@ -31,7 +31,7 @@ struct Proof {
       0;                    // of them; all but the last of these are equal if there is a difference
   bool has_hashes = false;  // a file of format 2 has none: then only fields are compared
   bool exact_hash = true;   // whether the hash of the record that differs is equal
-  std::optional<Difference> difference;
+  std::optional<Discrepancy> difference;
   std::string stopped;  // why record `compared` cannot be computed; "" if all were
 };
 
