@@ -2,7 +2,11 @@
 #include "store/hdf5.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <string_view>
+#include <system_error>
+
+#include <unistd.h>
 
 #include "base/error.hpp"
 
@@ -165,6 +169,11 @@ Hdf5Handle Hdf5File::series(const std::string& name, hid_t type, const std::stri
   return series;
 }
 
+Hdf5Handle Hdf5File::series(const std::string& name) {
+  return {checked(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), "open " + name + " in"),
+          H5Dclose};
+}
+
 void Hdf5File::append(const Hdf5Handle& series, hsize_t index, hid_t type, const void* value) {
   const hsize_t count = index + 1, one = 1;
   checked(H5Dset_extent(series.get(), &count), "extend");
@@ -205,6 +214,20 @@ void Hdf5File::write_text(const Hdf5Handle& group, const std::string& name, cons
   checked(H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()),
           "write");
   describe(dataset.get(), "long_name", long_name);
+}
+
+void Hdf5File::rename(const std::filesystem::path& path) {
+  flush();
+  void* descriptor = nullptr;
+  checked(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor), "write");
+  std::error_code failure;
+  if (::fsync(*static_cast<int*>(descriptor)) == 0)
+    std::filesystem::rename(path_, path, failure);
+  else
+    failure = {errno, std::generic_category()};
+  if (failure)
+    throw Error(ErrorKind::files, "cannot create '" + path.string() + "': " + failure.message());
+  path_ = path;
 }
 
 void Hdf5File::flush() {

@@ -72,6 +72,8 @@ class Hdf5File {
   // Creates a dataset of single values, numbers or texts, that grows by append().
   Hdf5Handle series(const std::string& name, hid_t type, const std::string& units,
                     const std::string& long_name);
+  // Returns one that the file has.
+  Hdf5Handle series(const std::string& name);
   // Appends a value as number `index`.
   void append(const Hdf5Handle& series, hsize_t index, hid_t type, const void* value);
   // Writes a dataset at once, compressing each column separately: the values of a column are alike,
@@ -83,6 +85,8 @@ class Hdf5File {
   void write_text(const Hdf5Handle& group, const std::string& name, const std::string& text,
                   const std::string& long_name);
   const Hdf5Handle& root() const { return file_; }
+  // Gives it another name, replacing a file of that name, when the disk has all of it.
+  void rename(const std::filesystem::path& path);
   void flush();
   void close();
 

@@ -147,6 +147,22 @@ void Journal::begin() {
   if (!slow_.empty()) deeds_.push_back(slow_);
 }
 
+std::string Journal::pending() const {
+  std::string text;
+  for (const std::string& deed : deeds_) text += (text.empty() ? "[" : ",\n ") + deed;
+  return text.empty() ? text : text + "]\n";
+}
+
+void Journal::resume(const std::string& pending) {
+  *this = Journal();
+  if (pending.empty()) return;
+  for (const DeedJson& deed : DeedJson::parse(pending)) {
+    deeds_.push_back(dumped(deed));
+    bytes_ += deeds_.back().size();
+    full_ = deed.at("did") == "too much";
+  }
+}
+
 std::string Journal::take(const Simulation& simulation) {
   if (full_) deeds_.push_back(loads_text(simulation, -1));
   std::string text;

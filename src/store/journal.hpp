@@ -51,6 +51,10 @@ class Journal {
   // Returns the deeds since the last record as JSON text, for a record taken now; "" if there are
   // none. They are then forgotten.
   std::string take(const Simulation& simulation);
+  // Returns the same without forgetting it, for another program, whose journal resumes from it.
+  // Slow loading is not resumed. Throws std::exception for another text.
+  std::string pending() const;
+  void resume(const std::string& pending);
 
  private:
   void add(const Simulation& simulation, std::string deed);

@@ -18,16 +18,17 @@
 #include "base/version.hpp"
 #include "store/exact_state.hpp"
 #include "store/hdf5.hpp"
+#include "store/hdf5_reader.hpp"
 #include "store/inputs.hpp"
 #include "store/lattice_hash.hpp"
 #include "store/record_arrays.hpp"
+#include "store/run_copy.hpp"
 #include "store/run_series.hpp"
 #include "store/xdmf.hpp"
 
 namespace hackle {
 namespace {
 
-constexpr unsigned max_groups = 1000;  // of a thousand records each
 // Per record, beside its fields: bonds, thermal strain, three kinds of bodies, the journal, five
 // arrays and the rest of an exact state.
 constexpr unsigned more_members = 12;
@@ -47,6 +48,13 @@ std::vector<std::uint8_t> materials_of(const Lattice& lattice, const NodeWindow&
   list.reserve(nodes.nodes());
   nodes.for_each([&](int i, int j) { list.push_back(lattice.material[lattice.grid.index(i, j)]); });
   return list;
+}
+
+Hdf5Handle text_of_hash() {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), hash_digits);
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);  // no room for a terminator
+  return type;
 }
 
 // The types of the values of a dataset, in the file and in memory.
@@ -116,12 +124,27 @@ struct RunFile::Parts {
                  H5T_NATIVE_UINT8, 1, materials_of(simulation.lattice(), contents.nodes).data());
     time = file.series("time", H5T_IEEE_F64LE, "s", "simulated time of each record");
     step = file.series("step", H5T_STD_I64LE, "", "time steps done at each record");
-    hash_type = {H5Tcopy(H5T_C_S1), H5Tclose};
-    H5Tset_size(hash_type.get(), hash_digits);
-    H5Tset_strpad(hash_type.get(), H5T_STR_NULLPAD);  // no room for a terminator
+    hash_type = text_of_hash();
     hash = file.series("state_hash", hash_type.get(), "", "hash of the state after that step");
-    file.name(file.group(max_groups), "records");
+    file.name(file.group(max_record_groups), "records");
     file.flush();
+  }
+  // Goes on behind the first records of the file.
+  Parts(const std::filesystem::path& path_, const Grid& grid_, const RecordContents& contents_,
+        std::int64_t records)
+      : path(path_),
+        contents(contents_),
+        grid(grid_),
+        file(first_records(path_, run_file_format, contents_.nodes.nodes(), records)),
+        time(file.series("time")),
+        step(file.series("step")),
+        hash_type(text_of_hash()),
+        hash(file.series("state_hash")),
+        shown(sidecar_fields(contents_)) {
+    const Hdf5Reader written(path_);
+    times = written.first_doubles("time", static_cast<hsize_t>(records));
+    has_material = written.holds("material");
+    write_sidecar();
   }
 
   // Writes the data of a record into its group.
@@ -197,6 +220,11 @@ RunFile::RunFile(const std::filesystem::path& path, const Simulation& simulation
     : parts_(std::make_unique<Parts>(
           path, simulation, origin,
           contents ? std::move(*contents) : standard_contents(simulation.lattice().grid))) {
+}
+
+RunFile::RunFile(const std::filesystem::path& path, const Grid& grid,
+                 const RecordContents& contents, std::int64_t records)
+    : parts_(std::make_unique<Parts>(path, grid, contents, records)) {
 }
 
 RunFile::~RunFile() = default;

@@ -2,6 +2,7 @@
 // The record of a run in HDF5, self-describing, with an XDMF sidecar for ParaView and VTK.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -63,6 +64,11 @@ class RunFile {
   // Without `contents` it holds the standard ones. Throws Error (files).
   RunFile(const std::filesystem::path& path, const Simulation& simulation, const Origin& origin,
           std::optional<RecordContents> contents = {});
+  // Goes on behind the first `records` records of a file that another program has left, whether it
+  // was killed or has completed the file; later records are gone. Throws Error (files), with a
+  // remedy, if it has fewer.
+  RunFile(const std::filesystem::path& path, const Grid& grid, const RecordContents& contents,
+          std::int64_t records);
   ~RunFile();
 
   // Appends the present state, and what was done since the last record (Journal::take()). Throws

@@ -24,16 +24,6 @@ struct Contents {
   std::vector<SidecarField> fields;
 };
 
-std::vector<SidecarField> sidecar_fields(const RecordContents& contents) {
-  std::vector<SidecarField> list;
-  for (const std::string& name : contents.fields) {
-    if (name == "bonds") continue;
-    const bool vector = name == "displacement" || name == "velocity";
-    list.push_back({name, vector ? 3 : 1, vector && contents.exact ? 8 : 4});
-  }
-  return list;
-}
-
 // Returns nothing for a file that we did not write, or that is complete or empty.
 std::optional<Contents> cut_off_contents(const fs::path& path) {
   try {

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/markup.hpp"
 #include "base/utf8.hpp"
+#include "store/record_contents.hpp"
 
 namespace hackle {
 namespace {
@@ -62,6 +63,16 @@ std::string record_group(std::size_t record) {
 
 std::vector<SidecarField> standard_sidecar() {
   return {{"damage"}, {"displacement", 3}, {"velocity", 3}};
+}
+
+std::vector<SidecarField> sidecar_fields(const RecordContents& contents) {
+  std::vector<SidecarField> list;
+  for (const std::string& name : contents.fields) {
+    if (name == "bonds") continue;
+    const bool vector = name == "displacement" || name == "velocity";
+    list.push_back({name, vector ? 3 : 1, vector && contents.exact ? 8 : 4});
+  }
+  return list;
 }
 
 std::string xdmf(const Grid& grid, const std::filesystem::path& run_file,

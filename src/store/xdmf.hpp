@@ -11,8 +11,11 @@
 
 namespace hackle {
 
+struct RecordContents;
+
 // The group of a record in the run file, e.g. "records/1/01234": one group per thousand records.
 inline constexpr std::size_t records_a_group = 1000;
+inline constexpr unsigned max_record_groups = 1000;
 std::string record_group(std::size_t record);
 
 // Throws Error (refused) for a run file name that ParaView's readers cannot handle: they take the
@@ -27,6 +30,7 @@ struct SidecarField {
   int precision = 4;   // bytes of a number
 };
 std::vector<SidecarField> standard_sidecar();
+std::vector<SidecarField> sidecar_fields(const RecordContents& contents);
 
 // Returns the XML for the records at these times (s). The nodes are the points of an image, so that
 // ParaView at once shows a coloured surface and can warp it by the displacement.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/on_disk.hpp"
 #include "base/stopwatch.hpp"
 
 namespace hackle {
@@ -109,6 +110,7 @@ std::vector<std::filesystem::path> MovieOutput::kept_files() const {
 }
 
 std::function<void()> MovieOutput::settled() {
+  if (complete_) return [path = path()] { bring_file_to_disk(path); };
   return [kept = file_.kept(), frames = frames_] {
     if (kept) kept->wait_for(frames);
   };

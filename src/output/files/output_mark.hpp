@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace hackle {
 
@@ -13,6 +14,7 @@ struct OutputMark {
   double start = 0.0;       // s, of its schedule
   std::int64_t next = 0;    // number of the time that its schedule waits for
   bool complete = false;    // the file is finished
+  std::string note = {};    // what its next piece has to tell of the time before
 };
 
 }  // namespace hackle

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "base/on_disk.hpp"
 #include "base/partial_file.hpp"
 #include "base/stopwatch.hpp"
 #include "base/terminal.hpp"
@@ -39,7 +40,7 @@ RecordOutput::RecordOutput(std::filesystem::path path, const RecordOptions& opti
 }
 
 void RecordOutput::reserve() {
-  if (lock_) return;
+  if (lock_ || complete_) return;
   make_folder_of(path_);
   auto lock = std::make_unique<HeldFile>(recording_lock(path_), path_);
   const std::optional<RescuedRun> rescued = rescue_run(
@@ -61,7 +62,30 @@ void RecordOutput::look(const Simulation& simulation) {
     journal_->begin();
   }
   file_->add(simulation, journal_->take(simulation));
+  ++records_;
   failed_ = false;
+}
+
+OutputMark RecordOutput::mark() const {
+  OutputMark mark = mark_at(path_, records_, complete_);
+  if (file_ && !complete_) mark.note = journal_->pending();
+  return mark;
+}
+
+std::function<void()> RecordOutput::settled() {
+  return [path = path_] { bring_file_to_disk(path); };
+}
+
+void RecordOutput::continue_from(const OutputMark& mark) {
+  schedule().go_on(mark.start, mark.next);
+  records_ = mark.pieces;
+  complete_ = mark.complete;
+  if (complete_) return;
+  make_folder_of(path_);
+  lock_ = std::make_unique<HeldFile>(recording_lock(path_), path_);
+  if (records_ == 0) return;
+  file_ = std::make_unique<RunFile>(path_, grid_, contents_, records_);
+  journal_->resume(mark.note);
 }
 
 Expected RecordOutput::expected(double until, std::int64_t max_looks) const {
@@ -82,7 +106,7 @@ void RecordOutput::close() {
 
 std::vector<std::filesystem::path> RecordOutput::files() const {
   if (!complete_) return {};
-  return {file_->path(), file_->sidecar()};
+  return {path_, sidecar_of(path_)};
 }
 
 }  // namespace hackle

@@ -36,6 +36,10 @@ class RecordOutput : public Output {
   std::vector<std::filesystem::path> files() const override;
   void add_seconds(StageSeconds& wall) const override { wall.store += store_seconds_; }
 
+  OutputMark mark() const override;
+  std::function<void()> settled() override;
+  void continue_from(const OutputMark& mark) override;
+
  private:
   void look(const Simulation& simulation) override;
   std::filesystem::path path_;
@@ -48,6 +52,7 @@ class RecordOutput : public Output {
   std::function<std::vector<SeriesTable>()> tables_;
   std::unique_ptr<HeldFile> lock_;  // from reserve() to close()
   std::unique_ptr<RunFile> file_;   // created with the first record
+  std::int64_t records_ = 0;
   bool failed_ = false;
   bool complete_ = false;
   double store_seconds_ = 0.0;
