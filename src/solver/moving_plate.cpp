@@ -158,6 +158,10 @@ void MovingPlate::close_ledger() {
   state_.damped = open.damped / energy_unit();
 }
 
+void MovingPlate::note_broken_bonds(std::vector<BrokenBond> broken_bonds) {
+  stepper_->note_broken_bonds(std::move(broken_bonds));
+}
+
 void MovingPlate::come_to_rest(std::vector<BrokenBond> broken_bonds) {
   borne_ = terms_.actions().forces;
   for (int j = 0; j < lattice_.grid.ny; ++j)

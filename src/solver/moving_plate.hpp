@@ -46,6 +46,8 @@ class MovingPlate {
   // The plate stands still from now on, under what acts since halt(), and these bonds broke on the
   // way. Contacts took no part: what is stored in them now and was not before came from nowhere.
   void come_to_rest(std::vector<BrokenBond> broken_bonds);
+  // The bonds that broke in the last step; known where that step was made elsewhere.
+  void note_broken_bonds(std::vector<BrokenBond> broken_bonds);
   // The loads under which it last came to rest.
   const std::vector<LoadedNode>& borne() const { return borne_; }
   void set_borne(std::vector<LoadedNode> borne) { borne_ = std::move(borne); }

@@ -88,18 +88,27 @@ Simulation Simulation::resumed(Plate plate, Numerics numerics, Snapshot snapshot
     throw Error(ErrorKind::refused, "the state is not one of this plate and lattice");
   simulation.plate_.resume(std::move(plate), std::move(snapshot.state), snapshot.widened_at);
   simulation.plate_.set_borne(std::move(snapshot.borne));
+  simulation.plate_.note_broken_bonds(std::move(snapshot.broken_bonds));
   simulation.aim_ = snapshot.aim;
   simulation.plate_.tabulate(simulation.aim_.last_step);
   simulation.divergence_.begin(snapshot.max_energy);
   simulation.solve_seconds_ = snapshot.solve_seconds;
+  simulation.course_ = std::move(snapshot.course);
   simulation.check_finite();
   if (simulation.has_arrived()) simulation.show(simulation.aim_.end_time);
   return simulation;
 }
 
 Snapshot Simulation::snapshot() const {
-  return {state(),       aim_, plate_.borne(), plate_.widened_at(), divergence_.max_energy(),
-          solve_seconds_};
+  return {state(),        aim_,  plate_.borne(), plate_.widened_at(), divergence_.max_energy(),
+          solve_seconds_, broken_bonds(), course_};
+}
+
+void Simulation::pretend(const TimePoint& point) {
+  plate_.state().step = point.step;
+  plate_.state().clock = point.clock;
+  aim_ = point.aim;
+  show(point.time);
 }
 
 double Observer::moment(const Simulation& simulation) {
@@ -136,6 +145,7 @@ void Simulation::aim(double duration) {
   const Aim next = aim_.after(duration, state().clock, dt());
   plate_.tabulate(next.last_step);
   aim_ = next;
+  course_.reset();
 }
 
 void Simulation::run(double duration, std::span<Observer* const> observers) {
@@ -178,33 +188,40 @@ void Simulation::look_after_step(Audience& audience) {
 
 RelaxResult Simulation::relax(const RelaxOptions& options) {
   seen_at_.reset();
+  course_.reset();
   return Statics(plate_).relax(options);
 }
 
 QuasistaticResult Simulation::load_slowly(const QuasistaticOptions& options,
                                           std::span<Observer* const> observers) {
-  const double begin = plate_.time(), end = aim_.end_time + options.duration;
-  check(options, begin, dt());
+  if (!options.goes_on || !course_) {
+    check(options, plate_.time(), dt());
+    course_ = SlowCourse{plate_.time(), aim_.end_time + options.duration, 0, {}};
+  }
+  SlowCourse& course = *course_;
+  const double length = std::max(course.end - course.begin, 0.0);
   seen_at_.reset();
-  QuasistaticResult result;
   break_off_ = false;
   Audience audience(observers);
   audience.look(*this);
-  int k = 0;
-  while (++k <= options.increments && result.bears && !break_off_) {
+  while (course.increments < options.increments && course.result.bears && !break_off_) {
     try {
-      Statics(plate_).load_to(begin + std::max(end - begin, 0.0) * k / options.increments, options,
-                              result);
+      QuasistaticResult result = course.result;
+      Statics(plate_).load_to(course.begin + length * (course.increments + 1) / options.increments,
+                              options, result);
+      course.result = std::move(result);
     } catch (...) {
       begin_anew();
       throw;
     }
+    ++course.increments;
     stop();
     audience.look_anew(*this);
   }
   // The time by which a step or a run went too far is not made up for, as in a run.
-  if (k > options.increments && result.bears && !break_off_) aim_.end_time = end;
-  return result;
+  if (course.increments == options.increments && course.result.bears && !break_off_)
+    aim_.end_time = course.end;
+  return std::exchange(course_, {})->result;
 }
 
 }  // namespace hackle

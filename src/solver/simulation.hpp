@@ -12,6 +12,7 @@
 #include "solver/observer.hpp"
 #include "solver/snapshot.hpp"
 #include "solver/statics/rest.hpp"
+#include "solver/time_point.hpp"
 #include "solver/view.hpp"
 
 namespace hackle {
@@ -50,6 +51,10 @@ class Simulation {
   void go_on(std::span<Observer* const> observers = {});
   bool has_arrived() const { return state().step >= aim_.last_step; }
   std::int64_t last_step() const { return aim_.last_step; }  // of the current aim
+  TimePoint time_point() const { return {state().step, state().clock, aim_, time()}; }
+  // Claims to be at that point, with the plate as it is: for whoever runs a script again up to
+  // where a snapshot will take its place.
+  void pretend(const TimePoint& point);
   // For observers: makes go_on() return after this step, load_slowly() after this increment.
   void break_off() { break_off_ = true; }
   // Cancels the remaining run; from an observer, after the current step.
@@ -70,7 +75,8 @@ class Simulation {
   // then stretched too far, the worst of them break and it is brought to rest again. Observers see
   // the beginning and the state after each increment, when they are due, and may change loads
   // there. Ends early when the plate comes apart, which is a result, or when an observer breaks
-  // off. Throws what relax throws, with the state after the last increment that was completed.
+  // off. Throws what relax throws, with the state after the last increment that was completed. A
+  // simulation that was resumed from a snapshot within such a loading may go on with it.
   QuasistaticResult load_slowly(const QuasistaticOptions& options,
                                 std::span<Observer* const> observers = {});
 
@@ -140,6 +146,7 @@ class Simulation {
   Aim aim_;
   std::optional<Instant> seen_at_;  // none: the last step
   bool break_off_ = false;
+  std::optional<SlowCourse> course_;  // of the last slow loading
   double solve_seconds_ = 0.0;
   Divergence divergence_;
 };

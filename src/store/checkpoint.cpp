@@ -31,7 +31,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 
 using HeadJson = nlohmann::json;
-constexpr std::string_view first_line = "Hackle checkpoint 1\n";
+constexpr std::string_view first_line = "Hackle checkpoint 2\n";
 constexpr std::uint64_t max_head = std::uint64_t{256} << 20U;
 
 // The head of a checkpoint: that of its snapshot, the sizes of its arrays, and where it comes from.
@@ -95,12 +95,14 @@ fs::path previous_checkpoint(const fs::path& path) {
   return path.parent_path() / name;
 }
 
-CheckpointImage image_of(const Simulation& simulation, const Origin& origin) {
+CheckpointImage image_of(const Simulation& simulation, const Origin& origin,
+                         std::string continuation) {
   Snapshot snapshot = simulation.snapshot();
+  HeadJson head = head_of(simulation, snapshot, origin);
+  head["continuation"] = continuation.size();
   // The name of a material may contain invalid UTF-8.
-  std::string head = head_of(simulation, snapshot, origin)
-                         .dump(-1, ' ', false, HeadJson::error_handler_t::replace);
-  return {std::move(head), std::move(snapshot.state)};
+  return {head.dump(-1, ' ', false, HeadJson::error_handler_t::replace), std::move(continuation),
+          std::move(snapshot.state)};
 }
 
 void write_checkpoint(const fs::path& path, const CheckpointImage& image) {
@@ -109,6 +111,7 @@ void write_checkpoint(const fs::path& path, const CheckpointImage& image) {
   SealedWriter writer(partial_name(path));
   writer.write(fmt::format("{}{}\n", first_line, image.head.size()));
   writer.write(image.head);
+  writer.write(image.continuation);
   write_state(image.state, writer);
   writer.seal();
   check_seal(partial_name(path), first_line, Patience::endless);
@@ -156,8 +159,8 @@ void read_arrays(const HeadJson& sizes, State& state, SealedReader& reader) {
 }
 
 void check_parts(const Checkpoint& checkpoint, const Grid& grid, const SealedReader& reader) {
-  for (const LoadedNode& node : checkpoint.snapshot.borne)
-    if (!grid.contains(node.i, node.j)) reader.refuse("it names nodes that its plate has not");
+  if (!names_only_its_own(checkpoint.snapshot, grid))
+    reader.refuse("it names nodes or bonds that its plate has not");
   const State& state = checkpoint.snapshot.state;
   const Loads& loads = checkpoint.inputs.plate.loads;
   if (state.discs.size() != loads.impactors.size() ||
@@ -165,14 +168,26 @@ void check_parts(const Checkpoint& checkpoint, const Grid& grid, const SealedRea
     reader.refuse("its bodies are not those of its plate");
 }
 
-Checkpoint read_parts(const fs::path& path) {
-  SealedReader reader(path);
+HeadJson read_head_of_file(SealedReader& reader) {
   const std::uint64_t size = size_of_head(reader);
   if (size > max_head) reader.refuse("its head is too long");
-  const HeadJson head = HeadJson::parse(reader.text(size));
+  return HeadJson::parse(reader.text(size));
+}
+
+// It follows the head.
+std::string continuation_behind(const HeadJson& head, SealedReader& reader) {
+  return reader.text(reader.checked(head.at("continuation").get<std::uint64_t>()));
+}
+
+Checkpoint read_parts(const fs::path& path) {
+  SealedReader reader(path);
+  const HeadJson head = read_head_of_file(reader);
+  const std::string inputs = head.at("inputs");
   Checkpoint checkpoint{{head.at("script_name"), head.at("script")},
-                        read_inputs(head.at("inputs").get<std::string>()),
+                        read_inputs(inputs),
+                        inputs,
                         head.at("lattice_hash"),
+                        continuation_behind(head, reader),
                         {}};
   Problems problems;
   check(checkpoint.inputs.plate, problems);
@@ -187,12 +202,12 @@ Checkpoint read_parts(const fs::path& path) {
   return checkpoint;
 }
 
-}  // namespace
-
-Checkpoint read_checkpoint(const fs::path& path) {
+// Reads a file whose seal is whole by `read`.
+template <class Read>
+auto sealed(const fs::path& path, const Read& read) {
   try {
     check_seal(path, first_line, Patience::until_interrupted);
-    return read_parts(path);
+    return read(path);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::files) throw;
     const std::string remedy = remedy_by_previous(path);
@@ -201,6 +216,19 @@ Checkpoint read_checkpoint(const fs::path& path) {
   } catch (const std::exception&) {  // of JSON: its message may quote the file
     refuse_sealed(path, "its head is damaged", remedy_by_previous(path));
   }
+}
+
+}  // namespace
+
+Checkpoint read_checkpoint(const fs::path& path) {
+  return sealed(path, read_parts);
+}
+
+std::string read_continuation(const fs::path& path) {
+  return sealed(path, [](const fs::path& file) {
+    SealedReader reader(file);
+    return continuation_behind(read_head_of_file(reader), reader);
+  });
 }
 
 // What its plate refuses is a fault of the file.

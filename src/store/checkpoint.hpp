@@ -13,12 +13,14 @@
 namespace hackle {
 
 // The file is sealed (sealed_file.hpp): a line that names the format, the size of a head in JSON,
-// the head (program, script, inputs, the small members of the state), and the arrays of the state
-// as they lie in memory (little-endian). It is as large as the state.
+// the head (program, script, inputs, the small members of the state), the continuation, and the
+// arrays of the state as they lie in memory (little-endian). It is as large as the state.
 struct Checkpoint {
   Origin origin;  // the script that made it
   Inputs inputs;  // with the loads in force; see Inputs for functions
+  std::string inputs_text;  // JSON, see store/inputs.hpp
   std::string lattice_hash;
+  std::string continuation;  // bytes of whoever kept it: what is needed beside the state
   Snapshot snapshot;
 };
 
@@ -28,9 +30,11 @@ std::filesystem::path previous_checkpoint(const std::filesystem::path& path);
 // What a checkpoint is going to hold: a copy, so that a thread may write it beside the solver.
 struct CheckpointImage {
   std::string head;  // JSON
+  std::string continuation;
   State state;
 };
-CheckpointImage image_of(const Simulation& simulation, const Origin& origin);
+CheckpointImage image_of(const Simulation& simulation, const Origin& origin,
+                         std::string continuation = {});
 
 // Writes under a temporary name, reads it back, keeps a former file as previous_checkpoint(), and
 // takes its name: at any moment one of the two is whole. Throws Error (files).
@@ -40,6 +44,9 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointImage& 
 // another format, or no checkpoint, and names the previous one if that is whole; Error
 // (interrupted).
 Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+// Reads the continuation alone; throws the same.
+std::string read_continuation(const std::filesystem::path& path);
 
 // Returns the simulation of a checkpoint. Throws Error (files) if it does not fit its own plate,
 // and Error (refused) for loads that are functions, which a file cannot hold, naming them.

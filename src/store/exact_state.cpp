@@ -40,9 +40,8 @@ Values<Real> read_nodes(const Hdf5Reader& file, const std::string& name, const G
 
 void check_fits(const Hdf5Reader& file, const Snapshot& snapshot, const Lattice& lattice) {
   if (!fits(snapshot.state, lattice)) file.refuse("its exact state is not one of its plate");
-  for (const LoadedNode& node : snapshot.borne)
-    if (!lattice.grid.contains(node.i, node.j))
-      file.refuse("its exact state names nodes that its plate has not");
+  if (!names_only_its_own(snapshot, lattice.grid))
+    file.refuse("its exact state names nodes or bonds that its plate has not");
 }
 
 }  // namespace

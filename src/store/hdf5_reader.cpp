@@ -245,14 +245,22 @@ void Hdf5Reader::check_pieces(const Hdf5Handle& dataset, const Hdf5Handle& plan,
     refuse(fmt::format("its {} is in pieces of another size", name));
   if (!is_packed) return;
   const std::size_t size = piece[0] * piece[1] * H5Tget_size(type.get());
+  // Every piece takes room in the file.
+  const hsize_t columns = count > 1 ? shape[1] : 1;
+  const double pieces = (static_cast<double>(shape[0]) / static_cast<double>(piece[0]) + 1.0) *
+                        (static_cast<double>(columns) / static_cast<double>(piece[1]) + 1.0);
+  std::error_code ignored;
+  if (pieces > static_cast<double>(std::filesystem::file_size(path_, ignored)))
+    refuse(fmt::format("the shape of its {} is damaged", name));
   for (hsize_t row = 0; row < shape[0]; row += piece[0])
-    for (hsize_t column = 0; column < (count > 1 ? shape[1] : 1); column += piece[1])
+    for (hsize_t column = 0; column < columns; column += piece[1])
       check_piece(dataset, {row, column}, size, name);
 }
 
 // HDF5 unpacks without a limit. Small pieces need no check.
 void Hdf5Reader::check_piece(const Hdf5Handle& dataset, const std::array<hsize_t, 2>& at,
                              std::size_t size, const std::string& name) const {
+  stop_if_interrupted();
   unsigned skipped = 0;
   haddr_t address = 0;
   hsize_t stored = 0;
@@ -260,7 +268,6 @@ void Hdf5Reader::check_piece(const Hdf5Handle& dataset, const std::array<hsize_t
   if (H5Dget_chunk_info_by_coord(dataset.get(), at.data(), &skipped, &address, &stored) < 0 ||
       address == HADDR_UNDEF || stored <= small_piece)
     return;
-  stop_if_interrupted();
   const auto refuse_it = [&] { refuse(fmt::format("its {} is damaged", name)); };
   if (stored > size + size / 16 + small_piece) refuse_it();
   if (skipped != 0) return;

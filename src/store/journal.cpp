@@ -113,8 +113,12 @@ Deed deed_in(const DeedJson& json) {
 void Journal::add(const Simulation& simulation, std::string deed) {
   if (full_) return;
   bytes_ += deed.size();
-  full_ = deeds_.size() >= max_deeds || bytes_ > max_journal_bytes;
-  if (!full_) return deeds_.push_back(std::move(deed));
+  if (deeds_.size() >= max_deeds || bytes_ > max_journal_bytes) return lose_track(simulation);
+  deeds_.push_back(std::move(deed));
+}
+
+void Journal::lose_track(const Simulation& simulation) {
+  full_ = true;
   deeds_ = {deed_text("too much", simulation.state().step, -1, DeedJson::object())};
 }
 

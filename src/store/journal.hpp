@@ -46,6 +46,9 @@ class Journal {
   void looked() { ++look_; }  // at slow loading, before anybody else does
   void ended_slowly(const Simulation& simulation);
 
+  // Says that more was done than is noted.
+  void lose_track(const Simulation& simulation);
+
   // Forgets what was done before the present state, but not that it is being loaded slowly.
   void begin();
   // Returns the deeds since the last record as JSON text, for a record taken now; "" if there are

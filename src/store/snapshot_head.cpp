@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "store/snapshot_head.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -32,6 +34,17 @@ HeadJson json_of(const std::vector<LoadedNode>& nodes) {
   for (const LoadedNode& node : nodes)
     list.push_back({node.i, node.j, json_of(node.acceleration), node.inertia});
   return list;
+}
+
+HeadJson json_of(const std::vector<BrokenBond>& bonds) {
+  HeadJson list = HeadJson::array();
+  for (const BrokenBond& bond : bonds) list.push_back({bond.at, bond.word, bond.bit});
+  return list;
+}
+HeadJson json_of(const std::optional<SlowCourse>& course) {
+  if (!course) return nullptr;
+  const auto& [begin, end, increments, result] = *course;
+  return {begin, end, increments, result.passes, result.iterations, result.broken};
 }
 
 double number(const HeadJson& json) {
@@ -70,6 +83,20 @@ void set(std::vector<LoadedNode>& to, const HeadJson& json) {
   }
 }
 
+void set(std::vector<BrokenBond>& to, const HeadJson& json) {
+  for (const HeadJson& bond : json) to.push_back({bond.at(0), bond.at(1), bond.at(2)});
+}
+void set(std::optional<SlowCourse>& to, const HeadJson& json) {
+  if (json.is_null()) return;
+  SlowCourse& course = to.emplace();
+  set(course.begin, json.at(0));
+  set(course.end, json.at(1));
+  course.increments = json.at(2).get<int>();
+  course.result.passes = json.at(3).get<std::vector<int>>();
+  set(course.result.iterations, json.at(4));
+  set(course.result.broken, json.at(5));
+}
+
 }  // namespace
 
 HeadJson head_of(const Snapshot& snapshot) {
@@ -83,7 +110,34 @@ HeadJson head_of(const Snapshot& snapshot) {
           {"borne", json_of(snapshot.borne)},
           {"widened_at", snapshot.widened_at ? HeadJson(*snapshot.widened_at) : HeadJson()},
           {"max_energy", snapshot.max_energy},
-          {"solve_seconds", snapshot.solve_seconds}};
+          {"solve_seconds", snapshot.solve_seconds},
+          {"broken_bonds", json_of(snapshot.broken_bonds)},
+          {"course", json_of(snapshot.course)}};
+}
+
+namespace {
+
+bool is_node(std::ptrdiff_t at, const Grid& grid) {
+  const NodeLayout layout = grid.layout();
+  if (at < 0 || at >= static_cast<std::ptrdiff_t>(layout.size())) return false;
+  const auto j = static_cast<int>(at / layout.stride());
+  return grid.contains(static_cast<int>(at - layout.at(0, j)), j);
+}
+
+bool is_bond(const BrokenBond& bond, const Grid& grid, const BondBits& bits) {
+  return is_node(bond.at, grid) && bond.word >= 0 && std::has_single_bit(bond.bit) &&
+         static_cast<std::size_t>(bond.word) * bits.plane() < bits.words().size();
+}
+
+}  // namespace
+
+bool names_only_its_own(const Snapshot& snapshot, const Grid& grid) {
+  return std::ranges::all_of(
+             snapshot.borne,
+             [&](const LoadedNode& node) { return grid.contains(node.i, node.j); }) &&
+         std::ranges::all_of(snapshot.broken_bonds, [&](const BrokenBond& bond) {
+           return is_bond(bond, grid, snapshot.state.bonds);
+         });
 }
 
 void read_head(const HeadJson& head, Snapshot& snapshot) {
@@ -101,6 +155,8 @@ void read_head(const HeadJson& head, Snapshot& snapshot) {
   if (!head.at("widened_at").is_null()) snapshot.widened_at = number(head.at("widened_at"));
   snapshot.max_energy = number(head.at("max_energy"));
   snapshot.solve_seconds = number(head.at("solve_seconds"));
+  set(snapshot.broken_bonds, head.at("broken_bonds"));
+  set(snapshot.course, head.at("course"));
 }
 
 }  // namespace hackle

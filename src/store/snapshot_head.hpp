@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lattice/grid.hpp"
 #include "solver/snapshot.hpp"
 
 namespace hackle {
@@ -24,5 +25,8 @@ nlohmann::json head_of(const Snapshot& snapshot);
 // Sets all that head_of() tells, and the precision of the state, whose arrays are then empty.
 // Throws std::exception for a head of another form, or with values that are not finite.
 void read_head(const nlohmann::json& head, Snapshot& snapshot);
+
+// Whether the nodes and bonds that the head names are those of the grid and the state.
+bool names_only_its_own(const Snapshot& snapshot, const Grid& grid);
 
 }  // namespace hackle

@@ -125,10 +125,10 @@ TEST_F(CheckpointFile, ForgedOnesAreRefused) {
   };
   const std::vector<std::string> forged{
       "",
-      "Hackle checkpoint 1\n",
-      "Hackle checkpoint 1\n99999999999999999999999\n{}",
-      "Hackle checkpoint 1\n2\n{}",
-      "Hackle checkpoint 1\n-2\n{}",
+      "Hackle checkpoint 2\n",
+      "Hackle checkpoint 2\n99999999999999999999999\n{}",
+      "Hackle checkpoint 2\n2\n{}",
+      "Hackle checkpoint 2\n-2\n{}",
       "Hackle checkpoint 2\n2\n{}",
       good.substr(0, good.size() - 8),
       with("\"ux\":", "\"ux\":9"),

@@ -33,6 +33,7 @@ struct QuasistaticOptions {
   double duration = 0.0;    // s, of the amplitudes of the loads; above 0
   int increments = 10;      // number of equal parts of the duration, >= 1
   double tolerance = 1e-6;  // of RelaxOptions
+  bool goes_on = false;     // with the loading in which the snapshot was taken
   // Called now and then with the progress, 0..1, and the present position; may throw.
   std::function<void(double fraction, int increment, int pass, std::int64_t broken)> progress;
 };
@@ -46,6 +47,13 @@ struct QuasistaticResult {
   // `passes`: bonds are broken as far as equilibria were found, and a run continues from there.
   bool bears = true;
   std::string why;  // what was then found
+};
+
+// How far loads have grown slowly, so that it can go on there.
+struct SlowCourse {
+  double begin = 0.0, end = 0.0;  // s
+  int increments = 0;             // completed
+  QuasistaticResult result;       // of those
 };
 
 }  // namespace hackle
