@@ -34,8 +34,8 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 10> commands{"run",    "check", "render", "replay", "diff",
-                                                    "export", "new",   "bench",  "info",   "docs"};
+constexpr std::array<std::string_view, 11> commands{
+    "run", "resume", "check", "render", "replay", "diff", "export", "new", "bench", "info", "docs"};
 constexpr int max_threads = 1024;
 
 // The parsed command line.
@@ -140,23 +140,47 @@ void describe_new(CLI::App& app, Request& request) {
   command->add_option("NAME", request.new_name, "Name of the script")->required();
 }
 
-void describe_run(CLI::App& app, Request& request) {
-  CLI::App* run = app.add_subcommand("run", "Run a script");
-  describe_script(*run, request);
-  run->add_flag("--json", request.run.json, "Print one JSON object with the results on stdout");
-  run->add_flag("-q,--quiet", request.run.quiet, "Print only errors");
-  run->add_flag("--force", request.run.force,
-                "Overwrite the files of an earlier run with other options; without it they go to "
-                "a folder of their own, out/NAME-2, or -o is refused");
-  run->add_option(
-         "--checkpoint", request.run.checkpoint_every,
-         "Wall time between checkpoints, as in 10min or 0.5s, from which load goes on after "
-         "a failure; 0s for none (10min)")
+// Options of what runs a script to its end.
+void describe_running(CLI::App& command, RunRequest& request) {
+  command.add_flag("--json", request.json, "Print one JSON object with the results on stdout");
+  command.add_flag("-q,--quiet", request.quiet, "Print only errors");
+  command
+      .add_option(
+          "--checkpoint", request.checkpoint_every,
+          "Wall time between checkpoints, as in 10min or 0.5s, from which the same command or "
+          "hackle resume goes on; 0s for none (10min)")
       ->type_name("TIME")
       ->transform(CLI::AsNumberWithUnit(
           std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
           CLI::AsNumberWithUnit::UNIT_REQUIRED))
       ->check(CLI::Range(0.0, 1e9));
+}
+
+void describe_resume(CLI::App& app, Request& request) {
+  CLI::App* resume = app.add_subcommand(
+      "resume", "Go on with a script that was interrupted, failed or was killed");
+  resume
+      ->add_option("FILE", request.run.resumed,
+                   "Its checkpoint, .ckpt, or the folder of its output")
+      ->required();
+  describe_running(*resume, request.run);
+  describe_execution(*resume, request.run.execution);
+  describe_limits(*resume, request.run.limits);
+  resume->footer(
+      "The script is run again up to where it stopped, without computing, and every value that it\n"
+      "reads is the one that it read. It must lie where it lay, or nowhere: then its text is used\n"
+      "as it was.");
+}
+
+void describe_run(CLI::App& app, Request& request) {
+  CLI::App* run = app.add_subcommand("run", "Run a script");
+  describe_script(*run, request);
+  describe_running(*run, request.run);
+  run->add_flag("--fresh", request.run.fresh,
+                "Begin anew; without it a run that was stopped goes on where it was");
+  run->add_flag("--force", request.run.force,
+                "Overwrite the files of an earlier run with other options; without it they go to "
+                "a folder of their own, out/NAME-2, or -o is refused");
   run->add_flag("-i,--interactive", request.run.interactive,
                 "Go on at the prompt after the script, with its variables and simulations")
       ->excludes("--json");
@@ -299,6 +323,7 @@ void describe(CLI::App& app, Request& request) {
   app.require_subcommand(0, 1);
   describe_limits(app, request.run.limits);
   describe_run(app, request);
+  describe_resume(app, request);
   describe_check(app, request);
   describe_render(app, request);
   describe_diff(app, request);
@@ -332,7 +357,7 @@ int execute(const CLI::App& app, Request& request) {
     const std::size_t equals = setting.find('=');
     request.run.overrides[setting.substr(0, equals)] = setting.substr(equals + 1);
   }
-  if (app.got_subcommand("run")) return command_run(request.run);
+  if (app.got_subcommand("run") || app.got_subcommand("resume")) return command_run(request.run);
   if (app.got_subcommand("check")) return command_check(request.run);
   if (app.got_subcommand("render")) return command_render(request.render);
   if (app.got_subcommand("diff")) return command_diff(request.diff);

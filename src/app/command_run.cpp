@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/command_run.hpp"
 
+#include <optional>
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +15,7 @@
 #include "base/machine.hpp"
 #include "base/streams.hpp"
 #include "console/console.hpp"
+#include "store/checkpoint.hpp"
 
 namespace hackle {
 
@@ -25,11 +29,28 @@ ConsoleSettings settings_of(const RunRequest& request) {
   settings.execution = request.execution;
   settings.talk = talk(request.quiet);
   settings.force = request.force;
+  settings.fresh = request.fresh;
   settings.checkpoint_every = request.checkpoint_every;
   settings.print_to_stderr = request.json;
   settings.show_in_terminal = stdout_is_terminal() && !request.json;
   request.limits.apply(settings);
   return settings;
+}
+
+Found checkpoint_of(const RunRequest& request) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::is_directory(request.resumed, ignored))
+    return {request.resumed, continuation_of(read_continuation(request.resumed), request.resumed)};
+  std::vector<std::string> damaged;
+  std::optional<Found> found = find_continuation(request.resumed, "", damaged);
+  if (found) return std::move(*found);
+  Problems problems;
+  problems.add(fmt::format("folder '{}' has no run that was stopped", request.resumed.string()),
+               "name the folder of its output, as in hackle resume out/plate");
+  for (std::string& problem : damaged) problems.add(std::move(problem));
+  problems.throw_if_any(ErrorKind::files);
+  return {};
 }
 
 void run(Console& console, const RunRequest& request) {
@@ -50,12 +71,23 @@ void print_json(const Console& console, const RunRequest& request) {
 
 }  // namespace
 
-int command_run(const RunRequest& request) {
+int command_run(const RunRequest& asked) {
   return exit_code_of([&] {
+    RunRequest request = asked;
+    std::optional<Found> found;
+    if (!request.resumed.empty()) {
+      found = checkpoint_of(request);
+      request.output_folder = found->checkpoint.parent_path();
+      request.overrides = found->continuation.inputs.overrides;
+      request.script = found->continuation.origin.script_name;
+    }
     Console console(settings_of(request));
     const int code = exit_code_of([&] {
       const InterruptHandler handler;
-      run(console, request);
+      if (found)
+        console.run_on(std::move(*found));
+      else
+        run(console, request);
       return console.exit_code().value_or(0);
     });
     if (request.interactive) return ask(console, code);

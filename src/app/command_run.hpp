@@ -25,6 +25,8 @@ struct RunRequest {
   bool json = false;
   bool quiet = false;
   bool force = false;               // earlier files may be overwritten
+  bool fresh = false;               // an unfinished run is not continued
+  std::filesystem::path resumed;    // a checkpoint or its folder, in place of a script
   double checkpoint_every = 600.0;  // s of wall time; 0: none
   bool interactive = false;         // the prompt goes on after it
 };
@@ -32,6 +34,8 @@ struct RunRequest {
 ConsoleSettings settings_of(const RunRequest& request);
 // Runs the script, stdin or the text of the request. Throws what Console::run_file throws.
 void run(Console& console, const RunRequest& request);
+// Returns the checkpoint that `resumed` names. Throws Error (files).
+Found checkpoint_of(const RunRequest& request);
 
 // Returns the exit code. Stdout gets the output of the script; with --json only the one object, and
 // only if the script ended normally or was interrupted.

@@ -10,6 +10,7 @@
 #include "base/files.hpp"
 #include "console/language/checkpoint_binding.hpp"
 #include "console/language/constant_calls.hpp"
+#include "console/language/contact_sheet_binding.hpp"
 #include "console/language/gauge_binding.hpp"
 #include "console/language/material_binding.hpp"
 #include "console/language/plate_binding.hpp"
@@ -18,9 +19,11 @@
 #include "console/language/scripted_plate.hpp"
 #include "console/language/scripted_recording.hpp"
 #include "console/language/scripted_run.hpp"
+#include "console/language/show_binding.hpp"
 #include "console/language/simulation_binding.hpp"
 #include "console/language/units_binding.hpp"
 #include "console/language/values_binding.hpp"
+#include "console/lua/description.hpp"
 #include "console/lua/guard.hpp"
 #include "console/lua/interrupt_hook.hpp"
 #include "console/lua/lua_function.hpp"
@@ -33,6 +36,7 @@
 #include "console/reference/help.hpp"
 #include "console/reference/vocabulary.hpp"
 #include "console/schema/object_type.hpp"
+#include "store/inputs.hpp"
 
 namespace hackle {
 namespace {
@@ -122,6 +126,28 @@ void keep_last_value(lua_State* L) {
   protected_call(L, 1, 0);
 }
 
+Run* run_at(lua_State* L, int index) {
+  const ScriptedRun* scripted = object_at<ScriptedRun>(L, index);
+  return scripted != nullptr ? &scripted->run() : nullptr;
+}
+
+// A simulation has its number, a plate all that it is made of.
+std::string name_in_journal(lua_State* L, int index) {
+  if (const Run* run = run_at(L, index))
+    return fmt::format("simulation {}", session_of(L).number_of(*run));
+  if (const Plate* plate = object_at<Plate>(L, index)) return inputs_of(*plate, Numerics());
+  return description(L, index);
+}
+
+// Calls of these are kept in the journal of a script.
+void know_all(Replay& replay) {
+  replay.know(simulation_type());
+  replay.know(values_type());
+  for (const auto functions : {simulation_functions(), checkpoint_functions(), show_functions(),
+                               contact_sheet_functions()})
+    for (const Function& function : functions) replay.know(function);
+}
+
 // While it lives, printing clears the prompt's line first.
 class Interlude {
  public:
@@ -160,6 +186,9 @@ struct Console::Parts {
   explicit Parts(ConsoleSettings settings)
       : session(std::move(settings)), L(session.settings.lua_memory) {
     set_session(L, &session);
+    session.run_at = run_at;
+    session.name_object = name_in_journal;
+    session.push_empty = [](lua_State* l, const std::string&) { push_object(l, ScriptedValues()); };
     session.names->place = [this] {
       const std::string text = place(L, 1);
       return text.substr(0, text.find_last_of(':'));
@@ -211,6 +240,7 @@ struct Console::Parts {
 
   void run_chunk(std::string_view text, const std::string& chunk,
                  const std::vector<std::string>& arguments) {
+    if (session.checkpoints) know_all(session.checkpoints->replay());
     lua_settop(L, 0);
     if (!load(L, text, chunk)) throw take_error(L);
     if (session.settings.purpose == Purpose::results) check_constant_calls(text);
@@ -267,6 +297,23 @@ void Console::run_file(const std::filesystem::path& path, const std::vector<std:
       settings.force ? Choice::force : (named ? Choice::named : Choice::free),
       RunInputs{path.stem().string(), settings.overrides, arguments});
   parts_->session.origin = {path.string(), text};
+  if (ending == Ending::close) parts_->session.begin_checkpoints();
+  run_text(text, path.string(), arguments, ending);
+}
+
+void Console::run_on(Found found, Ending ending) {
+  const Continuation& former = found.continuation;
+  const std::filesystem::path path = former.origin.script_name;
+  std::error_code ignored;
+  const bool is_there = std::filesystem::is_regular_file(path, ignored);
+  const std::string text = is_there ? read_text(path) : former.origin.script_text;
+  protect(parts_->L, [&](lua_State* L) { look_for_modules_in(L, path.parent_path()); });
+  Session& session = parts_->session;
+  session.folder.emplace(session.settings.output_folder, OutputFolder::Choice::named,
+                         former.inputs);
+  session.origin = {path.string(), text};
+  const std::vector<std::string> arguments = former.inputs.arguments;
+  session.continue_from(std::move(found));
   run_text(text, path.string(), arguments, ending);
 }
 
@@ -275,9 +322,11 @@ void Console::run_text(const std::string& text, const std::string& name,
   parts_->session.origin = {name, text};
   if (ending == Ending::go_on) return parts_->run_before_the_prompt(text, "@" + name, arguments);
   const auto failure = failure_of([&] { parts_->run_to_the_end(text, "@" + name, arguments); });
+  Session& session = parts_->session;
+  if (failure && session.checkpoints) session.checkpoints->keep_last();
   throw_both(failure, failure_of([this] { close_all(); }));
-  parts_->session.remove_checkpoints();
-  if (parts_->session.folder) parts_->session.folder->finish();
+  if (session.checkpoints) session.checkpoints->remove();
+  if (session.folder) session.folder->finish();
 }
 
 void Console::page_with(std::function<void(const std::string&)> page) {

@@ -31,6 +31,10 @@ class Console {
   // that a bound function threw; problems of closing are added to it.
   void run_file(const std::filesystem::path& path, const std::vector<std::string>& arguments = {},
                 Ending ending = Ending::close);
+  // Goes on with a script that was stopped, from its checkpoint: with the file of its name or,
+  // where that does not exist, its text as it was. The settings are those of its first life. Throws
+  // the same, and Error (refused) where it does something else than it did.
+  void run_on(Found found, Ending ending = Ending::close);
   // Runs the text of a script likewise.
   void run_text(const std::string& text, const std::string& name,
                 const std::vector<std::string>& arguments = {}, Ending ending = Ending::close);

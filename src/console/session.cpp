@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/files.hpp"
 #include "base/machine.hpp"
@@ -95,25 +96,72 @@ std::shared_ptr<Run> Session::simulate(Plate plate, Numerics numerics) {
       std::make_shared<Run>(std::move(plate), numerics, settings.execution, settings.talk, origin));
 }
 
-// Of scripts alone: at a prompt a simulation outlives its failures.
-void Session::keep_checkpoints(Run& run, int number) {
-  if (!folder || settings.purpose != Purpose::results || settings.checkpoint_every <= 0.0) return;
-  run.keep_checkpoints(settings.checkpoint_every, [this, number] {
-    const std::string name = fs::path(origin.script_name).stem().string();
-    fs::path path =
-        claim("checkpoint",
-              number == 1 ? name + ".auto.ckpt" : fmt::format("{}.auto-{}.ckpt", name, number),
-              FileKind::checkpoint);
-    checkpoints_.push_back(path);
-    return path;
-  });
+Run* Session::run_of(int number) const {
+  const auto k = static_cast<std::size_t>(number) - 1;
+  return k < entries_.size() ? entries_[k].run.get() : nullptr;
 }
 
-void Session::remove_checkpoints() noexcept {
-  std::error_code ignored;
-  for (const fs::path& path : checkpoints_)
-    for (const fs::path& file : {path, previous_checkpoint(path)}) fs::remove(file, ignored);
-  checkpoints_.clear();
+ScriptHost Session::script_host() {
+  return {
+      .inputs = folder->inputs(),
+      .origin = origin,
+      .talk = settings.talk,
+      .folder =
+          [this] {
+            take_folder();
+            return settings.output_folder;
+          },
+      .claim =
+          [this](const fs::path& name) { return claim("checkpoint", name, FileKind::checkpoint); },
+      .count = [this] { return static_cast<int>(entries_.size()); },
+      .run = [this](int number) { return run_of(number); },
+      .number_of = [this](const Run& run) { return number_of(run); },
+      .summary =
+          [this](int number) {
+            const auto& entry = entries_[static_cast<std::size_t>(number) - 1];
+            return entry.summary ? to_json(*entry.summary).dump() : std::string();
+          },
+      .run_at = run_at,
+      .name = name_object,
+      .push_empty = push_empty};
+}
+
+std::optional<Found> Session::find_unfinished() {
+  const std::optional<fs::path> place = folder->unfinished();
+  if (!place) return std::nullopt;
+  take_folder();  // which nobody else has
+  std::vector<std::string> damaged;
+  std::optional<Found> found = find_continuation(*place, folder->inputs().script, damaged);
+  if (settings.talk != Talk::quiet)
+    for (const std::string& problem : damaged) say_note(problem);
+  return found;
+}
+
+// Of scripts alone: at a prompt a simulation outlives its failures.
+void Session::begin_checkpoints() {
+  if (!folder || settings.purpose != Purpose::results || settings.checkpoint_every <= 0.0) return;
+  std::optional<Found> found = find_unfinished();
+  checkpoints = std::make_unique<ScriptCheckpoints>(script_host());
+  if (!found) return;
+  const Continuation& former = found->continuation;
+  const bool same = former.origin.script_text == origin.script_text;
+  if (same && !settings.fresh && former.obstacle.empty())
+    return checkpoints->continue_from(std::move(*found));
+  checkpoints->set_aside();
+  if (settings.talk != Talk::quiet && !settings.fresh)
+    say_note(
+        fmt::format("'{}' has an unfinished run {}; it is made anew, and the state of that "
+                    "one kept as {}.former.ckpt",
+                    settings.output_folder.string(),
+                    same ? fmt::format("that cannot be continued ({})", former.obstacle)
+                         : "of an earlier version of this script",
+                    folder->inputs().script));
+}
+
+void Session::continue_from(Found found) {
+  checkpoints = std::make_unique<ScriptCheckpoints>(script_host());
+  take_folder();
+  checkpoints->continue_from(std::move(found));
 }
 
 std::shared_ptr<Run> Session::resume(const fs::path& path) {
@@ -130,7 +178,8 @@ std::shared_ptr<Run> Session::begin(std::shared_ptr<Run> run) {
 
 std::shared_ptr<Run> Session::adopt(std::shared_ptr<Run> run) {
   if (settings.purpose == Purpose::check) run->rehearse();
-  keep_checkpoints(*run, static_cast<int>(entries_.size()) + 1);
+  if (checkpoints)
+    checkpoints->keep(*run, static_cast<int>(entries_.size()) + 1, settings.checkpoint_every);
   entries_.push_back({run, std::nullopt, std::nullopt, run->simulation().state().step, false});
   return run;
 }
@@ -199,6 +248,7 @@ std::vector<int> Session::work(double seconds) {
 }
 
 void Session::finish_work() {
+  if (checkpoints) checkpoints->finish();
   for (const auto& run : open_runs())
     if (run->under_way()) run->wait();
 }
@@ -255,6 +305,10 @@ void Session::retire(const Run* run) noexcept {
   close(*entry->run);
   try {
     entry->summary = entry->run->summary();
+    if (checkpoints) {
+      checkpoints->let_go(*run);
+      entry->summary->told = checkpoints->told(number_of(*run));
+    }
     if (settings.purpose == Purpose::check) entry->rehearsal = entry->run->rehearsal();
   } catch (const std::exception& error) {
     closing_problems_.push_back({error.what(), {}});

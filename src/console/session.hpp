@@ -19,6 +19,7 @@
 #include "console/lua/sandbox.hpp"
 #include "console/prompt/idle.hpp"
 #include "console/prompt/transcript.hpp"
+#include "console/replay/script_checkpoints.hpp"
 #include "output/files/output_folder.hpp"
 #include "output/files/output_names.hpp"
 #include "output/report/summary.hpp"
@@ -39,6 +40,7 @@ struct ConsoleSettings {
   Purpose purpose = Purpose::results;
   std::filesystem::path output_folder;           // "": out/<name of the script>
   bool force = false;                            // what is in it may be overwritten
+  bool fresh = false;                            // an unfinished run is not continued
   double checkpoint_every = 600.0;               // s of wall time; 0: none
   std::map<std::string, std::string> overrides;  // --set key=value
   Execution execution;
@@ -100,8 +102,12 @@ class Session {
   // Closes a run that can no longer be reached and keeps only its summary. A failure is kept for
   // close_all().
   void retire(const Run* run) noexcept;
-  // Removes the checkpoints that were kept for a failure which did not come.
-  void remove_checkpoints() noexcept;
+  // From now on the script keeps checkpoints. If its folder has an unfinished run of the same
+  // script with the same inputs, goes on with that, and says so. Throws Error (files) if another
+  // program is at work there, Error (refused) if the run cannot be continued.
+  void begin_checkpoints();
+  // Goes on with what was found; before the script is run. Throws Error (refused).
+  void continue_from(Found found);
   // Closes every run. Throws Error with every problem of closing them.
   void close_all();
   // Returns the summaries of all simulations, in the order they were made.
@@ -145,10 +151,17 @@ class Session {
   std::int64_t said = 0;               // lines printed by the prompt and the script so far
   int pictures_shown = 0;              // as files, by show(s)
   std::unordered_map<const Plate*, PlateMemory> plates;  // memory of the script's plates
+  std::unique_ptr<ScriptCheckpoints> checkpoints;        // of a script that is run
+  // See ReplayHost; set by the console.
+  std::function<Run*(lua_State*, int)> run_at;
+  NameObject name_object;
+  std::function<void(lua_State*, const std::string&)> push_empty;
 
  private:
   void take_folder();
-  void keep_checkpoints(Run& run, int number);
+  std::optional<Found> find_unfinished();
+  ScriptHost script_host();
+  Run* run_of(int number) const;
   std::shared_ptr<Run> begin(std::shared_ptr<Run> run);
 
   struct Entry {
@@ -162,7 +175,6 @@ class Session {
   std::vector<std::shared_ptr<Run>> open_runs() const;
 
   const std::uint64_t memory_at_start_;
-  std::vector<std::filesystem::path> checkpoints_;  // kept by themselves
   std::vector<Entry> entries_;
   std::vector<std::weak_ptr<const Recording>> recordings_;
   Transcript transcript_;

@@ -113,11 +113,34 @@ void CrackTrack::look(const View& view) {
   note_advance(view.time());
 }
 
+std::vector<double> CrackTrack::memory() const {
+  if (step_ < 0) return {};
+  std::vector<double> memory{broken_energy_, length_};
+  for (const auto& [time, along] : arrivals_) {
+    memory.push_back(time);
+    memory.push_back(along);
+  }
+  return memory;
+}
+
+void CrackTrack::take_up_memory() {
+  const std::vector<double> memory = std::exchange(recalled_, {});
+  if (memory.size() < 2) return;
+  broken_energy_ = memory[0];
+  length_ = memory[1];
+  arrivals_.clear();
+  for (std::size_t k = 2; k + 1 < memory.size(); k += 2)
+    arrivals_.push_back({memory[k], memory[k + 1]});
+}
+
 void CrackTrack::follow(const Simulation& simulation) {
   const State& state = simulation.state();
   const bool known = step_ >= 0 && clock_ == state.clock;
   if (known && state.step == step_) return;
-  if (!known || state.step != step_ + 1) return look(simulation.view().at_step());
+  if (!known || state.step != step_ + 1) {
+    look(simulation.view().at_step());
+    return take_up_memory();
+  }
   step_ = state.step;
   if (!simulation.broken_bonds().empty()) {
     const View view = simulation.view().at_step();

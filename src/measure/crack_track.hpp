@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "solver/simulation.hpp"
@@ -23,6 +24,11 @@ class CrackTrack {
   void follow(const Simulation& simulation);
   // Takes up any state, looking at every bond.
   void look(const View& view);
+
+  // Returns what a state does not tell: how sums were rounded, and when the tip came where it is.
+  std::vector<double> memory() const;
+  // Called before the first state is taken up by follow(), which is that of the memory.
+  void recall(std::vector<double> memory) { recalled_ = std::move(memory); }
 
   std::int64_t broken_bonds() const { return broken_bonds_; }  // since t = 0
   double broken_energy() const { return broken_energy_; }      // J/m, as Energy::broken
@@ -49,6 +55,7 @@ class CrackTrack {
   void lose(const View& view, int i, int j, int a, int b, double length, double weight);
   void examine(int i, int j, double damage);
   void note_advance(double time);
+  void take_up_memory();
 
   Vec2 direction_;
   Grid grid_{};
@@ -62,6 +69,7 @@ class CrackTrack {
   std::vector<Vec2> front_;     // nodes within half a spacing of the farthest, dx from the centre
   double farthest_ = 0.0;       // dx along the direction
   std::deque<Arrival> arrivals_;
+  std::vector<double> recalled_;
 };
 
 }  // namespace hackle

@@ -231,10 +231,13 @@ int list(lua_State* L) {
 
 std::span<const Function> background_methods() {
   static constexpr std::array methods{
-      Function{&start_doc, guarded<start>},         Function{&status_doc, guarded<status>},
-      Function{&pause_doc, guarded<pause>},         Function{&resume_doc, guarded<resume>},
-      Function{&wait_doc, guarded<wait>},           Function{&script_doc, guarded<script>},
-      Function{&interrupt_doc, guarded<interrupt>},
+      Function{&start_doc, guarded<start>, Replayed::declares},
+      Function{&status_doc, guarded<status>},
+      Function{&pause_doc, guarded<pause>, Replayed::declares},
+      Function{&resume_doc, guarded<resume>, Replayed::declares},
+      Function{&wait_doc, guarded<wait>, Replayed::advances},
+      Function{&script_doc, guarded<script>},
+      Function{&interrupt_doc, guarded<interrupt>, Replayed::declares},
   };
   return methods;
 }

@@ -135,7 +135,7 @@ std::span<const Function> checkpoint_methods() {
 }
 
 std::span<const Function> checkpoint_functions() {
-  static constexpr std::array functions{Function{&load_doc, guarded<load>}};
+  static constexpr std::array functions{Function{&load_doc, guarded<load>, Replayed::declares}};
   return functions;
 }
 

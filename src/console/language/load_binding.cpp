@@ -233,15 +233,20 @@ constexpr std::array own_plate_methods{
 constexpr auto plate_methods = joined(own_plate_methods, introduced_loads<OnPlate>());
 
 constexpr std::array own_simulation_methods{
-    Function{&run_traction_doc, guarded<change_in_run<Traction, run_traction_doc>>},
-    Function{&run_pressure_doc, guarded<change_in_run<Pressure, run_pressure_doc>>},
-    Function{&run_body_force_doc, guarded<change_in_run<BodyForce, run_body_force_doc>>},
-    Function{&run_clamp_doc, guarded<change_in_run<Support, run_clamp_doc>>},
-    Function{&run_move_doc, guarded<change_in_run<Support, run_move_doc>>},
-    Function{&run_temperature_doc, guarded<change_in_run<ThermalLoad, run_temperature_doc>>},
-    Function{&run_impactor_doc, guarded<change_in_run<Impactor, run_impactor_doc>>},
-    Function{&run_damping_doc, guarded<damp_run>},
-    Function{&release_doc, guarded<release>},
+    Function{&run_traction_doc, guarded<change_in_run<Traction, run_traction_doc>>,
+             Replayed::declares},
+    Function{&run_pressure_doc, guarded<change_in_run<Pressure, run_pressure_doc>>,
+             Replayed::declares},
+    Function{&run_body_force_doc, guarded<change_in_run<BodyForce, run_body_force_doc>>,
+             Replayed::declares},
+    Function{&run_clamp_doc, guarded<change_in_run<Support, run_clamp_doc>>, Replayed::declares},
+    Function{&run_move_doc, guarded<change_in_run<Support, run_move_doc>>, Replayed::declares},
+    Function{&run_temperature_doc, guarded<change_in_run<ThermalLoad, run_temperature_doc>>,
+             Replayed::declares},
+    Function{&run_impactor_doc, guarded<change_in_run<Impactor, run_impactor_doc>>,
+             Replayed::declares},
+    Function{&run_damping_doc, guarded<damp_run>, Replayed::declares},
+    Function{&release_doc, guarded<release>, Replayed::declares},
 };
 
 constexpr auto simulation_methods = joined(own_simulation_methods, introduced_loads<InRun>());

@@ -105,8 +105,9 @@ int quasistatic(lua_State* L) {
 }  // namespace
 
 std::span<const Function> relax_methods() {
-  static constexpr std::array methods{Function{&relax_doc, guarded<relax>},
-                                      Function{&quasistatic_doc, guarded<quasistatic>}};
+  static constexpr std::array methods{
+      Function{&relax_doc, guarded<relax>, Replayed::advances},
+      Function{&quasistatic_doc, guarded<quasistatic>, Replayed::advances}};
   return methods;
 }
 

@@ -91,13 +91,33 @@ std::string read_column(const GivenValue& given, ScriptedColumns& columns) {
   }
 }
 
+double value_of(const LuaFunction& function, const View& view) {
+  double value = 0.0;
+  function.call({}, {&value, 1}, fmt::format("at t = {}", quantity(view.time(), "s")));
+  return value;
+}
+
 Column column_of_function(const ScriptedColumn& given) {
-  return {
-      given.name, "", [call = *given.function](Glance& glance) -> std::optional<double> {
-        double value = 0.0;
-        call.call({}, {&value, 1}, fmt::format("at t = {}", quantity(glance.view().time(), "s")));
-        return value;
-      }};
+  return {given.name, "", [call = *given.function](Glance& glance) -> std::optional<double> {
+            return value_of(call, glance.view());
+          }};
+}
+
+Column column_of_event(const ScriptedColumn& given, const Run& run, Replay& replay) {
+  const LuaFunction function = *given.function;
+  const std::uint64_t listener =
+      replay.enlist([function, &run] { value_of(function, run.simulation()); });
+  return {given.name, "",
+          [function, listener, &run, &replay](Glance& glance) -> std::optional<double> {
+            const Replay::Event event(replay, listener, run);
+            return value_of(function, glance.view());
+          }};
+}
+
+Column column_of(const ScriptedColumn& given, const View& view, bool of_run) {
+  if (!given.gauge) return column_named(given.name, view, of_run, "log");
+  check_on(*given.gauge, view, "log");
+  return column_of(*given.gauge);
 }
 
 }  // namespace
@@ -117,14 +137,19 @@ std::any read_columns(const GivenValue& given) {
   return columns;
 }
 
-std::vector<Column> columns_of(const ScriptedColumns& given, const View& view, bool of_run) {
+std::vector<Column> columns_of(const ScriptedColumns& given, const View& view) {
   std::vector<Column> columns;
-  for (const ScriptedColumn& one : given) {
-    if (one.gauge) check_on(*one.gauge, view, "log");
-    columns.push_back(one.gauge      ? column_of(*one.gauge)
-                      : one.function ? column_of_function(one)
-                                     : column_named(one.name, view, of_run, "log"));
-  }
+  for (const ScriptedColumn& one : given)
+    columns.push_back(one.function ? column_of_function(one) : column_of(one, view, false));
+  return columns;
+}
+
+std::vector<Column> columns_of(const ScriptedColumns& given, const Run& run, Replay* replay) {
+  std::vector<Column> columns;
+  for (const ScriptedColumn& one : given)
+    columns.push_back(!one.function       ? column_of(one, run.simulation(), true)
+                      : replay != nullptr ? column_of_event(one, run, *replay)
+                                          : column_of_function(one));
   return columns;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "console/lua/lua_function.hpp"
+#include "console/replay/replay.hpp"
 #include "console/schema/given_value.hpp"
 #include "measure/gauge.hpp"
 #include "measure/quantity.hpp"
@@ -27,7 +28,10 @@ using ScriptedColumns = std::vector<ScriptedColumn>;
 // call, at index 1 of the stack, which it does not keep alive.
 std::any read_columns(const GivenValue& given);
 
-// Returns the columns of a plate. Throws what column_named() and check_on() throw.
-std::vector<Column> columns_of(const ScriptedColumns& given, const View& view, bool of_run);
+// Returns the columns of a recording. Throws what column_named() and check_on() throw.
+std::vector<Column> columns_of(const ScriptedColumns& given, const View& view);
+// Returns the same of a run: where the script keeps checkpoints, calls of its functions are events
+// of the replay, which may be null.
+std::vector<Column> columns_of(const ScriptedColumns& given, const Run& run, Replay* replay);
 
 }  // namespace hackle

@@ -51,13 +51,23 @@ constexpr FunctionDoc recorded_log_doc{
     .example = "r:log { \"records.csv\", \"kinetic\", \"bonds\", \"tip.x\" }"};
 
 // Columns are named before anything is written.
-std::vector<Column> columns_of(const Arguments& arguments, const SeriesOptions& options,
-                               const View& view, bool of_run) {
+std::vector<Column> columns_of_run(lua_State* L, const Arguments& arguments,
+                                   const SeriesOptions& options, const Run& run) {
   const auto given = arguments.get<ScriptedColumns>("columns", {});
-  std::vector<Column> columns = given.empty()
-                                    ? usual_columns(view, of_run, of_run && !options.every)
-                                    : hackle::columns_of(given, view, of_run);
-  return checked_columns(std::move(columns), options, view, of_run, "log");
+  const auto& checkpoints = session_of(L).checkpoints;
+  const View view = run.simulation();
+  return checked_columns(
+      given.empty() ? usual_columns(view, true, !options.every)
+                    : columns_of(given, run, checkpoints ? &checkpoints->replay() : nullptr),
+      options, view, true, "log");
+}
+
+std::vector<Column> columns_of_records(const Arguments& arguments, const SeriesOptions& options,
+                                       const View& view) {
+  const auto given = arguments.get<ScriptedColumns>("columns", {});
+  return checked_columns(
+      given.empty() ? usual_columns(view, false, false) : columns_of(given, view), options, view,
+      false, "log");
 }
 
 int log_run(lua_State* L) {
@@ -65,7 +75,7 @@ int log_run(lua_State* L) {
   const Arguments arguments = Arguments::from_table(L, 2, log_doc);
   arguments.problems.throw_if_any();
   const auto options = noun_of<SeriesOptions>(arguments);
-  auto columns = columns_of(arguments, options, scripted.simulation(), true);
+  auto columns = columns_of_run(L, arguments, options, scripted.run());
   const auto path = session_of(L).output_path("log", arguments.text("file"));
   scripted.run().log(path, options, std::move(columns));
   scripted.promised.push_back(path);
@@ -77,7 +87,7 @@ int log_recording(lua_State* L) {
   const Arguments arguments = Arguments::from_table(L, 2, recorded_log_doc);
   arguments.problems.throw_if_any();
   const auto options = noun_of<SeriesOptions>(arguments);
-  const auto columns = columns_of(arguments, options, recording.view(), false);
+  const auto columns = columns_of_records(arguments, options, recording.view());
   Session& session = session_of(L);
   const auto path = session.claim("log", arguments.text("file"), FileKind::table);
   if (session.settings.purpose != Purpose::results) return 0;
@@ -89,7 +99,7 @@ int log_recording(lua_State* L) {
 }  // namespace
 
 std::span<const Function> series_methods() {
-  static constexpr std::array methods{Function{&log_doc, guarded<log_run>}};
+  static constexpr std::array methods{Function{&log_doc, guarded<log_run>, Replayed::declares}};
   return methods;
 }
 

@@ -150,7 +150,7 @@ int watch(lua_State* L) {
 }  // namespace
 
 std::span<const Function> show_methods() {
-  static constexpr std::array methods{Function{&watch_doc, guarded<watch>}};
+  static constexpr std::array methods{Function{&watch_doc, guarded<watch>, Replayed::declares}};
   return methods;
 }
 

@@ -150,10 +150,13 @@ int close(lua_State* L) {
 }
 
 constexpr std::array own_methods_of_simulation{
-    Function{&run_doc, guarded<run>},       Function{&step_doc, guarded<step>},
-    Function{&movie_doc, guarded<movie>},   Function{&frame_doc, guarded<frame>},
-    Function{&record_doc, guarded<record>}, Function{&report_doc, guarded<report>},
-    Function{&close_doc, guarded<close>}};
+    Function{&run_doc, guarded<run>, Replayed::runs},
+    Function{&step_doc, guarded<step>, Replayed::runs},
+    Function{&movie_doc, guarded<movie>, Replayed::declares},
+    Function{&frame_doc, guarded<frame>},
+    Function{&record_doc, guarded<record>, Replayed::declares},
+    Function{&report_doc, guarded<report>},
+    Function{&close_doc, guarded<close>, Replayed::declares}};
 
 // Returns 371 234 as "371 k", for reading at a glance.
 std::string rounded_count(std::int64_t count) {
@@ -350,7 +353,8 @@ const TypeDoc& simulation_type() {
 }
 
 std::span<const Function> simulation_functions() {
-  static constexpr std::array functions{Function{&simulate_doc, guarded<simulate>}};
+  static constexpr std::array functions{
+      Function{&simulate_doc, guarded<simulate>, Replayed::declares}};
   return functions;
 }
 

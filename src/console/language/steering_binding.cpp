@@ -11,6 +11,7 @@
 #include "console/language/scripted_run.hpp"
 #include "console/language/watcher.hpp"
 #include "console/lua/description.hpp"
+#include "console/replay/replayed_observer.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/object_type.hpp"
 
@@ -91,7 +92,7 @@ std::shared_ptr<Observer> watcher_of(const Arguments& arguments, Event event, co
   LuaFunction function = arguments.function("call");
   if (event == Event::every)
     return std::make_shared<Ticker>(std::move(function), arguments.number("every"), simulation);
-  if (event == Event::breaks) return std::make_shared<BreakAlarm>(std::move(function));
+  if (event == Event::breaks) return std::make_shared<BreakAlarm>(std::move(function), simulation);
   return std::make_shared<DamageAlarm>(std::move(function), area, arguments.number("above", 0.35),
                                        simulation);
 }
@@ -104,7 +105,11 @@ int on(lua_State* L) {
   check_event(arguments, event, arguments.problems);
   arguments.problems.throw_if_any();
   scripted.run().doubt("a function that s:on calls may change loads");
-  scripted.run().watch(watcher_of(arguments, event, area, scripted.simulation()));
+  std::shared_ptr<Observer> watcher = watcher_of(arguments, event, area, scripted.simulation());
+  if (const auto& checkpoints = session_of(L).checkpoints)
+    watcher = std::make_shared<ReplayedObserver>(std::move(watcher), checkpoints->replay(),
+                                                 scripted.run());
+  scripted.run().watch(std::move(watcher));
   return 0;
 }
 
@@ -140,9 +145,10 @@ int rewind(lua_State* L) {
 }  // namespace
 
 std::span<const Function> steering_methods() {
-  static constexpr std::array methods{
-      Function{&on_doc, guarded<on>}, Function{&stop_doc, guarded<stop>},
-      Function{&fork_doc, guarded<fork>}, Function{&rewind_doc, guarded<rewind>}};
+  static constexpr std::array methods{Function{&on_doc, guarded<on>, Replayed::declares},
+                                      Function{&stop_doc, guarded<stop>, Replayed::declares},
+                                      Function{&fork_doc, guarded<fork>, Replayed::declares},
+                                      Function{&rewind_doc, guarded<rewind>, Replayed::declares}};
   return methods;
 }
 

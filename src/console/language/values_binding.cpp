@@ -145,8 +145,15 @@ int push_or_nil(lua_State* L, const std::optional<double>& value) {
   return 1;
 }
 
+const NodeValues& values_in(const ScriptedValues& scripted) {
+  if (scripted.values) return *scripted.values;
+  throw Error(ErrorKind::refused,
+              "these values were taken before the script was stopped, and are gone",
+              "take them again with s:values");
+}
+
 int value_at(lua_State* L) {
-  const NodeValues& values = *self<ScriptedValues>(L, values_at_doc).values;
+  const NodeValues& values = values_in(self<ScriptedValues>(L, values_at_doc));
   const Arguments arguments = Arguments::from_values(L, 2, values_at_doc);
   arguments.problems.throw_if_any();
   return push_or_nil(L, values.at(arguments.point("place")));
@@ -154,7 +161,7 @@ int value_at(lua_State* L) {
 
 template <const FunctionDoc& doc, NodeValues::Place (NodeValues::*extreme)() const>
 int push_extreme(lua_State* L) {
-  const NodeValues& values = *self<ScriptedValues>(L, doc).values;
+  const NodeValues& values = values_in(self<ScriptedValues>(L, doc));
   Arguments::from_values(L, 2, doc).problems.throw_if_any();
   const NodeValues::Place found = (values.*extreme)();
   lua_createtable(L, 0, extreme_names.size());
@@ -181,7 +188,7 @@ Region area_of_mean(Arguments& arguments) {
 }
 
 int mean(lua_State* L) {
-  const NodeValues& values = *self<ScriptedValues>(L, values_mean_doc).values;
+  const NodeValues& values = values_in(self<ScriptedValues>(L, values_mean_doc));
   Arguments arguments = Arguments::from_table(L, 2, values_mean_doc);
   const Region area = area_of_mean(arguments);
   arguments.problems.throw_if_any();
@@ -189,7 +196,7 @@ int mean(lua_State* L) {
 }
 
 int save_values(lua_State* L) {
-  const NodeValues& values = *self<ScriptedValues>(L, values_save_doc).values;
+  const NodeValues& values = values_in(self<ScriptedValues>(L, values_save_doc));
   const Arguments arguments = Arguments::from_table(L, 2, values_save_doc);
   arguments.problems.throw_if_any();
   Session& session = session_of(L);
@@ -206,7 +213,12 @@ int save_values(lua_State* L) {
 }
 
 int values_to_text(lua_State* L) {
-  const NodeValues& values = *object_at<ScriptedValues>(L, 1)->values;
+  const ScriptedValues& scripted = *object_at<ScriptedValues>(L, 1);
+  if (!scripted.values) {
+    push_text(L, "a field of nodes, taken before the script was stopped");
+    return 1;
+  }
+  const NodeValues& values = *scripted.values;
   push_text(L, fmt::format("{} of {} x {} nodes at {}, {} to {}", values.name(), values.grid().nx,
                            values.grid().ny, quantity(values.time(), "s"),
                            quantity(values.min().value, values.unit()),
@@ -215,15 +227,15 @@ int values_to_text(lua_State* L) {
 }
 
 int push_values_name(lua_State* L) {
-  push_text(L, object_at<ScriptedValues>(L, 1)->values->name());
+  push_text(L, values_in(*object_at<ScriptedValues>(L, 1)).name());
   return 1;
 }
 int push_values_unit(lua_State* L) {
-  push_text(L, object_at<ScriptedValues>(L, 1)->values->unit());
+  push_text(L, values_in(*object_at<ScriptedValues>(L, 1)).unit());
   return 1;
 }
 int push_values_time(lua_State* L) {
-  lua_pushnumber(L, object_at<ScriptedValues>(L, 1)->values->time());
+  lua_pushnumber(L, values_in(*object_at<ScriptedValues>(L, 1)).time());
   return 1;
 }
 
@@ -252,7 +264,8 @@ const TypeDoc& values_type() {
 }
 
 std::span<const Function> values_methods() {
-  static constexpr std::array methods{Function{&values_doc, guarded<values_of_run>}};
+  static constexpr std::array methods{
+      Function{&values_doc, guarded<values_of_run>, Replayed::hands}};
   return methods;
 }
 

@@ -11,6 +11,7 @@
 
 namespace hackle {
 
+// Without values in a replay: there its methods are known by what they returned.
 struct ScriptedValues {
   std::shared_ptr<const NodeValues> values;
 };

@@ -53,8 +53,7 @@ bool DamageAlarm::due(const Simulation& simulation) {
 
 // A bond broken in the last step of an earlier run does not count.
 bool BreakAlarm::due(const Simulation& simulation) {
-  if (!start_) start_ = simulation.time();
-  return !rung_ && simulation.time() > *start_ && !simulation.broken_bonds().empty();
+  return !rung_ && simulation.time() > start_ && !simulation.broken_bonds().empty();
 }
 
 }  // namespace hackle

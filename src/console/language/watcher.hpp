@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "console/lua/lua_function.hpp"
@@ -63,7 +62,8 @@ class DamageAlarm : public Watcher {
 // Calls once, when the next bond breaks.
 class BreakAlarm : public Watcher {
  public:
-  using Watcher::Watcher;
+  BreakAlarm(LuaFunction function, const Simulation& simulation)
+      : Watcher(std::move(function)), start_(simulation.time()) {}
 
   bool due(const Simulation& simulation) override;
   void observe(const Simulation& simulation) override {
@@ -73,7 +73,7 @@ class BreakAlarm : public Watcher {
 
  private:
   bool rung_ = false;
-  std::optional<double> start_;  // s
+  double start_;  // s
 };
 
 }  // namespace hackle

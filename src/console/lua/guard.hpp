@@ -10,12 +10,14 @@
 namespace hackle {
 
 using Binding = int (*)(lua_State*);
-int call_guarded(lua_State* L, Binding function);
+int call_guarded(lua_State* L, Binding function, const void* what);
+// Calls a bound function, by way of the replay if the session has one; `what` tells which it is.
+int call_replayed(lua_State* L, Binding function, const void* what);
 
 // Wraps it as a lua_CFunction. Errors of Lua itself pass through unchanged.
 template <Binding function>
 int guarded(lua_State* L) {
-  return call_guarded(L, function);
+  return call_guarded(L, function, reinterpret_cast<const void*>(&guarded<function>));
 }
 
 }  // namespace hackle

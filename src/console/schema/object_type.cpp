@@ -38,7 +38,7 @@ int index(lua_State* L) {
     lua_pushcfunction(L, method->call);
     return 1;
   }
-  if (const Property* field = find_field(type, name)) return field->push(L);
+  if (const Property* field = find_field(type, name)) return call_replayed(L, field->push, field);
   refuse_name(type, name);
 }
 

@@ -95,10 +95,22 @@ struct FunctionDoc {
   std::string_view example{};  // runs unchanged, with a plate p and a simulation s
 };
 
+// What becomes of a function when a script is run again up to where it stopped
+// (console/replay/replay.hpp).
+enum class Replayed {
+  tells,     // what it returned is known; what it wrote is written
+  declares,  // it is called again
+  hands,     // it returned an object, whose methods are known in turn
+  runs,      // a run is passed over
+  advances,  // slow loading, likewise
+  outside    // it has nothing to do with the state of a simulation
+};
+
 // A function of the scene language: its doc and its implementation.
 struct Function {
   const FunctionDoc* doc = nullptr;
   lua_CFunction call = nullptr;
+  Replayed replayed = Replayed::tells;  // of methods of a simulation
 };
 
 // A read-only value of an object.

@@ -13,17 +13,16 @@
 
 namespace hackle {
 
-CheckpointKeeper::CheckpointKeeper(double seconds, std::function<std::filesystem::path()> place,
-                                   Origin origin, Talk talk)
+CheckpointKeeper::CheckpointKeeper(double seconds, CheckpointHost host, Origin origin, Talk talk)
     : interval_(
           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
-      place_(std::move(place)),
+      host_(std::move(host)),
       origin_(std::move(origin)),
       talk_(talk) {
 }
 
 CheckpointKeeper::~CheckpointKeeper() {
-  if (writing_.valid()) writing_.wait();
+  wait();
 }
 
 std::int64_t CheckpointKeeper::next_due(const Simulation& simulation) {
@@ -57,10 +56,15 @@ void CheckpointKeeper::observe(const Simulation& simulation) {
 
 void CheckpointKeeper::keep(const Simulation& simulation) {
   collect();
-  if (!path_) path_ = place_();
-  writing_ = std::async(std::launch::async, [path = *path_, image = image_of(simulation, origin_)] {
-    write_checkpoint(path, image);
-  });
+  if (!path_) path_ = host_.place();
+  CheckpointImage image =
+      image_of(simulation, origin_, host_.continuation ? host_.continuation() : std::string());
+  auto settled = host_.settled ? host_.settled() : [] {};
+  writing_ = std::async(std::launch::async,
+                        [path = *path_, image = std::move(image), settled = std::move(settled)] {
+                          settled();
+                          write_checkpoint(path, image);
+                        });
   last_ = Clock::now();
 }
 
@@ -79,8 +83,10 @@ void CheckpointKeeper::keep_last(const Simulation& simulation) {
     keep(simulation);
     collect();
     if (talk_ != Talk::quiet)
-      say_note(fmt::format("the state at {} is kept in '{}': load goes on from it",
-                           quantity(simulation.time(), "s"), path_->string()));
+      say_note(
+          fmt::format("the state at {} is kept in '{}': the same command, or hackle resume, "
+                      "goes on from it",
+                      quantity(simulation.time(), "s"), path_->string()));
   });
 }
 

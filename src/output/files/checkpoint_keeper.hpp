@@ -15,12 +15,21 @@
 
 namespace hackle {
 
+// Who keeps the checkpoints of a run, and what they hold beside its state.
+struct CheckpointHost {
+  // Asked for the file when it is first needed; may throw: then there are no checkpoints.
+  std::function<std::filesystem::path()> place;
+  // Returns what is needed beside the state to go on; see Checkpoint::continuation.
+  std::function<std::string()> continuation;
+  // Returns a function that returns when the disk has what the outputs have seen by then.
+  std::function<std::function<void()>()> settled;
+};
+
 class CheckpointKeeper : public Observer {
  public:
-  // Every `seconds` of wall time. `place` is asked for the file when it is first needed; it may
-  // throw: then there are no checkpoints, which is said. No function throws.
-  CheckpointKeeper(double seconds, std::function<std::filesystem::path()> place, Origin origin,
-                   Talk talk);
+  // Every `seconds` of wall time. What the host throws is said, and ends the checkpoints, not the
+  // run. No function throws.
+  CheckpointKeeper(double seconds, CheckpointHost host, Origin origin, Talk talk);
   // Waits for a file that is being written.
   ~CheckpointKeeper() override;
 
@@ -28,6 +37,10 @@ class CheckpointKeeper : public Observer {
   bool due(const Simulation& simulation) override;
   // Copies the state; a thread writes it, and the run goes on meanwhile.
   void observe(const Simulation& simulation) override;
+  // Waits for a file that is being written.
+  void wait() const {
+    if (writing_.valid()) writing_.wait();
+  }
   // Keeps the last state and says where, unless it has diverged.
   void keep_last(const Simulation& simulation);
 
@@ -40,7 +53,7 @@ class CheckpointKeeper : public Observer {
   void attempt(const Work& work);
 
   Clock::duration interval_;
-  std::function<std::filesystem::path()> place_;
+  CheckpointHost host_;
   Origin origin_;
   Talk talk_;
   Clock::time_point last_ = Clock::now();

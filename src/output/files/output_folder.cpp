@@ -42,16 +42,21 @@ OutputFolder::OutputFolder(fs::path wanted, Choice choice, RunInputs inputs)
     : wanted_(std::move(wanted)), path_(wanted_), choice_(choice), inputs_(std::move(inputs)) {
 }
 
-fs::path OutputFolder::mark_file() const {
-  return path_ / (inputs_.script + ".inputs.json");
+fs::path OutputFolder::mark_file_in(const fs::path& folder) const {
+  return folder / (inputs_.script + ".inputs.json");
+}
+
+// out/NAME, out/NAME-2, ...
+fs::path OutputFolder::folder(int number) const {
+  return number == 1 ? wanted_ : fs::path(fmt::format("{}-{}", wanted_.string(), number));
 }
 
 // What is no mark of ours is one of a run with inputs that nobody has.
-std::optional<OutputFolder::Mark> OutputFolder::read_mark() const {
+std::optional<OutputFolder::Mark> OutputFolder::read_mark(const fs::path& file) {
   std::error_code ignored;
-  if (fs::symlink_status(mark_file(), ignored).type() == fs::file_type::not_found) return {};
+  if (fs::symlink_status(file, ignored).type() == fs::file_type::not_found) return {};
   try {
-    const auto json = nlohmann::json::parse(read_text(mark_file()));
+    const auto json = nlohmann::json::parse(read_text(file));
     return Mark{{json.at("script"), json.at("set"), json.at("arguments")}, json.at("finished")};
   } catch (const std::exception&) {
     return Mark{{"?", {}, {}}, false};
@@ -94,23 +99,42 @@ std::string OutputFolder::take() {
   return remark;
 }
 
+// Before the mark of another life is changed.
+void OutputFolder::lock() {
+  lock_ = std::make_unique<HeldFile>(path_ / ("." + inputs_.script + ".running"), mark_file());
+}
+
+std::optional<fs::path> OutputFolder::unfinished() const {
+  for (int k = 1; k < max_folders; ++k) {
+    const std::optional<Mark> former = read_mark(mark_file_in(folder(k)));
+    if (!former || (former->inputs != inputs_ && choice_ != Choice::free)) return std::nullopt;
+    if (former->inputs == inputs_)
+      return former->finished ? std::nullopt : std::optional(folder(k));
+  }
+  return std::nullopt;
+}
+
 // Finds the folder and leaves the mark there.
 std::string OutputFolder::found() {
-  for (int k = 2; k < max_folders;) {
-    const std::optional<Mark> former = read_mark();
-    if (!former && leave_mark())
+  for (int k = 1; k < max_folders;) {
+    path_ = folder(k);
+    const std::optional<Mark> former = read_mark(mark_file());
+    if (!former && leave_mark()) {
+      lock();
       return path_ == wanted_ ? std::string()
                               : fmt::format(
                                     "'{}' holds a run with other inputs; this one goes to "
                                     "'{}'",
                                     wanted_.string(), path_.string());
+    }
     if (!former) continue;  // another program has just left one
     if (former->inputs == inputs_ || choice_ == Choice::force) {
+      lock();
       write_text(mark_file(), text_of(inputs_, false));
       return remark_on(*former);
     }
     if (choice_ == Choice::named) refuse(*former);
-    path_ = fmt::format("{}-{}", wanted_.string(), k++);
+    ++k;
   }
   throw Error(ErrorKind::files, fmt::format("there are too many folders '{}-2', '{}-3', ...",
                                             wanted_.string(), wanted_.string()));

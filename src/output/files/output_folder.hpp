@@ -5,9 +5,12 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "base/file_lock.hpp"
 
 namespace hackle {
 
@@ -31,8 +34,13 @@ class OutputFolder {
 
   // Takes the folder, creates it and leaves the inputs there, in NAME.inputs.json; called before
   // the first file is written. Of several programs, each gets its own. Returns a remark where the
-  // folder is not a new one; may be empty. Throws Error (refused), and Error (files).
+  // folder is not a new one; may be empty. Throws Error (refused), and Error (files), also while
+  // another program runs the same script with the same inputs there.
   std::string take();
+  // Returns the folder in which a run with the same inputs has begun and not finished, of those
+  // that take() would look at.
+  std::optional<std::filesystem::path> unfinished() const;
+  const RunInputs& inputs() const { return inputs_; }
   // Marks the run as finished in a folder that was taken.
   void finish() const;
 
@@ -44,8 +52,11 @@ class OutputFolder {
     bool finished = false;
   };
 
-  std::filesystem::path mark_file() const;
-  std::optional<Mark> read_mark() const;
+  std::filesystem::path mark_file() const { return mark_file_in(path_); }
+  std::filesystem::path mark_file_in(const std::filesystem::path& folder) const;
+  std::filesystem::path folder(int number) const;
+  static std::optional<Mark> read_mark(const std::filesystem::path& file);
+  void lock();
   std::string found();
   bool leave_mark();
   std::string remark_on(const Mark& former) const;
@@ -56,6 +67,7 @@ class OutputFolder {
   Choice choice_;
   RunInputs inputs_;
   bool taken_ = false;
+  std::unique_ptr<HeldFile> lock_;  // of a folder that was taken
 };
 
 }  // namespace hackle

@@ -103,7 +103,14 @@ std::function<void()> SeriesOutput::settled() {
   return [path = path_] { bring_to_disk(path); };
 }
 
+OutputMark SeriesOutput::mark() const {
+  OutputMark mark = mark_at(path_, rows_, complete_);
+  mark.memory = cracks_.memory();
+  return mark;
+}
+
 void SeriesOutput::continue_from(const OutputMark& mark) {
+  cracks_.recall(mark.memory);
   schedule().go_on(mark.start, mark.next);
   rows_ = mark.pieces;
   complete_ = mark.complete;

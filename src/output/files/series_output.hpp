@@ -36,9 +36,8 @@ class SeriesOutput : public Output {
   Expected expected(double until, std::int64_t max_looks) const override;
   std::vector<std::filesystem::path> files() const override;
   void add_seconds(StageSeconds& wall) const override { wall.store += store_seconds_; }
-  OutputMark mark() const override { return mark_at(path_, rows_, complete_); }
+  OutputMark mark() const override;
   std::function<void()> settled() override;
-  // The speed of the tip of a crack is not known until it has moved again.
   void continue_from(const OutputMark& mark) override;
 
   // Returns the rows so far; nothing before the first.

@@ -77,6 +77,7 @@ Summary summary_of(const Simulation& simulation) {
 }
 
 nlohmann::ordered_json to_json(const Summary& summary) {
+  if (!summary.told.empty()) return nlohmann::ordered_json::parse(summary.told);
   nlohmann::ordered_json json;
   json["schema"] = 1;
   json["script"] = summary.script;

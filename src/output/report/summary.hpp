@@ -48,6 +48,9 @@ struct Summary {
   std::string hash;                          // of the state
   std::vector<std::filesystem::path> files;  // complete files written
   std::vector<std::string> notes;            // on the scene and the run, printed or suppressed
+  // JSON of a simulation that an earlier life of a continued script has finished: stands for all of
+  // the above except the files.
+  std::string told;
 
   // Returns nodes times steps over the solving time; 0 before the first step.
   double node_steps_per_second() const {

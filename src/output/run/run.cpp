@@ -25,7 +25,9 @@
 #include "output/report/report.hpp"
 #include "output/run/rehearsal.hpp"
 #include "output/run/run_loop.hpp"
+#include "output/run/same_inputs.hpp"
 #include "store/checkpoint.hpp"
+#include "store/inputs.hpp"
 #include "store/journal.hpp"
 
 namespace hackle {
@@ -86,6 +88,8 @@ struct Run::Parts {
   Notes notes{talk};
   Prospect prospect;
   bool rehearsing = false;
+  bool pretends = false;        // to be where it is not: nothing can be said of it
+  bool course_goes_on = false;  // slow loading that a checkpoint was kept in
 
   // Tells the journals what has been done.
   template <class Tell>
@@ -205,8 +209,53 @@ void Run::save(const fs::path& path) {
   if (std::ranges::find(parts_->saved, path) == parts_->saved.end()) parts_->saved.push_back(path);
 }
 
-void Run::keep_checkpoints(double seconds, std::function<fs::path()> place) {
-  parts_->loop.keep_checkpoints(seconds, std::move(place), parts_->origin, parts_->talk);
+void Run::keep_checkpoints(double seconds, std::function<fs::path()> place,
+                           std::function<std::string()> continuation) {
+  parts_->outputs.keep_continuable();
+  const auto settled = [this] { return parts_->outputs.settled(); };
+  parts_->loop.keep_checkpoints(seconds, {std::move(place), std::move(continuation), settled},
+                                parts_->origin, parts_->talk);
+}
+
+void Run::keep_last() {
+  parts_->loop.keep_last(parts_->simulation);
+}
+
+std::vector<OutputMark> Run::marks() const {
+  return parts_->outputs.marks();
+}
+
+std::vector<fs::path> Run::kept_files() const {
+  return parts_->outputs.kept_files();
+}
+
+void Run::pretend(const TimePoint& point) {
+  parts_->simulation.pretend(point);
+  parts_->pretends = true;
+}
+
+void Run::restore(Checkpoint checkpoint) {
+  Simulation& simulation = parts_->simulation;
+  check_same_inputs(inputs_of(simulation), checkpoint.inputs_text);
+  checkpoint.inputs = {simulation.plate(), simulation.numerics()};  // with functions
+  parts_->course_goes_on = checkpoint.snapshot.course.has_value();
+  simulation =
+      hackle::resume(std::move(checkpoint), {simulation.threads(), simulation.instruction_set()});
+  parts_->notes.begin_judging_at(simulation);
+  parts_->pretends = false;
+}
+
+void Run::continue_outputs(const std::vector<OutputMark>& marks) {
+  parts_->outputs.continue_from(marks);
+}
+
+void Run::go_on_to_aim() {
+  try {
+    wait();
+  } catch (const Error&) {
+    parts_->simulation.stop();  // time not reached is not made up for
+    throw;
+  }
 }
 
 void Run::share_names(std::shared_ptr<OutputNames> names) {
@@ -224,6 +273,7 @@ void Run::set_loads(Loads loads) {
   if (parts_->rehearsing) parts_->prospect.exchange_loads(parts_->simulation, loads);
   parts_->simulation.set_loads(std::move(loads));
   parts_->note([&](Journal& journal) { journal.changed_loads(parts_->simulation); });
+  if (parts_->pretends) return;
   parts_->notes.exchange_loads(parts_->simulation, strain);
   if (under_way() && !parts_->rehearsing) parts_->notes.look_at_loads(parts_->simulation);
 }
@@ -280,12 +330,7 @@ void Run::check_arrived(const char* who) const {
 
 void Run::run(double duration) {
   start(duration);
-  try {
-    wait();
-  } catch (const Error&) {
-    parts_->simulation.stop();  // time not reached is not made up for
-    throw;
-  }
+  go_on_to_aim();
 }
 
 void Run::start(double duration) {
@@ -392,8 +437,11 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
   };
   QuasistaticResult result;
   parts_->loop.keeping(parts_->simulation, [&] {
+    const bool goes_on = std::exchange(parts_->course_goes_on, false);
     const SlowNote note(*parts_, {parts_->simulation.end_time() + duration, increments, tolerance});
-    result = parts_->simulation.load_slowly({duration, increments, tolerance, show}, observers);
+    if (goes_on) parts_->note([&](Journal& journal) { journal.lose_track(parts_->simulation); });
+    result =
+        parts_->simulation.load_slowly({duration, increments, tolerance, goes_on, show}, observers);
   });
   return result;
 }
@@ -403,11 +451,12 @@ void Run::close() {
   stop();
   judge();
   parts_->loop.forget_watchers();
+  parts_->loop.finish_checkpoints();
   parts_->outputs.close();
 }
 
 void Run::judge() {
-  if (!parts_->rehearsing) parts_->notes.judge(parts_->simulation);
+  if (!parts_->rehearsing && !parts_->pretends) parts_->notes.judge(parts_->simulation);
 }
 
 void Run::rehearse() {

@@ -19,10 +19,12 @@ class Observer;
 class OutputNames;
 class Simulation;
 struct Column;
+struct Checkpoint;
 struct Execution;
 struct Loads;
 struct MovieOptions;
 struct Numerics;
+struct OutputMark;
 struct PictureOptions;
 struct Plate;
 struct QuasistaticResult;
@@ -31,6 +33,7 @@ struct Rehearsal;
 struct RelaxResult;
 struct SeriesOptions;
 struct Summary;
+struct TimePoint;
 
 inline constexpr double default_output_limit = 20e9;  // bytes
 
@@ -57,9 +60,27 @@ class Run {
   // write_checkpoint().
   void save(const std::filesystem::path& path);
 
-  // From now on keeps the state every `seconds` of wall time while it runs, and when it ends early;
-  // see CheckpointKeeper.
-  void keep_checkpoints(double seconds, std::function<std::filesystem::path()> place);
+  // From now on keeps the state every `seconds` of wall time while it runs, and when it ends early,
+  // at places that `place` tells, with what `continuation` returns; see CheckpointKeeper. Outputs
+  // added from now on can be continued.
+  void keep_checkpoints(double seconds, std::function<std::filesystem::path()> place,
+                        std::function<std::string()> continuation);
+  // Keeps the present state, if checkpoints are kept; never throws.
+  void keep_last();
+  // Returns how far the movies and records have come, and the files that only continuing them
+  // needs.
+  std::vector<OutputMark> marks() const;
+  std::vector<std::filesystem::path> kept_files() const;
+
+  // For replaying a script: claims to be at that point, and then takes the state of a checkpoint
+  // with the loads as they are, and goes on with the outputs at their marks. Throws what
+  // hackle::resume and Outputs::continue_from throw, and Error (refused) if the inputs are others
+  // than those in the checkpoint.
+  void pretend(const TimePoint& point);
+  void restore(Checkpoint checkpoint);
+  void continue_outputs(const std::vector<OutputMark>& marks);
+  // Finishes a run() that had been started; then slow loading may go on likewise.
+  void go_on_to_aim();
 
   // Shares the registry of file names, so that this run, its forks and other users of the registry
   // never write the same file. Call this before the first output.

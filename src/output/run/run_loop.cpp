@@ -20,8 +20,8 @@ void RunLoop::watch(std::shared_ptr<Observer> watcher) {
 }
 
 std::vector<Observer*> RunLoop::with_watchers(std::vector<Observer*> observers) {
-  if (keeper_) observers.push_back(&*keeper_);
   for (Watched& watcher : watchers_) observers.push_back(&watcher);
+  if (keeper_) observers.push_back(&*keeper_);
   return observers;
 }
 

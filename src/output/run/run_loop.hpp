@@ -4,8 +4,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -30,11 +28,18 @@ class RunLoop {
   // Their functions may hold on to the run.
   void forget_watchers() { watchers_.clear(); }
   // Keeps checkpoints of what is done from now on; see CheckpointKeeper.
-  void keep_checkpoints(double seconds, std::function<std::filesystem::path()> place,
-                        const Origin& origin, Talk talk) {
-    keeper_.emplace(seconds, std::move(place), origin, talk);
+  void keep_checkpoints(double seconds, CheckpointHost host, const Origin& origin, Talk talk) {
+    keeper_.emplace(seconds, std::move(host), origin, talk);
   }
-  // These, the watchers and the keeper of checkpoints.
+  // Keeps the present state, if checkpoints are kept.
+  void keep_last(const Simulation& simulation) {
+    if (keeper_) keeper_->keep_last(simulation);
+  }
+  // Waits until the last checkpoint is written.
+  void finish_checkpoints() const {
+    if (keeper_) keeper_->wait();
+  }
+  // These, the watchers and the keeper of checkpoints: what it keeps is behind all of them.
   std::vector<Observer*> with_watchers(std::vector<Observer*> observers);
   // Does work on the simulation, and keeps its last state if that throws.
   template <class Work>
@@ -42,7 +47,7 @@ class RunLoop {
     try {
       work();
     } catch (...) {
-      if (keeper_) keeper_->keep_last(simulation);
+      keep_last(simulation);
       throw;
     }
   }

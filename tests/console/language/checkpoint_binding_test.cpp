@@ -165,7 +165,7 @@ TEST(CheckpointBinding, RefusesWhatItCannotDo) {
            {"s:save { 'a.h5' }", "no checkpoint (one of .ckpt"},
            {"s:save {}", "save: file is missing"},
            {"load 'nowhere.ckpt'", "No such file"},
-           {"load 'b.ckpt'", "it does not begin with 'Hackle checkpoint 1'"},
+           {"load 'b.ckpt'", "it does not begin with 'Hackle checkpoint 2'"},
            {"load { 'b.ckpt', time = 1*us }", "a checkpoint has one time only"},
            {"load 'nowhere.h5'", "there is no such file"},
            {"s:record { 'c.h5', every = 1*us } s:run(2*us) s:close() load { 'c.h5', time = 2*us }",

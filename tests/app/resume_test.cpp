@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// A script that was stopped goes on: by the same command, by hackle resume, and elsewhere.
+#include <gmock/gmock.h>
+
+#include "app/program.hpp"
+#include "base/files.hpp"
+
+namespace hackle {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string counted = test::scene + R"(
+s:run(10*us)
+s:on { "every", every = 2*us, call = function(t) print(t, s.energy.kinetic) io.stdout:flush() end }
+s:run(400*us)
+print(s.hash, arg[1])
+)";
+
+class Resumed : public testing::Test {
+ protected:
+  Resumed() {
+    write_text(folder_.path / "a.lua", counted);
+    whole_ = run({"run", "a.lua", "-o", "whole", "--", "x"}).out;
+    EXPECT_THAT(whole_, HasSubstr("\tx\n"));
+    test::Program stopped(folder_);
+    stopped.at_first_word = [](pid_t process) { kill(process, SIGINT); };
+    const test::Ended first = stopped.run({"run", "a.lua", "--", "x"});
+    EXPECT_EQ(first.code, 130) << first.err;
+    EXPECT_THAT(first.err, HasSubstr("hackle resume"));
+    EXPECT_LT(first.out.size(), whole_.size());
+  }
+
+  test::Ended run(const std::vector<std::string>& words) const {
+    return test::Program(folder_).run(words);
+  }
+
+  const test::Folder folder_;
+  std::string whole_;
+};
+
+TEST_F(Resumed, TheSameCommandGoesOn) {
+  const test::Ended on = run({"run", "a.lua", "--", "x"});
+  EXPECT_EQ(on.out, whole_);
+  EXPECT_THAT(on.err, AllOf(HasSubstr("going on with the run that stopped"),
+                            HasSubstr("the script is where it stopped")));
+}
+
+TEST_F(Resumed, OtherArgumentsAreAnotherRun) {
+  const test::Ended other = run({"run", "a.lua", "--", "y"});
+  EXPECT_EQ(other.code, 0);
+  EXPECT_THAT(other.err, Not(HasSubstr("going on")));
+  EXPECT_THAT(run({"run", "a.lua", "--", "x"}).err, HasSubstr("going on"));
+}
+
+TEST_F(Resumed, FreshBeginsAnew) {
+  const test::Ended anew = run({"run", "a.lua", "--fresh", "--", "x"});
+  EXPECT_EQ(anew.out, whole_);
+  EXPECT_THAT(anew.err, Not(HasSubstr("going on")));
+  EXPECT_TRUE(fs::exists(folder_.path / "out/a/a.former.ckpt"));
+}
+
+TEST_F(Resumed, ByTheNameOfItsFolder) {
+  const test::Ended on = run({"resume", "out/a", "-j", "2"});
+  EXPECT_EQ(on.out, whole_);
+  EXPECT_EQ(on.code, 0) << on.err;
+}
+
+TEST_F(Resumed, ByTheNameOfItsCheckpointAndAsJson) {
+  const test::Ended on = run({"resume", "out/a/a.auto.ckpt", "--json"});
+  EXPECT_EQ(on.code, 0) << on.err;
+  EXPECT_THAT(on.out, AllOf(HasSubstr("\"schema\":1"), HasSubstr("\"script\":\"a.lua\"")));
+}
+
+// The folder is all that is needed.
+TEST_F(Resumed, Elsewhere) {
+  fs::create_directory(folder_.path / "far");
+  fs::rename(folder_.path / "out/a", folder_.path / "far/moved");
+  fs::remove(folder_.path / "a.lua");
+  EXPECT_EQ(run({"resume", "far/moved", "-q"}).out, whole_);
+}
+
+TEST_F(Resumed, WhereNothingWasStoppedIsAnError) {
+  EXPECT_EQ(run({"run", "a.lua", "--", "x"}).code, 0);
+  const test::Ended none = run({"resume", "out/a"});
+  EXPECT_EQ(none.code, 5);
+  EXPECT_THAT(none.err, HasSubstr("has no run that was stopped"));
+  EXPECT_EQ(run({"resume", "a.lua"}).code, 5);
+  EXPECT_EQ(run({"resume", "nowhere"}).code, 5);
+  EXPECT_EQ(run({"resume"}).code, 2);
+}
+
+}  // namespace
+}  // namespace hackle
