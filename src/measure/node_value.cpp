@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <Eigen/LU>
+
 #include "measure/bond_field.hpp"
 #include "measure/field.hpp"
 #include "solver/bond_visit.hpp"

@@ -43,7 +43,7 @@ bool RecordContents::holds(std::string_view field) const {
 }
 
 RecordContents standard_contents(const Grid& grid) {
-  return {{standard_fields.begin(), standard_fields.end()}, {0, 0, grid.nx, grid.ny, 1}};
+  return {{usual_records.begin(), usual_records.end()}, {0, 0, grid.nx, grid.ny, 1}};
 }
 
 std::string text_of(const RecordContents& contents) {

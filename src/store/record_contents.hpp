@@ -15,15 +15,15 @@
 namespace hackle {
 
 // What records hold where nothing else is asked for: all that pictures need.
-inline constexpr auto standard_fields =
+inline constexpr auto usual_records =
     std::to_array<std::string_view>({"damage", "displacement", "velocity", "bonds"});
 
 // The names of what can be recorded: those, then the other fields of pictures. In a file
 // "displacement" and "velocity" are vectors; "bonds" are all that are broken, with the thermal
 // strain.
 inline constexpr auto recordable_fields = [] {
-  std::array<std::string_view, standard_fields.size() + scalar_names.size() - 2> names;
-  auto* next = std::copy(standard_fields.begin(), standard_fields.end(), names.begin());
+  std::array<std::string_view, usual_records.size() + scalar_names.size() - 2> names;
+  auto* next = std::copy(usual_records.begin(), usual_records.end(), names.begin());
   for (const std::string_view name : scalar_names)
     if (name != "damage" && name != "displacement") *next++ = name;
   return names;

@@ -95,7 +95,7 @@ double run_file_bytes(const RecordContents& contents, const Grid& grid, std::int
   constexpr double exact = 40.0;  // bytes of each node
   const auto nodes = static_cast<double>(contents.nodes.nodes());
   const auto others = static_cast<double>(std::ranges::count_if(contents.fields, [](const auto& f) {
-    return std::ranges::find(standard_fields, f) == standard_fields.end();
+    return std::ranges::find(usual_records, f) == usual_records.end();
   }));
   const double of_record = a_record + nodes * (standard + a_scalar * others) +
                            (contents.exact ? exact * static_cast<double>(grid.nodes()) : 0.0);

@@ -147,6 +147,7 @@ std::string value(Bytes& bytes, const Option& option) {
     case OptionType::caption:
       return bytes.once_in(4) ? "''" : bytes.pick(texts);
     case OptionType::texts:
+    case OptionType::columns:
       return list(bytes, [&] { return bytes.pick(texts); });
     case OptionType::flag:
       return bytes.once_in(2) ? "true" : "false";
