@@ -13,6 +13,7 @@
 #include "base/partial_file.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "console/replay/continuation.hpp"
 #include "lattice/needs.hpp"
 #include "movie/movie_kind.hpp"
 #include "movie/read_film.hpp"
@@ -113,7 +114,7 @@ void offer_checkpoints(FileFacts& facts, const fs::path& run) {
       names.push_back((run.parent_path() / entry.path().filename()).string());
   std::ranges::sort(names);
   for (const std::string& name : names)
-    facts.next.push_back(fmt::format("hackle info {}", shell_word(name)));
+    facts.next.push_back(fmt::format("hackle resume {}", shell_word(name)));
 }
 
 std::string maker(const std::string& version, const std::string& git_hash) {
@@ -230,6 +231,9 @@ FileFacts facts_of_checkpoint(const fs::path& path) {
                            fmt::format("at {}, step {}{}", quantity(time, "s"), grouped(state.step),
                                        end > time ? ", on its way to " + quantity(end, "s") : ""));
   add_fields(facts, fields_of(state, facts.json["bytes"]));
+  if (!checkpoint.continuation.empty() &&
+      continuation_of(checkpoint.continuation, path).obstacle.empty())
+    facts.next.push_back(fmt::format("hackle resume {}", shell_word(path.string())));
   facts.next.push_back(fmt::format("load \"{}\"   in a script or at the prompt", path.string()));
   return facts;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "measure/between_nodes.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "measure/between_nodes.hpp"
 
 namespace hackle {
 namespace {

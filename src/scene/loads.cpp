@@ -8,7 +8,6 @@
 
 #include "base/text.hpp"
 #include "scene/check_members.hpp"
-#include "scene/load_names.hpp"
 
 namespace hackle {
 namespace {
@@ -55,7 +54,6 @@ void check(const Loads& loads, Problems& problems) {
   }
   for (const Pressure& pressure : loads.pressures)
     check_part(pressure.angles, "pressure", problems);
-  check_load_names(loads, problems);
   check_members(loads, problems);
 }
 

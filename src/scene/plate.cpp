@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "scene/check_members.hpp"
+#include "scene/load_names.hpp"
 
 namespace hackle {
 namespace {
@@ -152,6 +153,7 @@ void check(const Plate& plate, Problems& problems) {
   if (plate.scatter) check_members(*plate.scatter, problems);
   if (plate.contact) check_members(*plate.contact, problems);
   check(plate.loads, problems);
+  check_load_names(plate.loads, problems);
   check_rims(plate, problems);
   check_expansion(plate, problems);
 }

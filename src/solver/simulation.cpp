@@ -100,8 +100,9 @@ Simulation Simulation::resumed(Plate plate, Numerics numerics, Snapshot snapshot
 }
 
 Snapshot Simulation::snapshot() const {
-  return {state(),        aim_,  plate_.borne(), plate_.widened_at(), divergence_.max_energy(),
-          solve_seconds_, broken_bonds(), course_};
+  return {
+      state(),        aim_,           plate_.borne(), plate_.widened_at(), divergence_.max_energy(),
+      solve_seconds_, broken_bonds(), course_};
 }
 
 void Simulation::pretend(const TimePoint& point) {

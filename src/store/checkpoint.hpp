@@ -16,8 +16,8 @@ namespace hackle {
 // the head (program, script, inputs, the small members of the state), the continuation, and the
 // arrays of the state as they lie in memory (little-endian). It is as large as the state.
 struct Checkpoint {
-  Origin origin;  // the script that made it
-  Inputs inputs;  // with the loads in force; see Inputs for functions
+  Origin origin;            // the script that made it
+  Inputs inputs;            // with the loads in force; see Inputs for functions
   std::string inputs_text;  // JSON, see store/inputs.hpp
   std::string lattice_hash;
   std::string continuation;  // bytes of whoever kept it: what is needed beside the state

@@ -38,8 +38,7 @@ class ArraysOfRecord {
     if (contents_.holds("displacement")) displacements();
     if (contents_.holds("velocity")) velocities();
     for (const std::string& name : contents_.fields)
-      if (std::ranges::find(usual_records, name) == usual_records.end())
-        scalar(scalar_of(name));
+      if (std::ranges::find(usual_records, name) == usual_records.end()) scalar(scalar_of(name));
   }
 
   // What the bonds are, and the rigid bodies.

@@ -49,6 +49,10 @@ TEST_F(Resumed, TheSameCommandGoesOn) {
                             HasSubstr("the script is where it stopped")));
 }
 
+TEST_F(Resumed, InfoTellsHow) {
+  EXPECT_THAT(run({"info", "out/a/a.auto.ckpt"}).out, HasSubstr("hackle resume out/a/a.auto.ckpt"));
+}
+
 TEST_F(Resumed, OtherArgumentsAreAnotherRun) {
   const test::Ended other = run({"run", "a.lua", "--", "y"});
   EXPECT_EQ(other.code, 0);

@@ -15,6 +15,7 @@
 #include "console/language/scripted_plate.hpp"
 #include "console/language/scripted_run.hpp"
 #include "console/schema/object_type.hpp"
+#include "scene/load_names.hpp"
 
 namespace hackle {
 namespace {
@@ -94,6 +95,7 @@ int add_to_plate(lua_State* L) {
   Loads loads = plate.loads;
   all_of<Load>(loads).push_back(load_of<Load>(arguments, plate, doc));
   check(loads, arguments.problems);
+  check_load_names(loads, arguments.problems);
   arguments.problems.throw_if_any();
   plate.loads = std::move(loads);
   return return_plate(L);

@@ -69,7 +69,7 @@ Values nonsense(OptionType type) {
     case OptionType::recordings:
       return {"5", "r", "{}", "{5}", "{'r.h5'}", "{s}", "{r, p}", "{r, x = r}"};
     case OptionType::columns:
-      return {"5", "'time'", "{}", "{5}", "{'nonsense'}", "{{}}", "{{a = 5}}", "{p}"};
+      return {"5", "'time'", "{}", "{5}", "{{}}", "{{a = 5}}", "{p}"};
     case OptionType::material:
       return {"5", "'glas'", "{}", "true", "print"};
     case OptionType::areas:

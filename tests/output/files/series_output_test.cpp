@@ -45,15 +45,15 @@ TEST(SeriesOutput, RowsLieAtTheTimesAskedFor) {
   plate.initial_conditions.push_back({{}, {}, Vec2(3.0, 0.0)});
   hackle::Run run = run_of(plate);
   SeriesOptions options;
-  options.every = 0.37e-6;
+  options.every = 0.47e-6;
   run.log(path, options, named(run, options, {"max.displacement_x"}));
   run.run(2e-6);
   run.close();
   const SeriesTable table = read_series(path);
   EXPECT_EQ(table.headings, (std::vector<std::string>{"time_s", "max_displacement_x_m"}));
-  ASSERT_EQ(table.columns[0].size(), 6U);
-  for (std::size_t k = 0; k < 6; ++k) {
-    const double time = 0.37e-6 * static_cast<double>(k);
+  ASSERT_EQ(table.columns[0].size(), 5U);
+  for (std::size_t k = 0; k < 5; ++k) {
+    const double time = 0.47e-6 * static_cast<double>(k);
     EXPECT_NEAR(table.columns[0][k], time, 1e-18);
     EXPECT_NEAR(table.columns[1][k], 3.0 * time, 1e-7 * 3.0 * 2e-6);  // fields are floats
   }
@@ -125,10 +125,12 @@ TEST(SeriesOutput, ARunFileGetsACopy) {
   EXPECT_EQ(Recording(folder / "a.h5").times().size(), 3U);
   const SeriesTable table = read_series(folder / "numbers.csv");
   EXPECT_EQ(table.columns[0].size(), 5U);
-  const test::RunFileReader reader(folder / "a.h5");
-  EXPECT_EQ(reader.numbers("series/numbers/time_s"), table.columns[0]);
-  EXPECT_EQ(reader.numbers("series/numbers/kinetic_J_per_m"), table.columns[1]);
-  EXPECT_EQ(reader.numbers("series/numbers/bonds"), table.columns[2]);
+  {
+    const test::RunFileReader reader(folder / "a.h5");
+    EXPECT_EQ(reader.numbers("series/numbers/time_s"), table.columns[0]);
+    EXPECT_EQ(reader.numbers("series/numbers/kinetic_J_per_m"), table.columns[1]);
+    EXPECT_EQ(reader.numbers("series/numbers/bonds"), table.columns[2]);
+  }
   Recording recording(folder / "a.h5");
   SeriesOptions all;
   write_table(recording, folder / "again.csv", all,
