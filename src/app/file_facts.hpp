@@ -11,8 +11,8 @@
 
 namespace hackle {
 
-struct FileFacts {
-  nlohmann::ordered_json json;                             // README.md, "--json"
+struct FileFacts {              // NOLINT(bugprone-exception-escape): of the JSON library
+  nlohmann::ordered_json json;  // README.md, "--json"
   std::vector<std::pair<std::string, std::string>> lines;  // for a person: name and text
   std::vector<std::string> next;                           // commands, or lines of a script
 };

@@ -20,8 +20,10 @@ constexpr double horizons_of_speed = 2.0;
 std::vector<BrokenBond> each_once(std::vector<BrokenBond> bonds) {
   const auto key = [](const BrokenBond& bond) { return std::tuple(bond.at, bond.word, bond.bit); };
   std::ranges::sort(bonds, {}, key);
-  const auto rest = std::ranges::unique(bonds, {}, key);
-  bonds.erase(rest.begin(), rest.end());
+  const auto same = [&](const BrokenBond& one, const BrokenBond& other) {
+    return key(one) == key(other);
+  };
+  bonds.erase(std::unique(bonds.begin(), bonds.end(), same), bonds.end());
   return bonds;
 }
 
@@ -150,8 +152,8 @@ void CrackTrack::follow(const Simulation& simulation) {
     for (const BrokenBond& bond : each_once(simulation.broken_bonds())) {
       const auto j = static_cast<int>(bond.at / layout.stride());
       const auto i = static_cast<int>(bond.at - layout.at(0, j));
-      const auto bit = static_cast<std::size_t>(32 * bond.word + std::countr_zero(bond.bit));
-      const Reach& reach = reaches[bit];
+      const int bit = 32 * bond.word + std::countr_zero(bond.bit);
+      const Reach& reach = reaches[static_cast<std::size_t>(bit)];
       lose(view, i, j, reach.a, reach.b, reach.length, reach.weight);
       examine(i, j, damage_of(view, i, j));
       examine(i + reach.a, j + reach.b, damage_of(view, i + reach.a, j + reach.b));

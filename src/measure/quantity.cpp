@@ -246,6 +246,7 @@ std::span<const Quantity> quantities() {
 std::span<const PartQuantity> load_quantities() {
   static const std::vector<PartQuantity> list = [] {
     std::vector<PartQuantity> all;
+    all.reserve(std::size(load_values) + 1);
     for (const LoadValue& one : load_values) all.push_back(one.named);
     all.push_back(factor);
     return all;
@@ -268,6 +269,7 @@ Column column_named(std::string_view name, const View& view, bool of_run, const 
     throw Error(ErrorKind::refused, fmt::format("{}: a recording does not know '{}'", who, name),
                 "ask for it while the plate is solved, in s:log");
   std::vector<std::string_view> names;
+  names.reserve(known.size());
   for (const Column& column : known) names.push_back(column.name);
   throw Error(ErrorKind::refused,
               fmt::format("{}: there is no column '{}'{}", who, name, did_you_mean(name, names)),

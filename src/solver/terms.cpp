@@ -130,7 +130,7 @@ std::vector<Reaction> Terms::reactions(const Surroundings& around, const State& 
   const auto is_body = [](const Reaction& one) {
     return one.who != "support" && one.who != "foundation";
   };
-  std::ranges::stable_partition(list, is_body);
+  std::stable_partition(list.begin(), list.end(), is_body);
   return list;
 }
 

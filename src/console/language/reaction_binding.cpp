@@ -56,6 +56,7 @@ void push_reaction(lua_State* L, const Reaction& one) {
 
 [[noreturn]] void refuse_name(const std::string& name, const std::vector<Reaction>& all) {
   std::vector<std::string_view> known;
+  known.reserve(all.size());
   for (const Reaction& one : all) known.push_back(one.name);
   throw Error(ErrorKind::refused,
               fmt::format("reaction: nothing that bears the plate is named '{}'{}", name,

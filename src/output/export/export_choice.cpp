@@ -38,8 +38,7 @@ std::vector<std::size_t> states_at(const std::vector<double>& times,
   std::vector<std::size_t> states;
   for (const double time : wanted) states.push_back(nearest_state(times, time));
   std::ranges::sort(states);
-  const auto repeated = std::ranges::unique(states);
-  states.erase(repeated.begin(), repeated.end());
+  states.erase(std::unique(states.begin(), states.end()), states.end());
   return states;
 }
 

@@ -21,12 +21,14 @@ constexpr double bytes_of_cell = 19.0;  // measured: 16 or 17 digits, a point, a
 
 std::vector<std::string> headings_of(const std::vector<Column>& columns) {
   std::vector<std::string> headings;
+  headings.reserve(columns.size());
   for (const Column& column : columns) headings.push_back(heading_of(column));
   return headings;
 }
 
 std::vector<std::optional<double>> row_of(const std::vector<Column>& columns, Glance glance) {
   std::vector<std::optional<double>> row;
+  row.reserve(columns.size());
   for (const Column& column : columns) row.push_back(column.value(glance));
   return row;
 }

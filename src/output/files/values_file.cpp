@@ -36,7 +36,8 @@ void write_values_image(const NodeValues& values, const std::string& colours,
     const double share = max > min ? (value - min) / (max - min) : 0.0;
     const Colour& colour = map.colours[static_cast<std::size_t>(std::lround(share * last))];
     const int row = image.height - 1 - j;
-    auto* pixel = image.pixels.data() + static_cast<std::ptrdiff_t>(row) * image.stride() + 4 * i;
+    auto* pixel = image.pixels.data() + static_cast<std::ptrdiff_t>(row) * image.stride() +
+                  std::ptrdiff_t{4} * i;
     pixel[0] = colour.blue;
     pixel[1] = colour.green;
     pixel[2] = colour.red;
