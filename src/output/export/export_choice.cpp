@@ -36,6 +36,7 @@ std::vector<double> multiples(double every, const std::vector<double>& times) {
 std::vector<std::size_t> states_at(const std::vector<double>& times,
                                    const std::vector<double>& wanted) {
   std::vector<std::size_t> states;
+  states.reserve(wanted.size());
   for (const double time : wanted) states.push_back(nearest_state(times, time));
   std::ranges::sort(states);
   states.erase(std::unique(states.begin(), states.end()), states.end());
