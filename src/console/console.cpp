@@ -186,9 +186,11 @@ struct Console::Parts {
   explicit Parts(ConsoleSettings settings)
       : session(std::move(settings)), L(session.settings.lua_memory) {
     set_session(L, &session);
-    session.run_at = run_at;
-    session.name_object = name_in_journal;
-    session.push_empty = [](lua_State* l, const std::string&) { push_object(l, ScriptedValues()); };
+    session.objects.run_at = run_at;
+    session.objects.name = name_in_journal;
+    session.objects.push_empty = [](lua_State* l, const std::string&) {
+      push_object(l, ScriptedValues());
+    };
     session.names->place = [this] {
       const std::string text = place(L, 1);
       return text.substr(0, text.find_last_of(':'));

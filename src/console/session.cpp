@@ -102,6 +102,9 @@ Run* Session::run_of(int number) const {
 }
 
 ScriptHost Session::script_host() {
+  ReplayHost all = objects;
+  all.number_of = [this](const Run& run) { return number_of(run); };
+  all.run = [this](int number) { return run_of(number); };
   return {
       .inputs = folder->inputs(),
       .origin = origin,
@@ -114,16 +117,12 @@ ScriptHost Session::script_host() {
       .claim =
           [this](const fs::path& name) { return claim("checkpoint", name, FileKind::checkpoint); },
       .count = [this] { return static_cast<int>(entries_.size()); },
-      .run = [this](int number) { return run_of(number); },
-      .number_of = [this](const Run& run) { return number_of(run); },
       .summary =
           [this](int number) {
             const auto& entry = entries_[static_cast<std::size_t>(number) - 1];
             return entry.summary ? to_json(*entry.summary).dump() : std::string();
           },
-      .run_at = run_at,
-      .name = name_object,
-      .push_empty = push_empty};
+      .objects = std::move(all)};
 }
 
 std::optional<Found> Session::find_unfinished() {

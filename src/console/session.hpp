@@ -152,10 +152,7 @@ class Session {
   int pictures_shown = 0;              // as files, by show(s)
   std::unordered_map<const Plate*, PlateMemory> plates;  // memory of the script's plates
   std::unique_ptr<ScriptCheckpoints> checkpoints;        // of a script that is run
-  // See ReplayHost; set by the console.
-  std::function<Run*(lua_State*, int)> run_at;
-  NameObject name_object;
-  std::function<void(lua_State*, const std::string&)> push_empty;
+  ReplayHost objects;  // what the console knows of them: run_at, name and push_empty
 
  private:
   void take_folder();

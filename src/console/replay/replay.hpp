@@ -21,14 +21,15 @@
 
 namespace hackle {
 
-// What a replay needs of the session.
+// What a replay needs of the session: the objects of the script, whose simulations are numbered
+// from 1 in the order they were made.
 struct ReplayHost {
   std::function<Run*(lua_State* L, int index)> run_at;  // null for anything but a simulation
   NameObject name;
   // [-0, +1] Pushes an object without content such as the function of that name hands out.
   std::function<void(lua_State* L, const std::string& name)> push_empty;
   std::function<int(const Run& run)> number_of;
-  std::function<Run*(int number)> run;
+  std::function<Run*(int number)> run;  // null once it is gone
   // Gives every simulation the state that it had at the end of the journal.
   std::function<void()> go_live;
 };

@@ -27,9 +27,11 @@ std::string hash_of(const Checkpoint& checkpoint) {
 }  // namespace
 
 ScriptCheckpoints::ScriptCheckpoints(ScriptHost host)
-    : host_(std::move(host)),
-      replay_({host_.run_at, host_.name, host_.push_empty, host_.number_of, host_.run,
-               [this] { restore_all(); }}) {
+    : host_(std::move(host)), replay_([this] {
+        ReplayHost objects = host_.objects;
+        objects.go_live = [this] { restore_all(); };
+        return objects;
+      }()) {
 }
 
 fs::path ScriptCheckpoints::place(int number) {
@@ -46,8 +48,9 @@ void ScriptCheckpoints::keep(Run& run, int number, double seconds) {
 
 // Only a run that nothing has been done to is none of the others.
 std::optional<Continuation::Other> ScriptCheckpoints::other(int number) {
-  const Run* run = host_.run(number);
+  const Run* run = host_.objects.run(number);
   if (run == nullptr || run->simulation().state().step == 0) return std::nullopt;
+  run->finish_checkpoints();  // which may be writing that file
   const std::string hash = run->simulation().state().hash();
   const fs::path file = place(number);
   if (kept_hashes_[number] != hash)
@@ -66,7 +69,7 @@ std::string ScriptCheckpoints::continuation(int number) {
   all.run = number;
   kept_hashes_.erase(number);
   for (int k = 1; k <= host_.count(); ++k) {
-    if (const Run* run = host_.run(k))
+    if (const Run* run = host_.objects.run(k))
       all.outputs[k] = run->marks();
     else
       all.summaries[k] = host_.summary(k);
@@ -90,7 +93,7 @@ void ScriptCheckpoints::continue_from(Found found) {
       fmt::format("going on with the run that stopped, from '{}'", found_->checkpoint.string()));
 }
 
-// A prior one of a checkpoint is another name for it.
+// NAME.auto-2_prev.ckpt becomes NAME.former-2_prev.ckpt.
 void ScriptCheckpoints::set_aside() const {
   std::error_code ignored;
   const fs::path folder = host_.folder();
@@ -108,7 +111,7 @@ std::string ScriptCheckpoints::told(int number) const {
 }
 
 void ScriptCheckpoints::restore(int number, const fs::path& file, const std::string& hash) {
-  Run* run = host_.run(number);
+  Run* run = host_.objects.run(number);
   if (run == nullptr)
     throw Error(ErrorKind::refused,
                 fmt::format("the script has no simulation {} any more, which '{}' has", number,
@@ -132,8 +135,8 @@ void ScriptCheckpoints::restore_all() {
   restore(former.run, found_->checkpoint, {});
   for (const auto& [number, file, hash] : former.others) restore(number, folder / file, hash);
   for (const auto& [number, marks] : former.outputs)
-    if (Run* run = host_.run(number)) run->continue_outputs(marks);
-  const Run& run = *host_.run(former.run);
+    if (Run* run = host_.objects.run(number)) run->continue_outputs(marks);
+  const Run& run = *host_.objects.run(former.run);
   if (host_.talk != Talk::quiet)
     say_note(fmt::format("the script is where it stopped: {}, step {}",
                          quantity(run.simulation().time(), "s"),
@@ -145,13 +148,13 @@ void ScriptCheckpoints::finish() {
   const bool goes_live = replay_.is_replaying();
   replay_.finish();
   if (!goes_live) return;
-  if (Run* run = host_.run(found_->continuation.run)) run->wait();
+  if (Run* run = host_.objects.run(found_->continuation.run)) run->wait();
 }
 
 void ScriptCheckpoints::keep_last() noexcept {
   if (replay_.is_replaying() || replay_.has_failed()) return;  // nothing has been added
   for (int k = host_.count(); k > 0; --k)
-    if (Run* run = host_.run(k); run != nullptr && run->simulation().state().step > 0)
+    if (Run* run = host_.objects.run(k); run != nullptr && run->simulation().state().step > 0)
       return run->keep_last();
 }
 
@@ -162,7 +165,7 @@ void ScriptCheckpoints::let_go(const Run& run) {
 void ScriptCheckpoints::remove() noexcept {
   try {
     for (int k = 1; k <= host_.count(); ++k)
-      if (const Run* run = host_.run(k)) let_go(*run);
+      if (const Run* run = host_.objects.run(k)) let_go(*run);
     for (const fs::path& file : kept_files_) remove_file(file);
     for (const auto& [number, file] : places_)
       for (const fs::path& kept : {file, previous_checkpoint(file)}) remove_file(kept);

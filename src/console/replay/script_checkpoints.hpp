@@ -18,7 +18,7 @@
 
 namespace hackle {
 
-// The script and its simulations, which are numbered from 1 in the order they were made.
+// The script, its files and its simulations.
 struct ScriptHost {
   RunInputs inputs;
   Origin origin;
@@ -27,12 +27,8 @@ struct ScriptHost {
   // Reserves a checkpoint below it.
   std::function<std::filesystem::path(const std::filesystem::path& name)> claim;
   std::function<int()> count;
-  std::function<Run*(int number)> run;  // null once it is gone
-  std::function<int(const Run& run)> number_of;
-  std::function<std::string(int number)> summary;  // JSON, of one that is gone
-  std::function<Run*(lua_State* L, int index)> run_at;
-  NameObject name;
-  std::function<void(lua_State* L, const std::string& name)> push_empty;
+  std::function<std::string(int number)> summary;  // JSON, of a simulation that is gone
+  ReplayHost objects;                              // without go_live, which is set here
 };
 
 class ScriptCheckpoints {

@@ -221,6 +221,10 @@ void Run::keep_last() {
   parts_->loop.keep_last(parts_->simulation);
 }
 
+void Run::finish_checkpoints() const {
+  parts_->loop.finish_checkpoints();
+}
+
 std::vector<OutputMark> Run::marks() const {
   return parts_->outputs.marks();
 }
@@ -451,7 +455,7 @@ void Run::close() {
   stop();
   judge();
   parts_->loop.forget_watchers();
-  parts_->loop.finish_checkpoints();
+  finish_checkpoints();
   parts_->outputs.close();
 }
 

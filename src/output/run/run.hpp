@@ -67,6 +67,8 @@ class Run {
                         std::function<std::string()> continuation);
   // Keeps the present state, if checkpoints are kept; never throws.
   void keep_last();
+  // Waits until the last checkpoint is written.
+  void finish_checkpoints() const;
   // Returns how far the movies and records have come, and the files that only continuing them
   // needs.
   std::vector<OutputMark> marks() const;
