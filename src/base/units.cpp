@@ -48,9 +48,9 @@ struct Habit {
   double min;
 };
 
-constexpr std::array habits{Habit{"m", 1.0, 1e-9},  Habit{"s", 1.0, 1e-12},  Habit{"Pa", 1e9, 1.0},
-                            Habit{"J", 1e9, 1e-9},  Habit{"J/m3", 1e9, 1.0}, Habit{"B", 1e12, 1.0},
-                            Habit{"m/s", 1e3, 1e-6}};
+constexpr std::array habits{Habit{"m", 1.0, 1e-9},   Habit{"s", 1.0, 1e-12},  Habit{"Pa", 1e9, 1.0},
+                            Habit{"J", 1e9, 1e-9},   Habit{"J/m3", 1e9, 1.0}, Habit{"B", 1e12, 1.0},
+                            Habit{"m/s", 1e3, 1e-6}, Habit{"N", 1e9, 1e-9}};
 
 const Habit* habit_of(std::string_view unit) {
   for (const Habit& habit : habits)

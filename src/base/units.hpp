@@ -19,8 +19,8 @@ struct Unit {
 std::span<const Unit> units();
 
 // Returns a number with its unit in customary form: quantity(5e-4, "m") is "0.5 mm". Four
-// significant digits. Units "m", "s", "Pa", "J", "J/m3", "B" (bytes) and "m/s" take a prefix; all
-// others are printed unchanged, and "" prints the bare number.
+// significant digits. Units "m", "s", "Pa", "J", "J/m3", "N", "B" (bytes) and "m/s" take a prefix;
+// all others are printed unchanged, and "" prints the bare number.
 std::string quantity(double value, std::string_view unit);
 
 // A unit with the prefix that suits numbers of this size, and its size in SI: {"MPa", 1e6}.

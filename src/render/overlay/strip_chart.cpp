@@ -10,19 +10,6 @@
 #include "render/overlay/ticks.hpp"
 
 namespace hackle {
-namespace {
-
-// J/m takes the prefixes of J.
-PrefixedUnit unit_of(double size, const std::string& unit) {
-  constexpr std::string_view per_metre = "/m";
-  if (unit != "J/m") return prefixed(size, unit);
-  PrefixedUnit found = prefixed(size, "J");
-  found.name += per_metre;
-  return found;
-}
-
-}  // namespace
-
 StripChart::StripChart(const Rectangle& room, const Chart& chart, double now, const Layout& layout,
                        const Theme& theme, const Font& font)
     : room_(room),
@@ -49,7 +36,7 @@ void StripChart::find_scale(const Chart& chart, double now) {
       max = std::max(max, point.y());
     }
   if (!(max > min)) max = 1.0;
-  const PrefixedUnit unit = unit_of(std::max(-min, max), chart.unit);
+  const PrefixedUnit unit = axis_unit(std::max(-min, max), chart.unit);
   unit_ = printed_unit(unit.name);
   unit_factor_ = unit.factor;
   values_ = enclosing_values(min, max, intervals);

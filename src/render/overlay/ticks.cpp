@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <initializer_list>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -85,6 +86,14 @@ std::vector<std::string> tick_texts(const std::vector<double>& values) {
     if (std::ranges::adjacent_find(texts) == texts.end()) break;
   }
   return texts;
+}
+
+PrefixedUnit axis_unit(double size, const std::string& unit) {
+  constexpr std::string_view per_metre = "/m";
+  if (unit != "J/m" && unit != "N/m") return prefixed(size, unit);
+  PrefixedUnit found = prefixed(size, unit.substr(0, 1));
+  found.name += per_metre;
+  return found;
 }
 
 }  // namespace hackle

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/units.hpp"
+
 namespace hackle {
 
 // Returns multiples of 1, 2, 2.5 or 5 times a power of ten from `least` to `most` (least < most),
@@ -23,5 +25,9 @@ std::vector<double> decades(double min, double max, int intervals);
 
 // Returns the texts of ticks with four digits, or more if two would read alike; "−20", "10⁻⁵".
 std::vector<std::string> tick_texts(const std::vector<double>& values);
+
+// Returns the unit of numbers at an axis that reaches this far. J/m and N/m take the prefixes of J
+// and N.
+PrefixedUnit axis_unit(double size, const std::string& unit);
 
 }  // namespace hackle
