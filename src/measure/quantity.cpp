@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "measure/cracks.hpp"
+#include "measure/heading.hpp"
 #include "measure/scalar.hpp"
 #include "scene/load_names.hpp"
 
@@ -295,13 +296,7 @@ std::vector<Column> usual_columns(const View& view, bool of_run, bool cheap) {
 }
 
 std::string heading_of(const Column& column) {
-  std::string text = column.name;
-  std::string unit = column.unit;
-  for (const auto& [from, to] : {std::pair<std::string_view, std::string_view>{"/", "_per_"}})
-    for (std::size_t at = unit.find(from); at != std::string::npos; at = unit.find(from, at))
-      unit.replace(at, from.size(), to);
-  std::ranges::replace(text, '.', '_');
-  return unit.empty() ? text : fmt::format("{}_{}", text, unit);
+  return heading_of(column.name, column.unit);
 }
 
 }  // namespace hackle

@@ -88,8 +88,7 @@ Column column_named(std::string_view name, const View& view, bool of_run, const 
 // with a name.
 std::vector<Column> usual_columns(const View& view, bool of_run, bool cheap);
 
-// Returns the name of a column in a file, with its unit: "tip.x" in m is "tip_x_m". It is an
-// identifier in every program that reads tables, and the same as a key of --json.
+// See heading.hpp.
 std::string heading_of(const Column& column);
 
 }  // namespace hackle

@@ -332,6 +332,12 @@ Hdf5Handle Hdf5Reader::open_series(const std::string& name, hsize_t count) const
   return dataset;
 }
 
+hsize_t Hdf5Reader::length(const std::string& name) const {
+  const std::vector<hsize_t> shape = shape_of(open(name), name);
+  if (shape.size() != 1) refuse(fmt::format("its {} is {}, no series", name, extents_text(shape)));
+  return shape[0];
+}
+
 Hdf5Handle Hdf5Reader::open_shaped(const std::string& name,
                                    const std::vector<hsize_t>& shape) const {
   Hdf5Handle dataset = open(name);

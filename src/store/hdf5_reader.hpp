@@ -32,6 +32,8 @@ class Hdf5Reader {
   // Returns the bytes of its data in the file; 0 for a group.
   std::uint64_t stored_bytes(const std::string& name) const;
   std::string text(const std::string& name) const;  // at most 64 MiB
+  // Returns the number of values in a series.
+  hsize_t length(const std::string& name) const;
   // Reads the first values of a series.
   std::vector<double> first_doubles(const std::string& name, hsize_t count) const;
   std::vector<std::int64_t> first_integers(const std::string& name, hsize_t count) const;

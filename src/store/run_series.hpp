@@ -2,7 +2,9 @@
 // The tables of a run in its run file, a copy of what its CSV files hold.
 #pragma once
 
+#include <filesystem>
 #include <span>
+#include <vector>
 
 #include "store/hdf5.hpp"
 #include "store/series_file.hpp"
@@ -14,5 +16,9 @@ namespace hackle {
 // empty. Tables of one name get a number behind it; a table without rows is left out. Throws Error
 // (files).
 void write_series(Hdf5File& file, std::span<const SeriesTable> tables);
+
+// Returns the tables in a run file; none before its run has ended. Throws Error (files) for one
+// that is damaged, Error (interrupted).
+std::vector<SeriesTable> series_in(const std::filesystem::path& run_file);
 
 }  // namespace hackle
