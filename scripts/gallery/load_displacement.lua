@@ -2,7 +2,8 @@
 --
 -- A bar with an edge crack is pulled by two grips. First slowly: every increment is in equilibrium, and the bar
 -- breaks at once when the crack starts. Then the same bar is pulled apart at 1 m/s. Two tables tell the force on
--- the upper grip, the opening of the crack at its mouth, the strain of a gauge ahead of it, and where its tip is.
+-- the upper grip, the opening of the crack at its mouth, the strain of a gauge ahead of it, and where its tip is;
+-- a chart shows load against displacement of both.
 -- Expected: the force rises with the displacement up to the same load and falls to nothing; the crack opens.
 --
 --   hackle run scripts/gallery/load_displacement.lua
@@ -28,5 +29,6 @@ fast:move { edge = "top", depth = 4*mm, velocity = {0, 1}, time = ramp(50*us), n
 fast:log { "fast.csv", every = 2*us, "grip.fy", "grip.uy", cmod, ahead, "tip.x", "tip.speed", "bonds" }
 fast:run(400*us)
 
+chart { "load_displacement.png", "load", of = { slow, fast }, names = { "slow", "1 m/s" } }
 print(slow:report())
 print(fast:report())

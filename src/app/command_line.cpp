@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "app/command_bench.hpp"
+#include "app/command_chart.hpp"
 #include "app/command_check.hpp"
 #include "app/command_diff.hpp"
 #include "app/command_docs.hpp"
@@ -34,14 +35,16 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 11> commands{
-    "run", "resume", "check", "render", "replay", "diff", "export", "new", "bench", "info", "docs"};
+constexpr std::array<std::string_view, 12> commands{"run",   "resume", "check", "render",
+                                                    "chart", "replay", "diff",  "export",
+                                                    "new",   "bench",  "info",  "docs"};
 constexpr int max_threads = 1024;
 
 // The parsed command line.
 struct Request {
   RunRequest run;
   RenderRequest render;
+  ChartRequest chart;
   ReplayRequest replay;
   BenchRequest bench;
   std::vector<std::string> settings;
@@ -206,6 +209,24 @@ void describe_render(CLI::App& app, Request& request) {
       "hackle render run.h5 stress.png field=stress_1 time=20us range=0:12MPa");
 }
 
+void describe_chart(CLI::App& app, Request& request) {
+  CLI::App* chart = app.add_subcommand(
+      "chart", "Draw a chart of the numbers of recorded runs and of tables, without computing");
+  chart
+      ->add_option(
+          "FILES", request.chart.words,
+          "Run files and tables (.csv), what to draw, the picture (.png, .pdf, .svg), then "
+          "options key=value")
+      ->required();
+  chart->add_flag("-q,--quiet", request.chart.quiet, "Print only errors");
+  chart->footer(
+      "RUN.h5 alone tells what can be drawn: a kind of chart, or columns of one unit. Options are\n"
+      "those of chart in a script. The numbers go beside the picture, as CSV:\n"
+      "hackle chart run.h5 speed\n"
+      "hackle chart a.h5 b.csv tip.x tip.pdf paper=85mm\n"
+      "hackle chart run.csv grip.fy x=grip.uy load.png");
+}
+
 void describe_replay(CLI::App& app, Request& request) {
   CLI::App* replay = app.add_subcommand(
       "replay", "Compute a recorded run again and name the first record that differs");
@@ -326,6 +347,7 @@ void describe(CLI::App& app, Request& request) {
   describe_resume(app, request);
   describe_check(app, request);
   describe_render(app, request);
+  describe_chart(app, request);
   describe_diff(app, request);
   describe_export(app, request);
   describe_replay(app, request);
@@ -360,6 +382,7 @@ int execute(const CLI::App& app, Request& request) {
   if (app.got_subcommand("run") || app.got_subcommand("resume")) return command_run(request.run);
   if (app.got_subcommand("check")) return command_check(request.run);
   if (app.got_subcommand("render")) return command_render(request.render);
+  if (app.got_subcommand("chart")) return command_chart(request.chart);
   if (app.got_subcommand("diff")) return command_diff(request.diff);
   if (app.got_subcommand("export")) return command_export(request.exported);
   if (app.got_subcommand("replay")) return command_replay(request.replay);

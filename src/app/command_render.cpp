@@ -4,19 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <stdexcept>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include "app/exit_code.hpp"
 #include "app/voice.hpp"
+#include "app/word_options.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/streams.hpp"
 #include "base/text.hpp"
 #include "console/console.hpp"
-#include "console/reference/vocabulary.hpp"
 #include "console/schema/shell_value.hpp"
 #include "movie/movie_kind.hpp"
 
@@ -27,28 +25,6 @@ bool ends_in(const std::string& name, std::string_view ending) {
   std::string end = std::filesystem::path(name).extension().string();
   std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
   return end == ending;
-}
-
-bool is_option(const std::string& word) {
-  std::error_code ignored;
-  const std::size_t equals = word.find('=');
-  return equals != std::string::npos && equals > 0 && !std::filesystem::exists(word, ignored);
-}
-
-// Returns the text as a Lua literal, whatever it contains.
-std::string quoted(const std::string& text) {
-  std::string all = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') all += '\\';
-    all += c == '\n' ? std::string("\\n") : std::string(1, c);
-  }
-  return all + '"';
-}
-
-const FunctionDoc& doc_of(std::string_view owner, std::string_view name) {
-  for (const FunctionDoc* doc : all_docs())
-    if (doc->owner == owner && doc->name == name) return *doc;
-  throw std::logic_error("no such function");
 }
 
 bool is_run_file(const std::string& name) {
@@ -81,37 +57,6 @@ const FunctionDoc& function_for(const RenderJob& job) {
   return picture ? doc_of("r", "frame") : doc_of("r", "movie");
 }
 
-bool is_quoted(const std::string& value) {
-  return value.size() > 1 && (value.front() == '"' || value.front() == '\'') &&
-         value.back() == value.front();
-}
-
-std::string value_text(const Option& option, const std::string& value) {
-  const bool text = option.type == OptionType::text || option.type == OptionType::caption ||
-                    option.type == OptionType::choice;
-  if (!text) return shell_expression(value);
-  return is_quoted(value) ? value : quoted(value);
-}
-
-[[noreturn]] void refuse_name(const FunctionDoc& doc, const std::string& name) {
-  std::vector<std::string_view> names;
-  for (const Option& option : doc.options) names.push_back(option.name);
-  throw Error(
-      ErrorKind::refused,
-      fmt::format("render: {} has no option '{}'{}", doc.name, name, did_you_mean(name, names)),
-      "options: " + comma_list(names));
-}
-
-std::string options_text(const RenderJob& job, const FunctionDoc& doc) {
-  std::string text;
-  for (const auto& [name, value] : job.options) {
-    const Option* option = find_option(doc, name);
-    if (option == nullptr) refuse_name(doc, name);
-    text += fmt::format(", {} = {}", name, value_text(*option, value));
-  }
-  return text;
-}
-
 std::string recordings_text(const std::vector<std::string>& runs) {
   std::string text;
   for (const std::string& run : runs)
@@ -126,21 +71,6 @@ ConsoleSettings settings_of(const RenderRequest& request) {
   settings.talk = talk(request.quiet);
   settings.trust = true;  // the script consists of the user's own words
   return settings;
-}
-
-// Checks each value separately, so that a message can name it.
-void check_values(Console& console, const RenderJob& job) {
-  const FunctionDoc& doc = function_for(job);
-  for (const auto& [name, value] : job.options) {
-    const Option* option = find_option(doc, name);
-    if (option == nullptr) refuse_name(doc, name);
-    try {
-      console.evaluate(fmt::format("_ = {}", value_text(*option, value)));
-    } catch (const Error& error) {
-      throw Error(ErrorKind::usage, fmt::format("render: {}={} is no value", name, value),
-                  "expected " + expectation(*option) + ", as in a script");
-    }
-  }
 }
 
 // Describes a run file, and what can be made of it.
@@ -165,9 +95,8 @@ void tell_what_is_there(Console& console, const RenderJob& job) {
 RenderJob render_job(const std::vector<std::string>& words) {
   RenderJob job;
   for (const std::string& word : words) {
-    const std::size_t equals = word.find('=');
     if (is_option(word))
-      job.options.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+      job.options.push_back(option_in(word));
     else
       job.runs.push_back(word);
   }
@@ -186,7 +115,7 @@ RenderJob render_job(const std::vector<std::string>& words) {
 
 std::string script_of(const RenderJob& job) {
   const FunctionDoc& doc = function_for(job);
-  const std::string rest = quoted(job.out) + options_text(job, doc);
+  const std::string rest = quoted(job.out) + lua_text("render", job.options, doc);
   if (doc.owner == "r")
     return fmt::format("({}):{} {{ {} }}", recordings_text(job.runs), doc.name, rest);
   return fmt::format("{} {{ {}, recordings = {{ {} }} }}", doc.name, rest,
@@ -203,7 +132,7 @@ int command_render(const RenderRequest& request) {
       return 0;
     }
     check_out(job.out);
-    check_values(console, job);
+    check_values(console, "render", job.options, function_for(job));
     console.evaluate(script_of(job));
     if (!request.quiet) tell_file(job.out);
     return 0;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "console/language/chart_binding.hpp"
 #include "console/language/checkpoint_binding.hpp"
 #include "console/language/constant_calls.hpp"
 #include "console/language/contact_sheet_binding.hpp"
@@ -144,7 +145,7 @@ void know_all(Replay& replay) {
   replay.know(simulation_type());
   replay.know(values_type());
   for (const auto functions : {simulation_functions(), checkpoint_functions(), show_functions(),
-                               contact_sheet_functions()})
+                               contact_sheet_functions(), chart_functions()})
     for (const Function& function : functions) replay.know(function);
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "console/language/chart_docs.hpp"
 #include "console/language/recording_docs.hpp"
 #include "console/language/simulation_docs.hpp"
 #include "console/lua/error_object.hpp"
@@ -26,6 +27,7 @@ struct Method {
   FileKind kind;
 };
 constexpr std::array methods{Method{&frame_doc, &recorded_frame_doc, FileKind::picture},
+                             Method{&run_chart_doc, &recorded_chart_doc, FileKind::picture},
                              Method{&movie_doc, &recorded_movie_doc, FileKind::movie},
                              Method{&record_doc, nullptr, FileKind::run_file}};
 

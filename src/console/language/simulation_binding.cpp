@@ -15,6 +15,7 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "console/language/background_binding.hpp"
+#include "console/language/chart_binding.hpp"
 #include "console/language/checkpoint_binding.hpp"
 #include "console/language/gauge_binding.hpp"
 #include "console/language/load_binding.hpp"
@@ -333,8 +334,8 @@ std::vector<Function> all_methods_of_simulation() {
   for (const std::span<const Function> part :
        {std::span<const Function>(own_methods_of_simulation), load_methods_of_simulation(),
         relax_methods(), measure_methods(), steering_methods(), checkpoint_methods(),
-        background_methods(), show_methods(), reaction_methods(), series_methods(), gauge_methods(),
-        values_methods()})
+        background_methods(), show_methods(), reaction_methods(), series_methods(), chart_methods(),
+        gauge_methods(), values_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -16,6 +16,7 @@
 #include "console/schema/option_row.hpp"
 #include "measure/quantity.hpp"
 #include "measure/scalar.hpp"
+#include "output/chart/chart_kind.hpp"
 
 namespace hackle {
 namespace {
@@ -193,6 +194,7 @@ std::string page_of_list(std::string_view name) {
   if (name == "functions") return list_of_functions();
   if (name == "fields") return list_of_fields();
   if (name == "columns") return list_of_columns();
+  if (name == "charts") return list_of_charts();
   return name == "units" ? list_of_units() : "";
 }
 
@@ -280,6 +282,21 @@ std::string list_of_columns() {
   return text;
 }
 
+std::string list_of_charts() {
+  constexpr std::size_t column = 12;
+  std::string text =
+      hanging(
+          "Used as in s:chart { \"speed.pdf\", \"speed\" }, r:chart, chart { of = ... } and hackle "
+          "chart run.h5 speed; instead of a kind, columns of one unit may be named. Each needs "
+          "what s:log has noted, or records that know it.",
+          0, reference_width) +
+      "\n\n";
+  for (const ChartKind& kind : chart_kinds())
+    text += entry(kind.name, column, std::string(kind.sentence));
+  text.pop_back();
+  return text;
+}
+
 std::string reference_of(const FunctionDoc& doc) {
   std::vector<OptionRow> rows;
   for (const Option& option : doc.options) rows.push_back(row_of(option));
@@ -315,8 +332,8 @@ std::string reference_of(std::string_view name) {
 }
 
 std::vector<std::string> topics() {
-  std::set<std::string_view> names{"functions", "units", "materials", "fields",
-                                   "columns",   "order", "specimens", "times"};
+  std::set<std::string_view> names{"functions", "units", "materials", "fields", "columns",
+                                   "charts",    "order", "specimens", "times"};
   for (const FunctionDoc* doc : all_docs()) {
     names.insert(doc->name);
     for (const Option& option : doc->options) names.insert(option.name);

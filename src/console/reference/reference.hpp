@@ -24,6 +24,7 @@ std::string list_of_units();
 // Lists the fields of pictures with a sentence each.
 std::string list_of_fields();
 std::string list_of_columns();  // of tables
+std::string list_of_charts();
 
 // Returns signature, sentence, table of options, example and related functions.
 std::string reference_of(const FunctionDoc& doc);

@@ -15,6 +15,7 @@
 #include "console/schema/option_row.hpp"
 #include "measure/quantity.hpp"
 #include "measure/scalar.hpp"
+#include "output/chart/chart_kind.hpp"
 
 namespace hackle {
 namespace {
@@ -94,6 +95,13 @@ std::string column_table() {
   return text + "\n";
 }
 
+std::string chart_table() {
+  std::string text = "## Charts\n\n| kind | |\n|---|---|\n";
+  for (const ChartKind& kind : chart_kinds())
+    text += fmt::format("| {} | {} |\n", markdown_code(kind.name), markdown(kind.sentence));
+  return text + "\n";
+}
+
 std::string material_table() {
   const Materials materials(data_file("assets/materials.lua"));
   std::string text = "## Materials\n\n| name | | source |\n|---|---|---|\n";
@@ -127,7 +135,7 @@ std::string markdown_reference() {
   std::string text = "## Functions\n\n";
   for (const Function& function : all_functions()) text += function_section(*function.doc);
   for (const TypeDoc* type : all_types()) text += type_section(*type);
-  return text + scalar_table() + column_table() + unit_table() + material_table();
+  return text + scalar_table() + column_table() + chart_table() + unit_table() + material_table();
 }
 
 std::string roff_reference() {

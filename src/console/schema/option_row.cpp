@@ -38,6 +38,8 @@ std::string_view type_word(OptionType type) {
       return "list of numbers";
     case OptionType::recordings:
       return "list of recordings";
+    case OptionType::sources:
+      return "list of sources";
     case OptionType::columns:
       return "columns";
     case OptionType::choice:
@@ -62,7 +64,7 @@ std::string_view type_word(OptionType type) {
 std::string values_text(const Option& option) {
   const bool list = option.type == OptionType::points || option.type == OptionType::texts ||
                     option.type == OptionType::markers || option.type == OptionType::numbers ||
-                    option.type == OptionType::recordings;
+                    option.type == OptionType::recordings || option.type == OptionType::sources;
   if (list && option.unit.empty()) return shortest(option.range.min) + " or more";
   if (list) return fmt::format("{} or more, {}", shortest(option.range.min), option.unit);
   if (option.type == OptionType::choice) return comma_list(option.choices);

@@ -64,6 +64,10 @@ std::string expectation(const Option& option) {
       return fmt::format("a list of {} or more numbers{}", option.range.min, in_unit);
     case OptionType::recordings:
       return fmt::format("a list of {} or more of what recording returns", option.range.min);
+    case OptionType::sources:
+      return fmt::format(
+          "a list of {} or more names of files, recordings, or tables of lists of numbers",
+          option.range.min);
     case OptionType::columns:
       return "names of columns, functions of the simulation, gauges, or {name = function}";
     case OptionType::choice:

@@ -29,6 +29,7 @@ enum class OptionType {
   markers,       // a list of {x, y, "label"}; range of its length
   numbers,       // a list of finite numbers; range of its length
   recordings,    // a list of values of recording{...}; range of its length
+  sources,       // a list of files, recordings and tables of numbers; range of its length
   columns,       // a list of names, functions and gauges; range of its length
   choice,        // one of `choices`
   material,      // its name, or a value of material{...}

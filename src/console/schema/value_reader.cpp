@@ -309,6 +309,7 @@ std::any read_value(const GivenValue& given) {
       return read_function(given);
     case OptionType::markers:
     case OptionType::recordings:
+    case OptionType::sources:
     case OptionType::columns:
     case OptionType::material:
     case OptionType::areas:

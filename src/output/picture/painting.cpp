@@ -12,6 +12,7 @@
 #include "output/picture/automatic_range.hpp"
 #include "output/picture/chart_data.hpp"
 #include "output/picture/field_choice.hpp"
+#include "output/picture/paper.hpp"
 #include "output/picture/view.hpp"
 #include "render/png.hpp"
 #include "render/seen_range.hpp"
@@ -64,41 +65,15 @@ std::vector<std::uint8_t> in_255ths(const std::vector<float>& shares) {
   return bytes;
 }
 
-constexpr double points_an_inch = 72.0, inch = 25.4e-3;
-constexpr double usual_font = 8.0;  // pt, as journals have it
-
-// Returns the even width in px of a picture of that width on paper.
-int paper_pixels(const PictureOptions& options) {
-  return 2 * static_cast<int>(std::lround(0.5 * *options.paper / inch * options.dpi));
-}
-
-// Texts must leave room for the plate, and be legible.
-void check_paper(const char* output, const PictureOptions& options, Problems& problems) {
-  if (options.paper && options.pixels_a_mm)
-    problems.add(fmt::format("{}: paper and px_per_mm are given", output),
-                 "paper is the width of the picture, px_per_mm that of the plate");
-  const int width = options.paper ? paper_pixels(options) : options.width;
-  if (width < min_picture_width || width > max_picture_width)
-    problems.add(fmt::format("{}: {} of paper at {} dpi are {} px, it must be between {} and {}",
-                             output, quantity(*options.paper, "m"), shortest(options.dpi), width,
-                             min_picture_width, max_picture_width),
-                 "another dpi");
-  constexpr double least = 6.0, most_share = 0.05;  // px, and of the width
-  const double font = options.font_size.value_or(usual_font) / points_an_inch * options.dpi;
-  if ((options.paper || options.font_size) && !(font >= least && font <= most_share * width))
-    problems.add(
-        fmt::format("{}: a font_size of {} pt is {:.3g} px of a width of {}", output,
-                    shortest(options.font_size.value_or(usual_font)), font, width),
-        fmt::format("it must lie between {} px and {} % of the width", least, 100.0 * most_share));
+Paper paper_of(const PictureOptions& options) {
+  return {options.width, options.paper, options.dpi, options.font_size};
 }
 
 // Throws Error (refused) if the picture would be too large.
 void set_size(PictureStyle& style, const PictureOptions& options) {
-  style.width = options.width;
+  style.width = pixels_of(paper_of(options));
   style.dpi = options.dpi;
-  if (options.paper) style.width = paper_pixels(options);
-  if (options.paper || options.font_size)
-    style.font = std::round(options.font_size.value_or(usual_font) / points_an_inch * options.dpi);
+  style.font = font_pixels(paper_of(options));
   if (!options.pixels_a_mm) return;
   style.cell = 1e3 * *options.pixels_a_mm * style.grid.dx;
   const Grid seen = part(style.grid, *style.window);
@@ -140,7 +115,10 @@ void check(const char* output, const PictureOptions& options, const Grid& grid) 
   check_members(options.overlay, output, problems);
   if (options.width % 2 != 0)
     problems.add(fmt::format("{}: width is {} px, it must be even", output, options.width));
-  check_paper(output, options, problems);
+  if (options.paper && options.pixels_a_mm)
+    problems.add(fmt::format("{}: paper and px_per_mm are given", output),
+                 "paper is the width of the picture, px_per_mm that of the plate");
+  check_paper(output, paper_of(options), problems);
   if (options.overlay.axes && options.rotation != 0.0)
     problems.add(fmt::format("{}: axes cannot be turned", output), "leave out axes or rotate");
   check_view(output, options, grid, problems);

@@ -29,6 +29,7 @@
 #include "store/checkpoint.hpp"
 #include "store/inputs.hpp"
 #include "store/journal.hpp"
+#include "store/series_file.hpp"
 
 namespace hackle {
 namespace fs = std::filesystem;
@@ -191,6 +192,10 @@ void Run::log(const fs::path& path, const SeriesOptions& options, std::vector<Co
   parts_->outputs.add("log", path, FileKind::table, std::move(output));
   parts_->series.push_back(series);
   parts_->notes.add(remark);
+}
+
+std::vector<SeriesTable> Run::tables() const {
+  return tables_of(parts_->series);
 }
 
 void Run::frame(const fs::path& path, const PictureOptions& options) {

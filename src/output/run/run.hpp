@@ -32,6 +32,7 @@ struct RecordOptions;
 struct Rehearsal;
 struct RelaxResult;
 struct SeriesOptions;
+struct SeriesTable;
 struct Summary;
 struct TimePoint;
 
@@ -53,6 +54,8 @@ class Run {
   void record(const std::filesystem::path& path, const RecordOptions& options);
   void log(const std::filesystem::path& path, const SeriesOptions& options,
            std::vector<Column> columns);
+  // Returns the tables of log() so far, one for each file that has a row.
+  std::vector<SeriesTable> tables() const;
   // Writes a PNG of the present state.
   void frame(const std::filesystem::path& path, const PictureOptions& options);
 

@@ -19,6 +19,7 @@
 #include "console/lua/error_object.hpp"
 #include "console/scripts.hpp"
 #include "lattice/numerics.hpp"
+#include "output/chart/chart_options.hpp"
 #include "output/files/record_options.hpp"
 #include "output/files/replay_options.hpp"
 #include "output/files/series_options.hpp"
@@ -173,6 +174,7 @@ const Trip trips[] = {
     trip<BodyForce>("BodyForce"),
     trip<Bitmap>("Bitmap"),
     trip<Capsule>("Capsule"),
+    trip<ChartOptions>("ChartOptions"),
     trip<Contact>("Contact"),
     trip<Crack>("Crack"),
     trip<Cutout>("Cutout"),

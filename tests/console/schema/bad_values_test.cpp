@@ -68,6 +68,8 @@ Values nonsense(OptionType type) {
       return {"5", "'a'", "{}", "{'a'}", "{0/0}", "{1, 1/0}", "{1, x = 1}", "{{}}"};
     case OptionType::recordings:
       return {"5", "r", "{}", "{5}", "{'r.h5'}", "{s}", "{r, p}", "{r, x = r}"};
+    case OptionType::sources:
+      return {"5", "'a.csv'", "{}", "{5}", "{{}}", "{{a = 5}}", "{{a = {1}, b = {1, 2}}}", "{p}"};
     case OptionType::columns:
       return {"5", "'time'", "{}", "{5}", "{{}}", "{{a = 5}}", "{p}"};
     case OptionType::material:
