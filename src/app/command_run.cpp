@@ -44,7 +44,8 @@ Found checkpoint_of(const RunRequest& request) {
     return {request.resumed, continuation_of(read_continuation(request.resumed), request.resumed)};
   std::vector<std::string> damaged;
   std::optional<Found> found = find_continuation(request.resumed, "", damaged);
-  if (found) return std::move(*found);
+  if (found && !OutputFolder::is_finished(request.resumed, found->continuation.inputs.script))
+    return std::move(*found);
   Problems problems;
   problems.add(fmt::format("folder '{}' has no run that was stopped", request.resumed.string()),
                "name the folder of its output, as in hackle resume out/plate");

@@ -328,8 +328,9 @@ void Console::run_text(const std::string& text, const std::string& name,
   Session& session = parts_->session;
   if (failure && session.checkpoints) session.checkpoints->keep_last();
   throw_both(failure, failure_of([this] { close_all(); }));
-  if (session.checkpoints) session.checkpoints->remove();
+  // In this order: a checkpoint without what it needs must not look like an unfinished run.
   if (session.folder) session.folder->finish();
+  if (session.checkpoints) session.checkpoints->remove();
 }
 
 void Console::page_with(std::function<void(const std::string&)> page) {

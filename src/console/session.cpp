@@ -139,11 +139,16 @@ std::optional<Found> Session::find_unfinished() {
 // Of scripts alone: at a prompt a simulation outlives its failures.
 void Session::begin_checkpoints() {
   if (!folder || settings.purpose != Purpose::results || settings.checkpoint_every <= 0.0) return;
+  folder->clear = [script = folder->inputs().script](const fs::path& place) {
+    std::error_code ignored;
+    for (const fs::path& file : automatic_checkpoints(place, script)) fs::remove(file, ignored);
+  };
   std::optional<Found> found = find_unfinished();
   checkpoints = std::make_unique<ScriptCheckpoints>(script_host());
   if (!found) return;
   const Continuation& former = found->continuation;
-  const bool same = former.origin.script_text == origin.script_text;
+  const bool same =
+      former.origin.script_text == origin.script_text && former.inputs == folder->inputs();
   if (same && !settings.fresh && former.obstacle.empty())
     return checkpoints->continue_from(std::move(*found));
   checkpoints->set_aside();
@@ -153,7 +158,7 @@ void Session::begin_checkpoints() {
                     "one kept as {}.former.ckpt",
                     settings.output_folder.string(),
                     same ? fmt::format("that cannot be continued ({})", former.obstacle)
-                         : "of an earlier version of this script",
+                         : "of an earlier version of this script, or with other options",
                     folder->inputs().script));
 }
 

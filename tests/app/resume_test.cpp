@@ -15,6 +15,7 @@ using testing::Not;
 
 const std::string counted = test::scene + R"(
 s:run(10*us)
+s:log { "a.csv", every = 50*us }
 s:on { "every", every = 2*us, call = function(t) print(t, s.energy.kinetic) io.stdout:flush() end }
 s:run(400*us)
 print(s.hash, arg[1])
@@ -85,6 +86,33 @@ TEST_F(Resumed, Elsewhere) {
   fs::rename(folder_.path / "out/a", folder_.path / "far/moved");
   fs::remove(folder_.path / "a.lua");
   EXPECT_EQ(run({"resume", "far/moved", "-q"}).out, whole_);
+}
+
+// As if killed between the end of the run and the removal of what only its continuation needed.
+TEST_F(Resumed, NotWhatHasFinished) {
+  const fs::path kept = folder_.path / "out/a/a.auto.ckpt";
+  fs::copy_file(kept, folder_.path / "left.ckpt");
+  EXPECT_EQ(run({"run", "a.lua", "--", "x"}).code, 0);
+  EXPECT_FALSE(fs::exists(kept));
+  fs::copy_file(folder_.path / "left.ckpt", kept);
+  EXPECT_THAT(run({"resume", "out/a"}).err, HasSubstr("no run that was stopped"));
+  const test::Ended anew = run({"run", "a.lua", "--", "x"});
+  EXPECT_THAT(anew.err, AllOf(Not(HasSubstr("going on")), HasSubstr("finished run")));
+  EXPECT_EQ(anew.out, whole_);
+  EXPECT_FALSE(fs::exists(kept));
+}
+
+TEST_F(Resumed, NotARunWithOtherInputsThatIsOverwritten) {
+  const std::vector<std::string> other{"run", "a.lua", "--force", "--", "y"};
+  fs::copy_file(folder_.path / "out/a/a.auto.ckpt", folder_.path / "left.ckpt");
+  EXPECT_EQ(run(other).code, 0);
+  fs::copy_file(folder_.path / "left.ckpt", folder_.path / "out/a/a.auto.ckpt",
+                fs::copy_options::overwrite_existing);
+  std::string mark = read_text(folder_.path / "out/a/a.inputs.json");
+  const std::size_t finished = mark.find("true");
+  ASSERT_NE(finished, std::string::npos) << mark;
+  write_text(folder_.path / "out/a/a.inputs.json", mark.replace(finished, 4, "false"));
+  EXPECT_THAT(run(other).err, Not(HasSubstr("going on")));
 }
 
 TEST_F(Resumed, WhereNothingWasStoppedIsAnError) {

@@ -16,6 +16,8 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* mark_ending = ".inputs.json";
+
 constexpr int max_folders = 100000;
 
 std::string text_of(const RunInputs& inputs, bool finished) {
@@ -43,7 +45,7 @@ OutputFolder::OutputFolder(fs::path wanted, Choice choice, RunInputs inputs)
 }
 
 fs::path OutputFolder::mark_file_in(const fs::path& folder) const {
-  return folder / (inputs_.script + ".inputs.json");
+  return folder / (inputs_.script + mark_ending);
 }
 
 // out/NAME, out/NAME-2, ...
@@ -114,6 +116,11 @@ std::optional<fs::path> OutputFolder::unfinished() const {
   return std::nullopt;
 }
 
+bool OutputFolder::is_finished(const fs::path& folder, const std::string& script) {
+  const std::optional<Mark> mark = read_mark(folder / (script + mark_ending));
+  return mark && mark->finished;
+}
+
 // Finds the folder and leaves the mark there.
 std::string OutputFolder::found() {
   for (int k = 1; k < max_folders;) {
@@ -130,6 +137,7 @@ std::string OutputFolder::found() {
     if (!former) continue;  // another program has just left one
     if (former->inputs == inputs_ || choice_ == Choice::force) {
       lock();
+      if (former->finished && clear) clear(path_);
       write_text(mark_file(), text_of(inputs_, false));
       return remark_on(*former);
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,6 +33,10 @@ class OutputFolder {
 
   OutputFolder(std::filesystem::path wanted, Choice choice, RunInputs inputs);
 
+  // Called in a folder of which nobody else has hold, before a finished run there is made anew: a
+  // program that was killed at its very end may have left what only its continuation would need.
+  std::function<void(const std::filesystem::path& folder)> clear;
+
   // Takes the folder, creates it and leaves the inputs there, in NAME.inputs.json; called before
   // the first file is written. Of several programs, each gets its own. Returns a remark where the
   // folder is not a new one; may be empty. Throws Error (refused), and Error (files), also while
@@ -40,6 +45,8 @@ class OutputFolder {
   // Returns the folder in which a run with the same inputs has begun and not finished, of those
   // that take() would look at.
   std::optional<std::filesystem::path> unfinished() const;
+  // Returns whether a script of that name has left a finished run there.
+  static bool is_finished(const std::filesystem::path& folder, const std::string& script);
   const RunInputs& inputs() const { return inputs_; }
   // Marks the run as finished in a folder that was taken.
   void finish() const;
