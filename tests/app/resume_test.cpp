@@ -115,6 +115,23 @@ TEST_F(Resumed, NotARunWithOtherInputsThatIsOverwritten) {
   EXPECT_THAT(run(other).err, Not(HasSubstr("going on")));
 }
 
+// As if killed while the checkpoint of another simulation was replaced.
+TEST_F(Resumed, FromTheCheckpointBefore) {
+  write_text(folder_.path / "b.lua", test::scene + R"(
+t = s:fork()
+s:run(2*us)
+t:on { "every", every = 1*us, call = function(t) print(t) io.stdout:flush() end }
+t:run(400*us)
+s:run(1*us)
+print(s.hash, t.hash))");
+  const std::string whole = run({"run", "b.lua", "-o", "whole"}).out;
+  test::Program stopped(folder_);
+  stopped.at_first_word = [](pid_t process) { kill(process, SIGINT); };
+  ASSERT_EQ(stopped.run({"run", "b.lua"}).code, 130);
+  fs::rename(folder_.path / "out/b/b.auto.ckpt", folder_.path / "out/b/b.auto_prev.ckpt");
+  EXPECT_EQ(run({"run", "b.lua"}).out, whole);
+}
+
 TEST_F(Resumed, WhereNothingWasStoppedIsAnError) {
   EXPECT_EQ(run({"run", "a.lua", "--", "x"}).code, 0);
   const test::Ended none = run({"resume", "out/a"});

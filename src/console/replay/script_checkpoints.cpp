@@ -2,6 +2,7 @@
 #include "console/replay/script_checkpoints.hpp"
 
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,25 @@ void remove_file(const fs::path& file) {
 
 std::string hash_of(const Checkpoint& checkpoint) {
   return checkpoint.snapshot.state.hash();
+}
+
+// Returns the checkpoint of that state: the file, or the one before it, which alone is there if the
+// program was killed while it replaced it. Without a hash it is the file.
+Checkpoint checkpoint_with(int number, const fs::path& file, const std::string& hash) {
+  std::error_code ignored;
+  std::vector<fs::path> candidates{file};
+  const fs::path previous = previous_checkpoint(file);
+  if (!hash.empty() && fs::exists(previous, ignored)) candidates.push_back(previous);
+  for (const fs::path& candidate : candidates) try {
+      Checkpoint checkpoint = read_checkpoint(candidate);
+      if (hash.empty() || hash_of(checkpoint) == hash) return checkpoint;
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::files || candidate == candidates.back()) throw;
+    }
+  throw Error(ErrorKind::files,
+              fmt::format("'{}' has another state of simulation {} than the one to go on from",
+                          file.string(), number),
+              "--fresh starts anew");
 }
 
 }  // namespace
@@ -117,15 +137,7 @@ void ScriptCheckpoints::restore(int number, const fs::path& file, const std::str
                 fmt::format("the script has no simulation {} any more, which '{}' has", number,
                             file.string()),
                 "--fresh starts anew");
-  Checkpoint checkpoint = read_checkpoint(file);
-  if (!hash.empty() && hash_of(checkpoint) != hash)
-    checkpoint = read_checkpoint(previous_checkpoint(file));
-  if (!hash.empty() && hash_of(checkpoint) != hash)
-    throw Error(ErrorKind::files,
-                fmt::format("'{}' has another state of simulation {} than the one to go on from",
-                            file.string(), number),
-                "--fresh starts anew");
-  run->restore(std::move(checkpoint));
+  run->restore(checkpoint_with(number, file, hash));
 }
 
 // The replay has come to its end: the script goes on.
