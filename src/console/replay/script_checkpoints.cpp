@@ -89,7 +89,9 @@ std::string ScriptCheckpoints::continuation(int number) {
   all.run = number;
   kept_hashes_.erase(number);
   for (int k = 1; k <= host_.count(); ++k) {
-    if (const Run* run = host_.objects.run(k))
+    Run* const run = host_.objects.run(k);
+    if (run != nullptr && k != number) run->settle();  // the keeper settles those of the run itself
+    if (run != nullptr)
       all.outputs[k] = run->marks();
     else
       all.summaries[k] = host_.summary(k);

@@ -234,6 +234,10 @@ std::vector<OutputMark> Run::marks() const {
   return parts_->outputs.marks();
 }
 
+void Run::settle() {
+  parts_->outputs.settled()();
+}
+
 std::vector<fs::path> Run::kept_files() const {
   return parts_->outputs.kept_files();
 }

@@ -75,6 +75,8 @@ class Run {
   // Returns how far the movies and records have come, and the files that only continuing them
   // needs.
   std::vector<OutputMark> marks() const;
+  // Returns when the disk has all that the marks tell of.
+  void settle();
   std::vector<std::filesystem::path> kept_files() const;
 
   // For replaying a script: claims to be at that point, and then takes the state of a checkpoint

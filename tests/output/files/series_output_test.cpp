@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "output/files/output_mark.hpp"
 #include "output/files/record_options.hpp"
 #include "output/report/summary.hpp"
 #include "output/run/run.hpp"
@@ -187,6 +188,19 @@ TEST(SeriesOutput, LogsWhatARunKnowsAndNothingTwice) {
   EXPECT_THROW(named(run, nowhere, {"bonds"}), Error);
   EXPECT_EQ(named(run, {}, {"bonds", "time"}).front().name, "time");
   EXPECT_THROW(run.log("a.txt", {}, {}), Error);
+}
+
+// A run that waits while another one goes on, whose checkpoint tells of the rows of both.
+TEST(SeriesOutput, SettledRowsAreInTheFile) {
+  const auto path = test::fresh_folder() / "a.csv";
+  hackle::Run run = run_of(test::bare_plate(40, 20));
+  SeriesOptions options;
+  options.every = 0.5e-6;
+  run.log(path, options, named(run, options, {"kinetic"}));
+  run.run(3e-6);
+  run.settle();
+  EXPECT_EQ(static_cast<std::int64_t>(read_series(path).columns[0].size()),
+            run.marks().front().pieces);
 }
 
 }  // namespace
