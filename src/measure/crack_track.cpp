@@ -2,30 +2,18 @@
 #include "measure/crack_track.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "measure/crack_bands.hpp"
 #include "measure/field.hpp"
+#include "measure/just_broken.hpp"
 
 namespace hackle {
 namespace {
 
 constexpr double breadth_of_front = 0.5;  // dx
 constexpr double horizons_of_speed = 2.0;
-
-// A bond may be listed twice, by both blocks of columns that computed it.
-std::vector<BrokenBond> each_once(std::vector<BrokenBond> bonds) {
-  const auto key = [](const BrokenBond& bond) { return std::tuple(bond.at, bond.word, bond.bit); };
-  std::ranges::sort(bonds, {}, key);
-  const auto same = [&](const BrokenBond& one, const BrokenBond& other) {
-    return key(one) == key(other);
-  };
-  bonds.erase(std::unique(bonds.begin(), bonds.end(), same), bonds.end());
-  return bonds;
-}
 
 // The offset of a bond of a family.
 struct Reach {
@@ -146,17 +134,11 @@ void CrackTrack::follow(const Simulation& simulation) {
   step_ = state.step;
   if (!simulation.broken_bonds().empty()) {
     const View view = simulation.view().at_step();
-    const Lattice& lattice = simulation.lattice();
-    const std::vector<Reach> reaches = reaches_of(lattice.family);
-    const NodeLayout layout = grid_.layout();
-    for (const BrokenBond& bond : each_once(simulation.broken_bonds())) {
-      const auto j = static_cast<int>(bond.at / layout.stride());
-      const auto i = static_cast<int>(bond.at - layout.at(0, j));
-      const int bit = 32 * bond.word + std::countr_zero(bond.bit);
-      const Reach& reach = reaches[static_cast<std::size_t>(bit)];
-      lose(view, i, j, reach.a, reach.b, reach.length, reach.weight);
-      examine(i, j, damage_of(view, i, j));
-      examine(i + reach.a, j + reach.b, damage_of(view, i + reach.a, j + reach.b));
+    for (const LostBond& bond : just_broken(simulation)) {
+      const int k = bond.i + bond.a, l = bond.j + bond.b;
+      lose(view, bond.i, bond.j, bond.a, bond.b, bond.length, bond.weight);
+      examine(bond.i, bond.j, damage_of(view, bond.i, bond.j));
+      examine(k, l, damage_of(view, k, l));
     }
   }
   note_advance(simulation.time_of_step());
