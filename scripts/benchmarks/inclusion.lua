@@ -16,7 +16,15 @@ for edge, pull in pairs { top = o.load, bottom = -o.load } do
 end
 
 local s = simulate(p, { spacing = o.spacing, horizon = o.horizon })
+local seen = require "watch" (s, 0.5*us)
 s:movie { "inclusion.mp4", every = 0.5*us }
 s:run(50*us)
 s:frame { "inclusion.png" }
 print(s:report())
+
+if o.stiffness == 5 then
+  expect { "damaged nodes inside the disc", value = 0, source = "a disc ten times as tough", -- minus a horizon, which has bonds to outside
+           got = s:cracks { from = {57.2*mm, 14.2*mm}, to = {62.8*mm, 19.8*mm} }.nodes }
+  expect { "place of the fork: before the disc", unit = "m", got = seen.place, max = 54*mm, source = "earlier run of this scene" }
+  expect { "right end of the crack: beyond the disc", unit = "m", got = s:cracks().right, min = 66*mm, source = "earlier run of this scene" }
+end

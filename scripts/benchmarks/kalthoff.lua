@@ -22,3 +22,12 @@ s:movie { "kalthoff.mp4", every = 1*us, width = 480 }
 s:run(90*us)
 s:frame { "kalthoff.png", width = 480 }
 print(s:report())
+
+-- From the end of a notch to the farthest point of its crack.
+local upper = s:cracks { from = {50*mm, 127*mm}, to = {100*mm, 199*mm} }
+local lower = s:cracks { from = {50*mm, 1*mm}, to = {100*mm, 73*mm} }
+local angle = math.deg(math.atan(upper.top - 125*mm, upper.right - 50*mm))
+expect { "angle of the upper crack", unit = "deg", got = angle, min = 60, max = 70, source = "simulations of the field: 58 to 70", confirmed = false }
+expect { "angle of the upper crack in the experiment", unit = "deg", got = angle, value = 70, tolerance = 5,
+         source = "Kalthoff & Winkler: about 70", confirmed = false }
+expect { "nodes on the upper crack, less those on the lower", got = upper.nodes - lower.nodes, value = 0, source = "symmetry of the scene" }

@@ -57,3 +57,10 @@ say("back, spacings (<= 1)", string.format("%.1f", fine.back/fine.dx), fine.back
 say("45 to 60 nodes, change of v (< 0.2)", string.format("%.3f", math.abs(1 - coarse.v/fine.v)),
     math.abs(1 - coarse.v/fine.v) < 0.2)
 print(s:report())
+
+local source = "acceptance of Peridynamics.jl's mode I job"
+expect { "speed over c_R", got = fine.v/c_R, min = 0.4, max = 1, source = source }
+expect { "off the axis, in spacings", got = fine.off/fine.dx, max = 2, source = source }
+expect { "back, in spacings", got = fine.back/fine.dx, max = 1.001, source = source }
+expect { "change of speed from 45 to 60 nodes", got = math.abs(1 - coarse.v/fine.v), max = 0.2, source = source,
+         reason = "45 nodes are 22 for the crack, with a horizon of three" }

@@ -8,6 +8,7 @@
 -- stresses on both sides of every node are equal.
 --
 --   hackle run scripts/benchmarks/patch_test.lua
+--   hackle validate --quick patch_test
 
 local o = options { strain = 1e-6, spacing = 1*mm, m = 4 }
 local E, dx = 65*GPa, o.spacing
@@ -40,3 +41,8 @@ local before = large:at({30*dx + dx/2, 30*dx + dx/2})
 large:step(1)
 local after = large:at({30*dx + dx/2, 30*dx + dx/2})
 print(string.format("the middle moved by %.1g of its strain", math.abs(after.ux - before.ux)/(o.strain*dx)))
+
+expect { "energy of a uniform strain", unit = "J/m3", got = inner, value = 0.5*C11*o.strain^2, relative = 1e-6, source = "1/2 C11 e^2" }
+expect { "stress of a uniform strain", unit = "Pa", got = 2*inner/o.strain, value = C11*o.strain, relative = 1e-6, source = "C11 e" }
+expect { "motion of the middle in a step, over its strain", got = math.abs(after.ux - before.ux)/(o.strain*dx), max = 1e-12,
+         source = "a uniform strain leaves inner nodes at rest" }

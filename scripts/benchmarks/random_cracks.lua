@@ -18,3 +18,11 @@ s:movie { "random_cracks.mp4", every = 0.5*us, width = 800 }
 s:run(60*us)
 s:frame { "random_cracks.png", width = 800 }
 print(s:report())
+
+if o.seed == 1 then
+  local free = 0
+  for x = 0.25*mm, 99.8*mm, 0.5*mm do
+    if s:cracks { from = {x - 0.1*mm, 0}, to = {x + 0.1*mm, 1} }.nodes == 0 then free = free + 1 end
+  end
+  expect { "columns of nodes without a crack", got = free, value = 0, source = "cracks across the load grow and join" }
+end

@@ -49,3 +49,6 @@ end
 local speed = (crest[2].x - crest[1].x)/(crest[2].t - crest[1].t)
 print(string.format("ring %.0f m/s, c_p %.0f m/s: %.2f %%; %d bonds broken",
                     speed, c_p, 100*speed/c_p, s.damage.broken_bonds))
+
+expect { "speed of a ring-shaped pulse", unit = "m/s", got = speed, value = c_p, relative = 0.02, source = "sqrt(E/(rho (1 - nu^2)))" }
+expect { "bonds broken by it", got = s.damage.broken_bonds, value = 0, source = "its strain is far below s0" }

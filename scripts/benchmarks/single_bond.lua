@@ -7,6 +7,7 @@
 -- Expected: the bond breaks within two steps of the closed form, and its energy agrees to six digits.
 --
 --   hackle run scripts/benchmarks/single_bond.lua
+--   hackle validate --quick single_bond
 
 local dx, v, E, rho, s0 = 1*mm, 10, 65*GPa, 2235, 2e-3
 
@@ -33,3 +34,6 @@ local closed = math.asin(s0*w*dx/(2*v))/w
 print(string.format("breaks at %.2f ns, closed form %.2f ns, step %.2f ns", s.time/ns, closed/ns, s.dt/ns))
 print(string.format("energy of the bond %.6g J/m, closed form 1/2 c s0^2 dx V^2 = %.6g J/m",
                     s.energy.broken, 0.5*c*s0^2*dx^5))
+
+expect { "time of breaking", unit = "s", got = s.time, value = closed, tolerance = 2*s.dt, source = "oscillator of two nodes" }
+expect { "energy of the broken bond", unit = "J/m", got = s.energy.broken, value = 0.5*c*s0^2*dx^5, relative = 1e-5, source = "1/2 c s0^2 dx V^2" }

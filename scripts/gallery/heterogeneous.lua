@@ -18,3 +18,8 @@ s:movie { "heterogeneous.mp4", every = 0.25*us }
 s:run(36*us)
 s:frame { "heterogeneous.png" }
 print(s:report())
+
+local upper, lower = s:cracks { from = {0, 20*mm}, to = {100*mm, 40*mm} }, s:cracks { from = {0, 0}, to = {100*mm, 20*mm} }
+expect { "branches", got = s:cracks().bands, min = 4, source = "paper, Fig. 5" }
+expect { "difference of damaged nodes above and below", got = math.abs(upper.nodes - lower.nodes), min = 1,
+         source = "paper, Fig. 5: real glass is not symmetric" }

@@ -32,3 +32,9 @@ fast:run(400*us)
 chart { "load_displacement.png", "load", of = { slow, fast }, names = { "slow", "1 m/s" } }
 print(slow:report())
 print(fast:report())
+
+expect { "force on the grip of the broken bar over E", unit = "N/m", got = math.abs(slow:reaction("grip").fy)/3.09e9, max = 1e-6,
+         source = "nothing bears it" }
+for name, s in pairs { slowly = slow, fast = fast } do
+  expect { "broken bonds, " .. name, got = s.damage.broken_bonds, min = 200, source = "the bar is through" }
+end

@@ -24,3 +24,10 @@ s:run(o.time)
 s:frame { "own_picture.png", width = 800 }
 print(#s:fragments() .. " fragments")
 print(s:report())
+
+if o.picture == "../../assets/pictures/heart.png" and not given then
+  expect { "lowest point of the left branch", unit = "m", max = 14*mm, source = "earlier run of this scene",
+           got = s:cracks { from = {15*mm, 10*mm}, to = {25*mm, 40*mm} }.bottom }
+  expect { "right end of the right branch", unit = "m", min = 42*mm, source = "earlier run of this scene",
+           got = s:cracks { from = {35*mm, 12*mm}, to = {50*mm, 40*mm} }.right }
+end

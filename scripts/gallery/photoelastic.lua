@@ -25,3 +25,6 @@ s:movie { "tip.webm", field = "damage", second = "von_mises", zoom = {50*mm, 20*
 s:run(32*us)
 s:frame { "photoelastic.png", field = "fringes" }
 print(s:report())
+
+expect { "branches", got = s:cracks().bands, value = 2, source = "samples/edge_crack.lua" }
+expect { "place of the fork", unit = "m", got = s:cracks().fork, value = 67*mm, tolerance = 3*mm, source = "samples/edge_crack.lua" }

@@ -19,3 +19,13 @@ s:movie { "quench.mp4", every = 0.2*us }
 s:run(20*us)
 s:frame { "quench.png" }
 print(s:report())
+
+-- Damage beyond the cold skin counts as a crack.
+local count, inside = 0, false
+for x = o.spacing/2, 50*mm, o.spacing do
+  local on = s:cracks { from = {x - o.spacing/4, 1*mm}, to = {x + o.spacing/4, 2*mm} }.nodes > 0
+  if on and not inside then count = count + 1 end
+  inside = on
+end
+expect { "cracks that leave the cold skin", got = count, min = 10, source = "Jiang et al., ICF13 paper 1218 (abstract): an array of cracks" }
+expect { "top of the cracks: none goes through", unit = "m", got = s:cracks().top, max = 9*mm, source = "Jiang et al., ICF13 paper 1218 (abstract)" }

@@ -20,3 +20,12 @@ s:movie { "shatter.mp4", every = 0.25*us, width = 800 }
 s:run(40*us)
 s:frame { "shatter.png", width = 800 }
 print(s:report())
+
+if o.speed == 60 and o.spacing == 0.25*mm then
+  local cracks = s:cracks()
+  expect { "crushed nodes of the 96 within 3 mm of the impact", value = 96, source = "earlier run of this scene",
+           got = s:cracks { from = {0, 29*mm}, to = {3*mm, 31*mm} }.nodes }
+  expect { "right end of the cracks", unit = "m", got = cracks.right, min = 59*mm, source = "earlier run of this scene" }
+  expect { "top end of the cracks", unit = "m", got = cracks.top, min = 59*mm, source = "earlier run of this scene" }
+  expect { "fragments", got = #s:fragments(), min = 6, source = "earlier run of this scene" }
+end

@@ -25,6 +25,10 @@ for _, entry in ipairs(specimens) do
   local measured = at.measured(s)
   print(string.format("%-18s %6d nodes: gauges %.4g um, handbook %.4g um (%+.1f %%)", name, s.nodes, measured/um,
                       at.displacement/um, 100*(measured/at.displacement - 1)))
+  if o.refine == 1 then
+    expect { name .. ": displacement of its gauges over the handbook's", got = measured/at.displacement, min = 0.98, max = 1.16,
+             source = "standards in the header of the specimen; the soft rim counts for up to 15 % on lattices this coarse" }
+  end
   pictures[#pictures + 1], titles[#titles + 1] = name .. ".png", name
   s:frame { name .. ".png", field = "von_mises", percentile = 99, width = o.width, title = "", bar = false,
             clock = false, scale_bar = false, deformed = true,

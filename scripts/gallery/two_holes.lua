@@ -20,3 +20,9 @@ s:movie { "two_holes.mp4", every = 2*us, width = 480 }
 s:run(260*us)
 s:frame { "two_holes.png", width = 480 }
 print(s:report())
+
+local bridge = s:cracks { from = {24*mm, 0}, to = {36*mm, 120*mm} }
+expect { "damaged nodes between the holes", min = 25, source = "a bridge of cracks joins them",
+         got = s:cracks { from = {24*mm, 50*mm}, to = {36*mm, 70*mm} }.nodes }
+expect { "top of the bridge", unit = "m", got = bridge.top, max = 65*mm, source = "holes draw cracks (Alshoaibi & Fageehi 2022)" }
+expect { "bottom of the bridge", unit = "m", got = bridge.bottom, min = 55*mm, source = "holes draw cracks (Alshoaibi & Fageehi 2022)" }

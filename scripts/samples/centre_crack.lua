@@ -7,6 +7,7 @@
 -- at 1.45 MPa no bond breaks.
 --
 --   hackle run scripts/samples/centre_crack.lua
+--   hackle validate --quick centre_crack
 --   hackle run scripts/samples/centre_crack.lua --set load=1.45*MPa
 
 local o = options { load = 14.5*MPa, spacing = 0.5*mm, horizon = 2*mm }
@@ -21,9 +22,24 @@ p:nofail   { edge = "bottom", depth = o.horizon }
 
 -- 2. The lattice and the output.
 local s = simulate(p, { spacing = o.spacing, horizon = o.horizon })
+local seen = require "watch" (s, 0.5*us, 100*mm)
 s:movie  { "centre_crack.mp4", field = "damage", every = 0.25*us }
 
 -- 3. Break it.
 s:run(32*us)
 s:frame  { "centre_crack.png", field = "damage" }
 print(s:report())
+
+-- 4. What it should give.
+if o.load < 2*MPa then
+  expect { "broken bonds", got = s.damage.broken_bonds, value = 0, source = "K = 0.41 MPa sqrt(m) of 3.64 that the glass bears" }
+else
+  local inside = s:cracks { from = {10*mm, 0}, to = {90*mm, 40*mm} }
+  expect { "first broken bond", unit = "s", got = seen.first, value = 5.25*us, tolerance = 1*us, source = "independent run; paper: by 6 us" }
+  expect { "through the plate", unit = "s", got = seen.through, min = 22*us, max = 28*us, source = "paper, Fig. 6: between 13 and 28 us" }
+  expect { "top of the crack, straight", unit = "m", got = inside.top, max = 21*mm, source = "paper, Fig. 6" }
+  expect { "bottom of the crack, straight", unit = "m", got = inside.bottom, min = 19*mm, source = "paper, Fig. 6" }
+  expect { "branches near the right edge", got = s:cracks { from = {90*mm, 0}, to = {100*mm, 40*mm} }.bands, min = 2,
+           source = "paper, Fig. 6: small branches near the edges",
+           reason = "the crack is rough there, but no branch is a horizon away" }
+end

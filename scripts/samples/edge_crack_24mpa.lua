@@ -21,6 +21,7 @@ p:nofail   { edge = "bottom", depth = 1.6*mm }
 
 -- 2. The lattice and the output.
 local s = simulate(p, { spacing = 0.4*mm, horizon = 1.6*mm })
+local seen = require "watch" (s, 0.5*us)
 s:movie  { "edge_crack_24mpa.mp4", field = "damage", every = 0.25*us }
 s:record { "edge_crack_24mpa.h5",  every = 1*us }
 
@@ -28,3 +29,11 @@ s:record { "edge_crack_24mpa.h5",  every = 1*us }
 s:run(32*us)
 s:frame  { "edge_crack_24mpa.png", field = "damage" }
 print(s:report())
+
+-- 4. What it should give.
+expect { "first broken bond", unit = "s", got = seen.first, value = 4.39*us, tolerance = 1.2*us, source = "Freund, with the arrival of the waves" }
+expect { "fork seen", unit = "s", got = seen.fork, value = 13.5*us, tolerance = 1*us, source = "earlier run of this scene" }
+expect { "place of the first fork", unit = "m", got = seen.place, value = 61*mm, tolerance = 1*mm, source = "earlier run of this scene" }
+expect { "branches behind the first fork", got = s:cracks { from = {61*mm, 0}, to = {78*mm, 40*mm} }.bands, value = 2, source = "paper, Fig. 5" }
+expect { "branches near the right edge", got = s:cracks { from = {89*mm, 0}, to = {100*mm, 40*mm} }.bands, min = 4,
+         source = "paper, Fig. 5: the branches branch again" }

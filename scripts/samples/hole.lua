@@ -19,9 +19,20 @@ p:nofail   { edge = "bottom", depth = o.horizon }
 
 -- 2. The lattice and the output.
 local s = simulate(p, { spacing = o.spacing, horizon = o.horizon })
+local seen = require "watch" (s, 0.5*us, 40*mm)
 s:movie  { "hole.mp4", field = "damage", every = 0.5*us, width = 480 }
 
 -- 3. Break it.
 s:run(90*us)
 s:frame  { "hole.png", field = "damage", width = 480 }
 print(s:report())
+
+-- 4. What it should give.
+expect { "first broken bond", unit = "s", got = seen.first, min = 15*us, max = 22*us, source = "independent run of this geometry" }
+expect { "through to both edges", unit = "s", got = seen.through, max = 40.5*us, source = "paper, Fig. 7: frame at 40 us" }
+for side, from in pairs { left = 0, right = 30*mm } do
+  local part = s:cracks { from = {from, 0}, to = {from + 10*mm, 100*mm} }
+  expect { "cracks on the " .. side, got = part.bands, value = 1, source = "paper, Fig. 7: no branching" }
+  expect { "their distance from mid-height on the " .. side, unit = "m", got = math.max(part.top - 50*mm, 50*mm - part.bottom),
+           max = 2*mm, source = "paper, Fig. 7: across the load" }
+end

@@ -22,9 +22,25 @@ p:nofail   { edge = "bottom", depth = o.horizon }
 
 -- 2. The lattice and the output.
 local s = simulate(p, { spacing = o.spacing, horizon = o.horizon })
+local started, joined
+local function cracked(x) return s:cracks { from = {x - 1.5*mm, 140*mm}, to = {x + 1.5*mm, 160*mm} }.nodes > 0 end
+s:on { "every", every = 1*us, call = function(t)
+  if not started and cracked(23*mm) and cracked(48.5*mm) and cracked(71.5*mm) then started = t end
+  local whole = true
+  for x = 23*mm, 47*mm, 3*mm do whole = whole and cracked(x) end
+  if whole and not joined then joined = t end
+end }
 s:movie  { "hole_and_crack.mp4", field = "damage", every = 0.5*us, width = 640 }
 
 -- 3. Break it.
 s:run(60*us)
 s:frame  { "hole_and_crack.png", field = "damage", width = 640 }
 print(s:report())
+
+-- 4. What it should give.
+expect { "crack and both sides of the hole have started", unit = "s", got = started, max = 35*us, source = "paper, Fig. 8: frame at 34 us" }
+expect { "crack and hole have joined", unit = "s", got = joined, max = 43*us, source = "paper, Fig. 8: frame at 42 us" }
+local all = s:cracks()
+expect { "right end of the cracks", unit = "m", got = all.right, min = 99*mm, source = "paper, Fig. 8: frame at 60 us" }
+expect { "distance from mid-height: no fork", unit = "m", got = math.max(all.top - 150*mm, 150*mm - all.bottom), max = 6*mm,
+         source = "paper, Fig. 8" }

@@ -24,6 +24,7 @@
 #include "app/command_render.hpp"
 #include "app/command_replay.hpp"
 #include "app/command_run.hpp"
+#include "app/command_validate.hpp"
 #include "app/exit_code.hpp"
 #include "app/libraries.hpp"
 #include "app/shell_completion.hpp"
@@ -35,9 +36,9 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 12> commands{"run",   "resume", "check", "render",
-                                                    "chart", "replay", "diff",  "export",
-                                                    "new",   "bench",  "info",  "docs"};
+constexpr std::array<std::string_view, 13> commands{
+    "run",    "resume", "check", "render",   "chart", "replay", "diff",
+    "export", "new",    "bench", "validate", "info",  "docs"};
 constexpr int max_threads = 1024;
 
 // The parsed command line.
@@ -47,6 +48,7 @@ struct Request {
   ChartRequest chart;
   ReplayRequest replay;
   BenchRequest bench;
+  ValidateRequest validate;
   std::vector<std::string> settings;
   std::string new_name;
   InfoRequest info;
@@ -259,6 +261,29 @@ void describe_bench(CLI::App& app, Request& request) {
   bench->add_flag("-q,--quiet", request.bench.quiet, "Print only errors");
 }
 
+void describe_validate(CLI::App& app, Request& request) {
+  CLI::App* command = app.add_subcommand(
+      "validate", "Compare what ready-made scenes give with closed forms and published values");
+  command->add_option("NAMES", request.validate.names,
+                      "Scripts by name or its beginning, or files that expect something (all)");
+  command->add_flag("--quick", request.validate.quick, "Only what takes about a minute in total");
+  command
+      ->add_option("-o,--output", request.validate.folder,
+                   "Folder for validate.html and what the scripts write (out/validate)")
+      ->type_name("DIR");
+  command
+      ->add_option("--update", request.validate.tables,
+                   "Markdown file whose table between <!-- hackle validate: table --> (or summary) "
+                   "and <!-- end --> is written anew; repeatable")
+      ->type_name("FILE")
+      ->take_all()
+      ->allow_extra_args(false);
+  describe_execution(*command, request.validate.execution);
+  command->add_flag("--json", request.validate.json, "Print one JSON object on stdout");
+  command->add_flag("-q,--quiet", request.validate.quiet, "Print only the counts and errors");
+  command->footer("Exit code 0: no check fails; 1: one does. What fails stays in the table.");
+}
+
 void describe_info(CLI::App& app, Request& request) {
   CLI::App* info =
       app.add_subcommand("info", "Show what a file is, or version, libraries and machine");
@@ -353,6 +378,7 @@ void describe(CLI::App& app, Request& request) {
   describe_replay(app, request);
   describe_new(app, request);
   describe_bench(app, request);
+  describe_validate(app, request);
   describe_info(app, request);
   describe_docs(app, request);
   app.footer("hackle FILE.lua is short for hackle run FILE.lua; hackle alone opens the prompt.");
@@ -388,6 +414,7 @@ int execute(const CLI::App& app, Request& request) {
   if (app.got_subcommand("replay")) return command_replay(request.replay);
   if (app.got_subcommand("new")) return command_new(request.new_name);
   if (app.got_subcommand("bench")) return command_bench(request.bench);
+  if (app.got_subcommand("validate")) return command_validate(request.validate);
   if (app.got_subcommand("info")) return command_info(request.info);
   if (app.got_subcommand("docs")) return command_docs(request.docs, command_table(app));
   return command_prompt(request.run.limits);

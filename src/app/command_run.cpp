@@ -14,6 +14,7 @@
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
 #include "base/streams.hpp"
+#include "base/terminal.hpp"
 #include "console/console.hpp"
 #include "store/checkpoint.hpp"
 
@@ -67,7 +68,20 @@ void run(Console& console, const RunRequest& request) {
 namespace {
 
 void print_json(const Console& console, const RunRequest& request) {
-  print_out("{}\n", json_of(console.simulations(), request.script.string()).dump());
+  auto json = json_of(console.simulations(), request.script.string());
+  json["expectations"] = nlohmann::ordered_json::array();
+  for (const Expectation& one : console.expectations())
+    json["expectations"].push_back(to_json(one));
+  print_out("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+// They hold for the script's own options. A quiet run tells only those that fail.
+void print_verdicts(const std::vector<Expectation>& all, const RunRequest& request) {
+  if (all.empty()) return;
+  if (!request.quiet && !request.overrides.empty())
+    say_note("expectations are those of the script without --set");
+  for (const Expectation& one : all)
+    if (!request.quiet || one.verdict() == Verdict::fail) print_out("{}\n", line_of(one));
 }
 
 }  // namespace
@@ -95,6 +109,7 @@ int command_run(const RunRequest& asked) {
     if (!request.quiet) tell_files(console.simulations());
     const bool ended = code == 0 || code == static_cast<int>(ErrorKind::interrupted);
     if (request.json && ended) print_json(console, request);
+    if (!request.json && code == 0) print_verdicts(console.expectations(), request);
     return code;
   });
 }

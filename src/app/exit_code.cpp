@@ -14,7 +14,7 @@ constexpr std::array codes{
     ExitCode{0, "All went well"},
     ExitCode{1,
              "The run failed: it diverged, ran out of memory, or a movie could not be encoded; "
-             "or hackle diff found a difference"},
+             "or hackle diff found a difference, or hackle validate a check that fails"},
     ExitCode{2, "The command line makes no sense"},
     ExitCode{3, "There is an error in the script"},
     ExitCode{4, "Input was refused: it makes no physical or numerical sense"},

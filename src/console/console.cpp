@@ -263,16 +263,26 @@ struct Console::Parts {
     problems.throw_if_any();
   }
 
+  // Their functions may run long, as those of any script.
+  void settle_expectations() {
+    const InterruptWatch watch(L);
+    protect(L, [this](lua_State*) { session.settle_expectations(); });
+  }
+
   void run_to_the_end(const std::string& text, const std::string& chunk,
                       const std::vector<std::string>& arguments) {
     run_chunk(without_shebang(text), chunk, arguments);
     if (!session.exit_code) session.finish_work();
+    settle_expectations();
   }
 
   void run_before_the_prompt(const std::string& text, const std::string& chunk,
                              const std::vector<std::string>& arguments) {
     const std::string kept = with_locals_kept(without_shebang(text));
-    const auto failure = failure_of([&] { run_chunk(kept, chunk, arguments); });
+    const auto failure = failure_of([&] {
+      run_chunk(kept, chunk, arguments);
+      settle_expectations();
+    });
     using Outcome = Transcript::Outcome;
     session.end_line({.text = kept}, failure ? Outcome::failed : Outcome::nothing);
     if (failure) throw Error(*failure);
@@ -409,6 +419,13 @@ std::vector<Summary> Console::simulations() const {
 
 std::vector<Rehearsal> Console::rehearsals() const {
   return parts_->session.rehearsals();
+}
+
+std::vector<Expectation> Console::expectations() const {
+  std::vector<Expectation> list;
+  for (const OpenExpectation& expected : parts_->session.expectations)
+    list.push_back(expected.expectation);
+  return list;
 }
 
 const std::map<std::string, std::string>& Console::options() const {

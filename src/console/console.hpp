@@ -65,6 +65,8 @@ class Console {
   std::vector<Summary> simulations() const;
   // Returns the same for a script that is only checked.
   std::vector<Rehearsal> rehearsals() const;
+  // Returns the expectations of the script, in the order they were said.
+  std::vector<Expectation> expectations() const;
   // Returns names and defaults that the script has declared with options { ... } so far.
   const std::map<std::string, std::string>& options() const;
   // Returns the exit code that the script gave to os.exit.

@@ -355,6 +355,14 @@ std::vector<Rehearsal> Session::rehearsals() const {
   return list;
 }
 
+void Session::settle_expectations() {
+  for (std::size_t k = 0; k < expectations.size(); ++k)
+    if (const auto settle = std::exchange(expectations[k].settle, nullptr)) {
+      Expectation settled = settle();
+      expectations[k].expectation = std::move(settled);
+    }
+}
+
 const Materials& Session::materials() {
   if (!materials_) materials_.emplace(data_file("assets/materials.lua"));
   return *materials_;

@@ -22,6 +22,7 @@
 #include "console/replay/script_checkpoints.hpp"
 #include "output/files/output_folder.hpp"
 #include "output/files/output_names.hpp"
+#include "output/report/expectation.hpp"
 #include "output/report/summary.hpp"
 #include "output/run/rehearsal.hpp"
 #include "output/run/run.hpp"
@@ -49,10 +50,17 @@ struct ConsoleSettings {
   std::function<void(const std::string&)> page;
   bool print_to_stderr = false;   // output of the script: stdout serves another purpose
   bool show_in_terminal = false;  // output of show(s): stdout is a terminal; else to files
+  bool only_verdicts = false;     // print is silent, and no movie is made
   bool trust = false;             // all of Lua's library, files everywhere
   std::size_t lua_memory = default_lua_memory;  // bytes, limit of Lua values
   // bytes, limit of movies and records of one simulation
   double output_limit = default_output_limit;
+};
+
+// An expectation of the script. `settle` is called at its end, if not empty.
+struct OpenExpectation {
+  Expectation expectation;
+  std::function<Expectation()> settle;
 };
 
 class Session {
@@ -130,6 +138,11 @@ class Session {
   // Returns everything typed so far, as a script; for a running script, that script.
   std::string script() const;
 
+  // Returns whether a person types lines.
+  bool has_prompt() const { return has_prompt_; }
+  // Gives the expectations that wait for the end of the script their numbers.
+  void settle_expectations();
+
   // Returns the library, which is read on first use. Throws Error (files).
   const Materials& materials();
 
@@ -152,6 +165,7 @@ class Session {
   int pictures_shown = 0;              // as files, by show(s)
   std::unordered_map<const Plate*, PlateMemory> plates;  // memory of the script's plates
   std::unique_ptr<ScriptCheckpoints> checkpoints;        // of a script that is run
+  std::vector<OpenExpectation> expectations;             // in the order they were said
   ReplayHost objects;  // what the console knows of them: run_at, name and push_empty
 
  private:

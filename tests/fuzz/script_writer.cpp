@@ -183,6 +183,8 @@ std::string value(Bytes& bytes, const Option& option) {
       return bytes.once_in(3) ? bytes.pick(functions) : number(bytes, option.unit);
     case OptionType::function:
       return bytes.pick(functions);
+    case OptionType::reading:
+      return bytes.once_in(3) ? bytes.pick(functions) : number(bytes, option.unit);
   }
   return "nil";
 }

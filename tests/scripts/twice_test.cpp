@@ -24,6 +24,7 @@ const fs::path scripts = fs::path(HACKLE_SOURCE_FOLDER) / "scripts";
 // Returns false for a sheet of other scripts' output, and for modules.
 bool stands_alone(const fs::path& script) {
   return script.filename() != "contact_sheet.lua" && script.filename() != "dxf.lua" &&
+         script.filename() != "watch.lua" && script.parent_path().filename() != "validation" &&
          script.parent_path().filename() != "specimens" && script.parent_path().filename() != "dxf";
 }
 

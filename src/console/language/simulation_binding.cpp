@@ -95,6 +95,7 @@ int movie(lua_State* L) {
   ScriptedRun& scripted = self<ScriptedRun>(L, movie_doc);
   const Arguments arguments = Arguments::from_table(L, 2, movie_doc);
   arguments.problems.throw_if_any();
+  if (session_of(L).settings.only_verdicts) return 0;
   const auto path = session_of(L).output_path("movie", arguments.text("file"));
   scripted.promised.push_back(scripted.run().movie(path, noun_of<MovieOptions>(arguments)));
   return 0;

@@ -23,7 +23,7 @@ int exit_script(lua_State* L) {
 
 int print(lua_State* L) {
   Session& session = session_of(L);
-  if (session.settings.purpose != Purpose::results) return 0;
+  if (session.settings.purpose != Purpose::results || session.settings.only_verdicts) return 0;
   std::FILE* stream = session.settings.print_to_stderr ? stderr : stdout;
   const int count = lua_gettop(L);
   ++session.said;

@@ -38,6 +38,7 @@ constexpr auto groups = std::to_array<std::string_view>({
     "gauge read at values log",
     "values at max min mean save frame",
     "reaction clamp move roller platen log",
+    "expect report gauge read options",
     "options help",
 });
 

@@ -7,6 +7,7 @@
 #include "console/language/chart_binding.hpp"
 #include "console/language/checkpoint_binding.hpp"
 #include "console/language/contact_sheet_binding.hpp"
+#include "console/language/expect_binding.hpp"
 #include "console/language/gauge_binding.hpp"
 #include "console/language/help_binding.hpp"
 #include "console/language/load_binding.hpp"
@@ -30,8 +31,8 @@ std::vector<Function> all_functions() {
   for (const auto functions :
        {material_functions(), plate_functions(), amplitude_functions(), simulation_functions(),
         background_functions(), show_functions(), checkpoint_functions(), recording_functions(),
-        contact_sheet_functions(), chart_functions(), gauge_functions(), options_functions(),
-        help_functions()})
+        contact_sheet_functions(), chart_functions(), gauge_functions(), expect_functions(),
+        options_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());
   return list;
 }

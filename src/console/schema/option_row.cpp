@@ -56,6 +56,8 @@ std::string_view type_word(OptionType type) {
       return "times or function";
     case OptionType::function:
       return "function";
+    case OptionType::reading:
+      return "number, list or function";
   }
   return "?";
 }

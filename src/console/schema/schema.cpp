@@ -85,6 +85,8 @@ std::string expectation(const Option& option) {
       return "{{t, factor}, ...}, as ramp, pulse and step_at make it, or a function of t";
     case OptionType::function:
       return "a function";
+    case OptionType::reading:
+      return "a number, a list of numbers, or a function that returns a number";
   }
   return "?";
 }

@@ -38,6 +38,7 @@ enum class OptionType {
   scalar_field,  // a number, or a function of x and y that returns one
   amplitude,     // {{t, factor}, ...} in time, or a function of t
   function,      // of Lua
+  reading,       // a number, a list of numbers or a function that returns one
 };
 
 struct GivenValue;

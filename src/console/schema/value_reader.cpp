@@ -313,6 +313,7 @@ std::any read_value(const GivenValue& given) {
     case OptionType::columns:
     case OptionType::material:
     case OptionType::areas:
+    case OptionType::reading:
       break;
   }
   assert(false);

@@ -91,6 +91,8 @@ Values nonsense(OptionType type) {
       return {"'a'", "{}", "0/0", "1/0", "true"};
     case OptionType::function:
       return {"5", "'print'", "{}", "true"};
+    case OptionType::reading:
+      return {"'1'", "{}", "{'a'}", "{{1, 2}}", "{1, x = 2}", "true", "p"};
     case OptionType::amplitude:
       return {"5",          "'a'",        "{}",
               "{5}",        "{{0}}",      "{{0, 'a'}}",

@@ -95,7 +95,7 @@ TEST(Schema, EveryRangeHoldsSomethingAndTheDefaultToo) {
 
 TEST(Schema, EveryTypeThatTheCheckerDoesNotKnowHasItsOwnReader) {
   const std::set<OptionType> own{OptionType::markers, OptionType::recordings, OptionType::material,
-                                 OptionType::areas};
+                                 OptionType::areas, OptionType::reading};
   for (const FunctionDoc* doc : all_docs())
     for (const Option& option : doc->options)
       EXPECT_TRUE(option.read != nullptr || !own.contains(option.type))
