@@ -62,7 +62,7 @@ do
     local at = {half + r*x, half + r*y}
     sum = sum + ux:at(at)*x + uy:at(at)*y
   end
-  expect { "ring under inner pressure: widening", unit = "m", got = sum/count, relative = first_order,
+  expect { "ring under inner pressure: widening", unit = "m", got = sum/count, relative = first_order*4/m, -- its horizon is longer
            value = load*inner^2/(outer^2 - inner^2)*((2/3)*r + (4/3)*outer^2/r)/E, source = "Lame" }
 end
 

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/markup.hpp"
 #include "base/units.hpp"
+#include "render/overlay/ticks.hpp"
 
 namespace hackle {
 namespace {
@@ -18,45 +21,36 @@ namespace {
 constexpr double width = 420, height = 240, left = 64, right = 14, top = 26, bottom = 40;
 constexpr double bar_width = 90, bar_height = 14;
 
-// Round numbers along an axis, and where they are.
+// Numbers along an axis, and where they are.
 struct Axis {
-  double min = 0.0, max = 1.0, step = 1.0;
+  double min = 0.0, max = 1.0;
   double from = 0.0, to = 1.0;  // px
 
   double px(double value) const { return from + (value - min) / (max - min) * (to - from); }
 };
 
-// 1, 2 or 5 times a power of ten: about four steps.
-double round_step(double range) {
-  const double power = std::pow(10.0, std::floor(std::log10(range / 4.0)));
-  const double share = range / 4.0 / power;
-  return power * (share < 1.5 ? 1.0 : share < 3.5 ? 2.0 : share < 7.5 ? 5.0 : 10.0);
+std::vector<double> finite(std::span<const double> one, std::span<const double> other) {
+  std::vector<double> values;
+  for (const auto& list : {one, other})
+    std::ranges::copy_if(list, std::back_inserter(values),
+                         [](double v) { return std::isfinite(v); });
+  return values;
 }
 
-void widen(Axis& axis, std::span<const double> values) {
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    axis.min = std::min(axis.min, value);
-    axis.max = std::max(axis.max, value);
-  }
-}
-
+// The axis holds all finite values of both, with a margin.
 Axis axis_of(std::span<const double> one, std::span<const double> other, double from, double to) {
-  Axis axis{.min = one.front(), .max = one.front(), .from = from, .to = to};
-  widen(axis, one);
-  widen(axis, other);
-  if (axis.max <= axis.min) axis.max = axis.min + std::max(1.0, std::abs(axis.min));
-  axis.step = round_step(axis.max - axis.min);
-  const double margin = 0.04 * (axis.max - axis.min);
-  axis.min -= margin;
-  axis.max += margin;
-  return axis;
+  const std::vector<double> values = finite(one, other);
+  if (values.empty()) return {.from = from, .to = to};
+  const auto [least, most] = std::ranges::minmax(values);
+  const double range = most > least ? most - least : std::max(1.0, std::abs(most));
+  return {.min = least - 0.04 * range, .max = least + 1.04 * range, .from = from, .to = to};
 }
 
 template <class Draw>
-void for_each_tick(const Axis& axis, const Draw& draw) {
-  for (double k = std::ceil(axis.min / axis.step); k * axis.step <= axis.max; k += 1.0)
-    draw(k * axis.step + 0.0);  // no -0
+void for_each_tick(const Axis& axis, double unit, const Draw& draw) {
+  const std::vector<double> values = neat_values(axis.min / unit, axis.max / unit, 5);
+  const std::vector<std::string> texts = tick_texts(values);
+  for (std::size_t k = 0; k < values.size(); ++k) draw(axis.px(values[k] * unit), texts[k]);
 }
 
 std::string label(double x, double y, std::string_view anchor, std::string_view text) {
@@ -71,13 +65,11 @@ std::string grid_line(double x1, double y1, double x2, double y2) {
 
 std::string grid_of(const Axis& x, const Axis& y, double unit) {
   std::string svg;
-  for_each_tick(x, [&](double value) {
-    svg += grid_line(x.px(value), y.from, x.px(value), y.to) +
-           label(x.px(value), y.from + 15, "middle", fmt::format("{:.4g}", value));
+  for_each_tick(x, 1.0, [&](double at, const std::string& text) {
+    svg += grid_line(at, y.from, at, y.to) + label(at, y.from + 15, "middle", text);
   });
-  for_each_tick(y, [&](double value) {
-    svg += grid_line(x.from, y.px(value), x.to, y.px(value)) +
-           label(x.from - 6, y.px(value) + 4, "end", fmt::format("{:.4g}", value / unit));
+  for_each_tick(y, unit, [&](double at, const std::string& text) {
+    svg += grid_line(x.from, at, x.to, at) + label(x.from - 6, at + 4, "end", text);
   });
   return svg;
 }
@@ -85,7 +77,8 @@ std::string grid_of(const Axis& x, const Axis& y, double unit) {
 std::string polyline_of(const ExpectedCurve& curve, const Axis& x, const Axis& y) {
   std::string points;
   for (std::size_t k = 0; k < curve.x.size(); ++k)
-    points += fmt::format("{:.1f},{:.1f} ", x.px(curve.x[k]), y.px(curve.expected[k]));
+    if (std::isfinite(curve.expected[k]))
+      points += fmt::format("{:.1f},{:.1f} ", x.px(curve.x[k]), y.px(curve.expected[k]));
   return fmt::format(R"(<polyline class="line" points="{}"/>)", points);
 }
 
@@ -104,8 +97,9 @@ std::string curve_chart(const Expectation& e) {
   const ExpectedCurve& curve = e.curve;
   const Axis x = axis_of(curve.x, curve.x, left, width - right);
   const Axis y = axis_of(curve.expected, curve.got, height - bottom, top);
-  const PrefixedUnit unit = prefixed(std::max(std::abs(y.min), std::abs(y.max)), e.unit);
-  std::string head = e.unit.empty() ? e.quantity : fmt::format("{} in {}", e.quantity, unit.name);
+  const PrefixedUnit unit = axis_unit(std::max(std::abs(y.min), std::abs(y.max)), e.unit);
+  const std::string head =
+      e.unit.empty() ? e.quantity : fmt::format("{} in {}", e.quantity, unit.name);
   return fmt::format(R"(<svg class="chart" viewBox="0 0 {:.0f} {:.0f}" role="img">)", width,
                      height) +
          grid_of(x, y, unit.factor) + polyline_of(curve, x, y) + dots_of(curve, x, y) +

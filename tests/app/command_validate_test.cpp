@@ -3,6 +3,7 @@
 #include "app/command_validate.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,15 @@
 #include "app/validation_page.hpp"
 #include "base/error.hpp"
 #include "base/files.hpp"
+#include "base/markup.hpp"
 
 namespace hackle {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+
+const std::filesystem::path source = HACKLE_SOURCE_FOLDER;
 
 const std::string mixed = R"(-- mixed.lua: three checks. And more.
 expect { "height", unit = "m", got = 2, value = 2.5, tolerance = 1, source = "book" }
@@ -125,7 +129,13 @@ TEST_F(ValidateTest, ReadyScriptsHold) {
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
   const auto checks = nlohmann::json::parse(ended.out)["checks"];
   EXPECT_GE(checks.size(), 10U);
-  for (const auto& check : checks) EXPECT_EQ(check["verdict"], "pass") << check;
+  const std::string table = read_text(source / "tests/README.md");
+  for (const auto& check : checks) {
+    EXPECT_EQ(check["verdict"], "pass") << check;
+    const std::string name = check["name"], quantity = check["quantity"];
+    EXPECT_TRUE(table.find("| `" + name + "` | " + markdown(quantity) + " |") != std::string::npos)
+        << name << ", " << quantity << ": hackle validate --update tests/README.md";
+  }
 }
 
 TEST(ValidationScripts, AreNamedOnceAndTheQuickOnesAreAmongThem) {
@@ -134,6 +144,10 @@ TEST(ValidationScripts, AreNamedOnceAndTheQuickOnesAreAmongThem) {
   for (const ValidationScript& script : validation_scripts({}, true))
     EXPECT_EQ(std::ranges::count(names, script.name), 1) << script.name;
   EXPECT_GE(names.size(), 20U);
+  const std::string summary = read_text(source / "README.md");
+  for (const std::string& name : names)
+    EXPECT_TRUE(summary.find("| `" + name + "` |") != std::string::npos)
+        << name << ": hackle validate --update README.md";
   EXPECT_GE(validation_scripts({}, true).size(), 6U);
 }
 

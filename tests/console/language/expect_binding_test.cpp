@@ -124,7 +124,9 @@ TEST(OnlyVerdicts, MakeNoMovieAndPrintNothing) {
   Console console(settings);
   testing::internal::CaptureStdout();
   console.run_text(
-      test::scene + "s:movie { 'a.mp4' } print 'hello' s:run(1*us) s:frame { 'a.png' }", "a.lua");
+      test::scene +
+          "s:movie { 'a.mp4', every = 1*us } print 'hello' s:run(1*us) s:frame { 'a.png' }",
+      "a.lua");
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_FALSE(std::filesystem::exists(folder.path / "a.mp4"));
   EXPECT_TRUE(std::filesystem::exists(folder.path / "a.png"));
