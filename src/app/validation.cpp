@@ -61,12 +61,25 @@ void add_named(const std::string& name, const std::vector<ValidationScript>& all
   if (chosen.size() == before) refuse(name, all);
 }
 
+bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+
+// Returns where the sentence that begins there ends: at a full stop before a capital, or at the
+// end.
+std::size_t end_of_sentence(const std::string& line, std::size_t begin) {
+  std::size_t end = line.find(". ", begin);
+  while (end != std::string::npos && end + 2 < line.size() && !is_capital(line[end + 2]))
+    end = line.find(". ", end + 1);
+  return std::min(end, line.size());
+}
+
 // "-- hole.lua: the paper's third plate. A hole ..." -> "The paper's third plate"
 std::string title_of(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
   const std::size_t begin = line.find(": ");
   if (!line.starts_with("--") || begin == std::string::npos) return "";
-  std::string title = line.substr(begin + 2, line.find(". ", begin) - begin - 2);
+  std::string title = line.substr(begin + 2, end_of_sentence(line, begin + 2) - begin - 2);
   if (title.ends_with('.')) title.pop_back();
   if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
     title[0] = static_cast<char>(title[0] - 'a' + 'A');

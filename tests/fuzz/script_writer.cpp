@@ -167,6 +167,7 @@ std::string value(Bytes& bytes, const Option& option) {
     case OptionType::numbers:
       return list(bytes, [&] { return number(bytes, option.unit); });
     case OptionType::recordings:
+    case OptionType::sources:
       return list(bytes, [] { return std::string("r"); });
     case OptionType::choice:
       return fmt::format("'{}'", bytes.pick(option.choices));

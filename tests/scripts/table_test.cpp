@@ -19,7 +19,8 @@ const fs::path root = HACKLE_SOURCE_FOLDER;
 
 const std::vector<const char*> tested{"samples", "benchmarks", "gallery", "specimens"};
 // hackle validate itself tests the last ones.
-const std::vector<const char*> every_one{"samples", "benchmarks", "gallery", "specimens", "validation"};
+const std::vector<const char*> every_one{"samples", "benchmarks", "gallery", "specimens",
+                                         "validation"};
 
 // Returns "samples/hole.lua" and all others.
 std::vector<std::string> scenes(const std::vector<const char*>& folders) {
@@ -59,7 +60,8 @@ TEST(Scenes, SayItAsExpectations) {
 
 TEST(Scenes, StandInTheReadme) {
   const std::string readme = read_text(root / "scripts" / "README.md");
-  for (const std::string& name : scenes(every_one)) EXPECT_TRUE(contains(readme, "(" + name + ")")) << name;
+  for (const std::string& name : scenes(every_one))
+    EXPECT_TRUE(contains(readme, "(" + name + ")")) << name;
 }
 
 TEST(Scenes, HaveATest) {
