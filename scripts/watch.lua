@@ -18,14 +18,14 @@ local function look(s, t, seen, tips)
   local found = s:cracks()
   if found.nodes == 0 then return end
   tips[#tips + 1] = { t = t, x = found.right }
-  seen.speed = math.max(seen.speed or 0, speed_of(tips))
+  seen.speed = math.max(seen.speed, speed_of(tips))
   if found.fork and not seen.fork then seen.fork, seen.place = t, found.fork end
   local width = seen.width
   if not seen.through and found.left < s.spacing and found.right > width - s.spacing then seen.through = t end
 end
 
 return function(s, every, width)
-  local seen, tips = { width = width or math.huge }, {}
+  local seen, tips = { width = width or math.huge, speed = 0 }, {}
   s:on { "break", call = function(t) seen.first = t end }
   s:on { "every", every = every, call = function(t) look(s, t, seen, tips) end }
   return seen
