@@ -294,7 +294,7 @@ struct PlatePainter::Parts {
   }
 
   Moment moment(const Shot& shot) const {
-    return {shot.time, shot.discs, shot.load_curve, shot.energy, beyond, shot.boxes};
+    return {shot.time, shot.discs, shot.load_curve, shot.energy, beyond, shot.boxes, shot.cracks};
   }
 
   void draw_page(Canvas& canvas, const Image& plates, const Shot& shot, const Window& window) {

@@ -14,6 +14,7 @@
 #include "measure/field.hpp"
 #include "render/overlay/chart.hpp"
 #include "render/overlay/colour_bar.hpp"
+#include "render/overlay/crack_drawing.hpp"
 #include "render/picture_style.hpp"
 
 namespace hackle {
@@ -31,6 +32,7 @@ struct Shot {
   std::vector<Box> boxes;
   std::optional<Window> window;  // replaces that of the style and has its size
   Chart load_curve, energy;      // if the overlay shows them
+  CrackDrawing cracks;           // likewise
 };
 
 // What a painter has adapted to the pictures so far: the ranges of both fields, and the window.

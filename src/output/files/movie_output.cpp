@@ -53,13 +53,23 @@ void MovieOutput::reserve() {
   file_.begin([&](const std::filesystem::path& path) { return names_->is_claimed(path); });
 }
 
+std::int64_t MovieOutput::next_due(const Simulation& simulation) {
+  return options_.picture.overlay.graph ? simulation.state().step : Output::next_due(simulation);
+}
+
+bool MovieOutput::due(const Simulation& simulation) {
+  if (options_.picture.overlay.graph) growth_.count(simulation);
+  return Output::due(simulation);
+}
+
 void MovieOutput::look(const Simulation& simulation) {
   add(simulation);
 }
 
 void MovieOutput::add(const View& view) {
   reserve();
-  hand_over([this, shot = shot_of(options_.picture, view)] { paint(shot); });
+  const CrackGrowth* const growth = growth_.empty() ? nullptr : &growth_;
+  hand_over([this, shot = shot_of(options_.picture, view, growth)] { paint(shot); });
   ++frames_;
 }
 

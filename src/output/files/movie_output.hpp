@@ -29,6 +29,9 @@ class MovieOutput : public Output {
 
   const std::filesystem::path& path() const { return file_.path(); }
 
+  // With a graph of the cracks it follows them in every step.
+  std::int64_t next_due(const Simulation& simulation) override;
+  bool due(const Simulation& simulation) override;
   // Takes a frame now, whether it is due or not.
   void add(const View& view);
   void reserve() override;
@@ -54,6 +57,7 @@ class MovieOutput : public Output {
 
   MovieOptions options_;
   PictureStyle style_;
+  CrackGrowth growth_;
   MovieFile file_;
   std::shared_ptr<const OutputNames> names_;
   std::int64_t frames_ = 0;  // handed over

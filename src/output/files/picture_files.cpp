@@ -10,10 +10,10 @@
 namespace hackle {
 
 void PictureFiles::write(const std::filesystem::path& path, const View& view,
-                         const PictureOptions& options) {
+                         const PictureOptions& options, const CrackGrowth& growth) {
   const Stopwatch watch(render_seconds_);
   make_folder_of(path);
-  write_picture(view, options, path);
+  write_picture(view, options, path, &growth);
   if (std::ranges::find(files_, path) == files_.end()) files_.push_back(path);
 }
 

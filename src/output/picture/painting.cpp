@@ -11,6 +11,7 @@
 #include "measure/links.hpp"
 #include "output/picture/automatic_range.hpp"
 #include "output/picture/chart_data.hpp"
+#include "output/picture/crack_picture.hpp"
 #include "output/picture/field_choice.hpp"
 #include "output/picture/paper.hpp"
 #include "output/picture/view.hpp"
@@ -128,6 +129,9 @@ void check(const char* output, const PictureOptions& options, const Grid& grid) 
   if (options.range && options.percentile)
     problems.add(fmt::format("{}: range and percentile are given", output),
                  "range says where the colour bar ends, percentile lets the values say it");
+  if (options.overlay.graph && options.deformed)
+    problems.add(fmt::format("{}: graph and deformed are given", output),
+                 "paths of cracks are those of the undeformed plate");
   problems.throw_if_any();
 }
 
@@ -174,10 +178,12 @@ Image paint(const View& view, const PictureOptions& options, const std::optional
 }
 
 void write_picture(const View& view, const PictureOptions& options,
-                   const std::filesystem::path& path) {
-  if (!is_vector_file(path)) return write_png(paint(view, options), path);
+                   const std::filesystem::path& path, const CrackGrowth* growth) {
   check_finite(view);
-  PlatePainter(style_of(options, view)).write_vectors(shot_of(options, view), path);
+  PlatePainter painter(style_of(options, view));
+  const Shot shot = shot_of(options, view, growth);
+  if (is_vector_file(path)) return painter.write_vectors(shot, path);
+  write_png(painter.paint(shot), path);
 }
 
 int widest_picture(const PictureOptions& options, const View& view, const Extent& max) {
@@ -190,7 +196,7 @@ int widest_picture(const PictureOptions& options, const View& view, const Extent
   return 0;
 }
 
-Shot shot_of(const PictureOptions& options, const View& view) {
+Shot shot_of(const PictureOptions& options, const View& view, const CrackGrowth* growth) {
   Shot shot;
   shot.values = field_values(options, view);
   if (options.second) shot.second = values_of(second_field(options), view);
@@ -210,6 +216,8 @@ Shot shot_of(const PictureOptions& options, const View& view) {
   if (options.bonds) shot.bonds = bonds_in(window, view);
   if (options.overlay.load_curve) shot.load_curve = load_curve(view);
   if (options.overlay.energy) shot.energy = energy_chart(view);
+  if (options.overlay.graph)
+    shot.cracks = growth != nullptr ? crack_drawing(crack_graph(*growth)) : crack_drawing(view);
   return shot;
 }
 

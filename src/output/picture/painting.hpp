@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "measure/crack_growth.hpp"
 #include "output/picture/field_choice.hpp"
 #include "output/picture/picture.hpp"
 #include "render/plate_painter.hpp"
@@ -43,16 +44,16 @@ struct Extent {
 Image paint(const View& view, const PictureOptions& options,
             const std::optional<Extent>& bare = {});
 
-// Writes the same picture, as the ending of the path says: PNG, PDF or SVG. Throws what these
-// throw.
+// Writes the same picture, as the ending of the path says: PNG, PDF or SVG. `growth` is how its
+// cracks have grown, where that is known. Throws what these throw.
 void write_picture(const View& view, const PictureOptions& options,
-                   const std::filesystem::path& path);
+                   const std::filesystem::path& path, const CrackGrowth* growth = nullptr);
 
 // Returns the width in px of the largest picture with texts that fits into these px, at most
 // `most.width`; 0 if the smallest does not fit.
 int widest_picture(const PictureOptions& options, const View& view, const Extent& max);
 
 // Returns the content of a picture of the present state; nan without material.
-Shot shot_of(const PictureOptions& options, const View& view);
+Shot shot_of(const PictureOptions& options, const View& view, const CrackGrowth* growth = nullptr);
 
 }  // namespace hackle

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/machine.hpp"
+#include "output/files/graph_file.hpp"
 #include "output/report/ledger_remark.hpp"
 
 namespace hackle {
@@ -98,6 +99,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   json["residual_share"] = residual_share(summary.energy);
   json["damage"] = {{"broken_bonds", summary.damage.broken_bonds}, {"max", summary.damage.max}};
   if (!summary.reactions.empty()) json["reactions"] = to_json(summary.reactions);
+  if (!summary.events.empty()) json["events"] = to_json(summary.events, summary.rayleigh);
   json["peak_rss_bytes"] = summary.peak_rss;
   json["hash"] = summary.hash;
   json["files"] = nlohmann::ordered_json::array();

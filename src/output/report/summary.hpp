@@ -10,6 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "measure/crack_graph.hpp"
 #include "measure/energy.hpp"
 #include "output/report/features.hpp"
 #include "solver/cpu/tiles.hpp"
@@ -44,6 +45,8 @@ struct Summary {
   Energy energy;  // J/m
   DamageCount damage;
   std::vector<Reaction> reactions;           // of bodies, supports and foundations
+  std::vector<CrackEvent> events;            // of the cracks
+  double rayleigh = 0.0;                     // m/s, speed of Rayleigh waves
   std::uint64_t peak_rss = 0;                // bytes, of the process
   std::string hash;                          // of the state
   std::vector<std::filesystem::path> files;  // complete files written

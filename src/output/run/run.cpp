@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
+#include "measure/crack_graph.hpp"
 #include "output/files/movie_output.hpp"
 #include "output/files/outputs.hpp"
 #include "output/files/picture_files.hpp"
@@ -54,6 +55,24 @@ std::vector<SeriesTable> tables_of(const std::vector<SeriesOutput*>& series) {
 
 }  // namespace
 
+namespace {
+
+// Notes what comes to lie on a crack before the other observers look.
+class GrowthFollower : public Observer {
+ public:
+  explicit GrowthFollower(CrackGrowth& growth) : growth_(growth) {}
+  bool due(const Simulation& simulation) override {
+    growth_.follow(simulation);
+    return false;
+  }
+  void observe(const Simulation&) override {}
+
+ private:
+  CrackGrowth& growth_;
+};
+
+}  // namespace
+
 struct Run::Parts {
   Parts(Plate plate, const Numerics& numerics, Execution execution, Talk talk_, Origin origin_)
       : talk(talk_),
@@ -69,6 +88,7 @@ struct Run::Parts {
       : talk(other.talk),
         origin(other.origin),
         simulation(other.simulation),
+        growth(other.growth),
         prospect(other.prospect) {
     outputs.limit(other.outputs.limit());
     outputs.share(other.outputs.names());
@@ -87,6 +107,7 @@ struct Run::Parts {
   std::vector<std::shared_ptr<Journal>> journals;  // of its records
   RunLoop loop;
   Notes notes{talk};
+  CrackGrowth growth;
   Prospect prospect;
   bool rehearsing = false;
   bool pretends = false;        // to be where it is not: nothing can be said of it
@@ -102,6 +123,8 @@ struct Run::Parts {
   // Outputs, watchers and `others` look on while the simulation goes where it aims.
   void go_on(std::vector<Observer*> others) {
     if (rehearsing) return prospect.arrive(simulation);
+    GrowthFollower follower(growth);
+    others.push_back(&follower);
     for (Observer* output : outputs.observers()) others.push_back(output);
     loop.go_on(simulation, loop.with_watchers(std::move(others)));
   }
@@ -203,7 +226,8 @@ void Run::frame(const fs::path& path, const PictureOptions& options) {
   check_alone("frame", options);
   parts_->outputs.names()->claim_checked("frame", path, FileKind::picture);
   if (parts_->rehearsing) return;
-  parts_->pictures.write(path, parts_->simulation, options);
+  if (options.overlay.graph) parts_->growth.count(parts_->simulation);
+  parts_->pictures.write(path, parts_->simulation, options, parts_->growth);
 }
 
 void Run::save(const fs::path& path) {
@@ -255,6 +279,7 @@ void Run::restore(Checkpoint checkpoint) {
   simulation =
       hackle::resume(std::move(checkpoint), {simulation.threads(), simulation.instruction_set()});
   parts_->notes.begin_judging_at(simulation);
+  parts_->growth = {};
   parts_->pretends = false;
 }
 
@@ -324,6 +349,7 @@ void Run::rewind(const Run& other) {
   if (&other == this) return;
   parts_->simulation = other.simulation();
   parts_->prospect = other.parts_->prospect;
+  parts_->growth = other.parts_->growth;
 }
 
 void Run::check_open(const char* who) const {
@@ -440,7 +466,8 @@ QuasistaticResult Run::load_slowly(double duration, int increments, double toler
   parts_->outputs.reserve();
   LookCounter counter([this] { parts_->note([](Journal& journal) { journal.looked(); }); });
   std::vector<Observer*> observers = parts_->loop.with_watchers(parts_->outputs.observers());
-  observers.insert(observers.begin(), &counter);
+  GrowthFollower follower(parts_->growth);
+  observers.insert(observers.begin(), {&counter, &follower});
   const Mark busy = parts_->loop.mark_busy();
   Progress progress(parts_->talk);
   const auto show = [&](double fraction, int increment, int pass, std::int64_t broken) {
@@ -498,11 +525,21 @@ Summary Run::summary() const {
   summary.script = parts_->origin.script_name;
   summary.notes = parts_->notes.all();
   summary.wall.setup = parts_->setup_seconds;
+  if (!parts_->growth.empty()) {
+    const CrackGraph graph = hackle::crack_graph(parts_->growth);
+    summary.events = graph.events;
+    summary.rayleigh = graph.rayleigh;
+  }
   parts_->pictures.add_to(summary);
   parts_->outputs.add_to(summary);
   summary.files.insert(summary.files.end(), parts_->saved.begin(), parts_->saved.end());
   summary.wall.total = parts_->life.seconds();
   return summary;
+}
+
+CrackGraph Run::crack_graph() const {
+  parts_->growth.count(parts_->simulation);
+  return hackle::crack_graph(parts_->growth);
 }
 
 std::string Run::report() const {

@@ -20,6 +20,7 @@ class OutputNames;
 class Simulation;
 struct Column;
 struct Checkpoint;
+struct CrackGraph;
 struct Execution;
 struct Loads;
 struct MovieOptions;
@@ -157,6 +158,8 @@ class Run {
 
   const Simulation& simulation() const;
   Summary summary() const;
+  // Returns the cracks as they are, from the bonds that broke in this run.
+  CrackGraph crack_graph() const;
   // Returns the report, several lines of text.
   std::string report() const;
 

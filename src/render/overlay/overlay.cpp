@@ -122,7 +122,10 @@ void Overlay::draw_marks(Canvas& canvas, const Rectangle& plate, const Camera& c
   }
   if (!font_) return;
   draw_axes(canvas, plate, camera);
-  const auto placed = place_markers(text_.parts.markers, layout_, plate, camera, *font_);
+  hackle::draw(canvas, moment.cracks, layout_, plate, camera);
+  std::vector<Marker> markers = text_.parts.markers;
+  markers.insert(markers.end(), moment.cracks.tips.begin(), moment.cracks.tips.end());
+  const auto placed = place_markers(markers, layout_, plate, camera, *font_);
   hackle::draw(canvas, placed, layout_, *font_);
   placed_.insert(placed_.end(), placed.begin(), placed.end());
 }

@@ -13,6 +13,7 @@
 #include "render/colour_map.hpp"
 #include "render/overlay/chart.hpp"
 #include "render/overlay/colour_bar.hpp"
+#include "render/overlay/crack_drawing.hpp"
 #include "render/overlay/font.hpp"
 #include "render/overlay/layout.hpp"
 #include "render/overlay/markers.hpp"
@@ -28,6 +29,7 @@ struct Moment {
   Chart load_curve, energy;         // used if the layout has room for them
   std::vector<Beyond> beyond = {};  // for each bar; none if there is nothing beyond
   std::vector<Box> boxes = {};
+  CrackDrawing cracks = {};
 };
 
 class Overlay {

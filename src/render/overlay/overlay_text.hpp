@@ -33,6 +33,7 @@ struct OverlayOptions {
   bool axes = false;
   bool load_curve = false;
   bool energy = false;
+  bool graph = false;
   std::vector<Marker> markers;
 };
 
@@ -61,6 +62,10 @@ inline constexpr auto description_of<OverlayOptions> = describe_noun(
     member("energy", &OverlayOptions::energy,
            {.fallback = "false",
             .sentence = "Shows kinetic, strain and broken energy over time so far; for movies."}),
+    member("graph", &OverlayOptions::graph,
+           {.fallback = "false",
+            .sentence = "Draws the paths of cracks and their tips, in a picture or movie of a run "
+                        "with their speed (see s:graph); not in a deformed plate."}),
     member("markers", &OverlayOptions::markers,
            {.unit = "m",
             .range = at_least(1.0),

@@ -585,7 +585,8 @@ TEST_F(Members, OfMoviesAndTheirPictures) {
       "11, "
       "bonds = true, theme = 'light', background = 'dark', title = 'T', clock = false, bar = true, "
       "scale_bar = "
-      "false, axes = true, dpi = 200, font_size = 9, load_curve = true, energy = false, markers = "
+      "false, axes = true, dpi = 200, font_size = 9, load_curve = true, energy = false, graph = "
+      "false, markers = "
       "{{1*mm, 2*mm, 'm'}} }";
   std::string known =
       options + " px_per_mm = paper = percentile =";  // alternatives to other options
@@ -650,7 +651,8 @@ TEST_F(Members, OfPicturesOneByOne) {
   const std::pair<const char*, bool OverlayOptions::*> flags[] = {
       {"clock", &OverlayOptions::clock},         {"bar", &OverlayOptions::bar},
       {"scale_bar", &OverlayOptions::scale_bar}, {"axes", &OverlayOptions::axes},
-      {"energy", &OverlayOptions::energy},       {"load_curve", &OverlayOptions::load_curve}};
+      {"energy", &OverlayOptions::energy},       {"load_curve", &OverlayOptions::load_curve},
+      {"graph", &OverlayOptions::graph}};
   const OverlayOptions usual;
   for (const auto& [name, flag] : flags)
     for (const bool value : {false, true}) {
