@@ -78,7 +78,7 @@ void CrackTrack::note_advance(double time) {
   time_ = time;
   if (std::isinf(farthest_)) return;
   if (!arrivals_.empty() && arrivals_.back().along >= farthest_) return;
-  arrivals_.push_back({time, farthest_});
+  arrivals_.push_back({time, farthest_, broken_energy_});
   // The first is where it was when it was first seen: it had come there earlier.
   while (arrivals_.size() > 3 && arrivals_[2].along <= farthest_ - window_) arrivals_.pop_front();
 }
@@ -106,10 +106,8 @@ void CrackTrack::look(const View& view) {
 std::vector<double> CrackTrack::memory() const {
   if (step_ < 0) return {};
   std::vector<double> memory{broken_energy_, length_};
-  for (const auto& [time, along] : arrivals_) {
-    memory.push_back(time);
-    memory.push_back(along);
-  }
+  for (const Arrival& arrival : arrivals_)
+    memory.insert(memory.end(), {arrival.time, arrival.along, arrival.energy});
   return memory;
 }
 
@@ -119,8 +117,8 @@ void CrackTrack::take_up_memory() {
   broken_energy_ = memory[0];
   length_ = memory[1];
   arrivals_.clear();
-  for (std::size_t k = 2; k + 1 < memory.size(); k += 2)
-    arrivals_.push_back({memory[k], memory[k + 1]});
+  for (std::size_t k = 2; k + 2 < memory.size(); k += 3)
+    arrivals_.push_back({memory[k], memory[k + 1], memory[k + 2]});
 }
 
 void CrackTrack::follow(const Simulation& simulation) {
@@ -160,6 +158,12 @@ double CrackTrack::speed() const {
   const double way = to.along - from.along, took = to.time - from.time;
   const double waits = time_ - to.time - took / std::max(way, 1.0);
   return took > 0.0 ? grid_.dx * way / (took + std::max(waits, 0.0)) : 0.0;
+}
+
+std::optional<double> CrackTrack::energy_per_length() const {
+  if (arrivals_.size() < 3) return std::nullopt;
+  const Arrival &from = arrivals_[1], &to = arrivals_.back();
+  return (to.energy - from.energy) / (grid_.dx * (to.along - from.along));
 }
 
 }  // namespace hackle

@@ -44,11 +44,16 @@ class CrackTrack {
   // the last two horizons, or for all since it first moved. While it stays longer than it took per
   // spacing, the mean falls towards 0. A crack that begins ahead of it counts as an advance.
   double speed() const;
+  // Returns the energy of the bonds broken while the tip went these last two horizons, over that
+  // way, J/m2; nothing before it moves, and while it stays where it arrived first.
+  std::optional<double> energy_per_length() const;
+  const Vec2& direction() const { return direction_; }
 
  private:
   struct Arrival {
-    double time = 0.0;   // s
-    double along = 0.0;  // dx from the centre of the lattice
+    double time = 0.0;    // s
+    double along = 0.0;   // dx from the centre of the lattice
+    double energy = 0.0;  // J/m, of bonds broken until then
   };
 
   void begin_anew(const View& view);

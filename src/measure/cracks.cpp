@@ -3,10 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-
-#include "solver/statics/fragments.hpp"
 
 namespace hackle {
 namespace {
@@ -65,17 +62,6 @@ std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& 
     }
   if (std::isinf(max)) return std::nullopt;
   return grid.centre + 0.5 * grid.dx * (box.min + box.max);
-}
-
-std::vector<int> fragment_sizes(const View& view) {
-  NodeVectors mobile(view.state().layout);
-  std::ranges::fill(mobile.x, 1.0);
-  std::ranges::fill(mobile.y, 1.0);
-  const Fragments fragments(view.lattice(), view.state(), mobile, Threads(1));
-  std::vector<int> sizes;
-  for (const Fragment& fragment : fragments.list()) sizes.push_back(fragment.nodes);
-  std::ranges::sort(sizes, std::greater<>());
-  return sizes;
 }
 
 }  // namespace hackle

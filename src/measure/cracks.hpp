@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far the cracks of a plate, or of a region of it, have advanced, and which fragments remain.
+// How far the cracks of a plate, or of a region of it, have advanced.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +32,5 @@ Cracks cracks(Nodes nodes, Nodes at_start, const Grid& grid, double m, const Box
 // Returns the position, m, of the node on a crack that lies farthest along `direction`; the mean of
 // several within half a spacing. Returns nothing if no node lies on a crack.
 std::optional<Vec2> foremost(const Field& damage, const Grid& grid, const Vec2& direction);
-
-// Returns the number of nodes of each fragment, the largest first; a node without bonds is no
-// fragment.
-std::vector<int> fragment_sizes(const View& view);
 
 }  // namespace hackle

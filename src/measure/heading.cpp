@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,14 +12,15 @@ namespace {
 
 // Of all columns. A unit stands before those that it ends with.
 constexpr auto known_units =
-    std::to_array<std::string_view>({"J/m3", "J/m2", "J/m", "N/m", "rad/s", "m/s", "m2", "kg/m",
-                                     "rad", "kg", "Pa", "N", "K", "m", "s"});
+    std::to_array<std::string_view>({"Pa sqrt(m)", "J/m3", "J/m2", "J/m", "N/m", "rad/s", "m/s",
+                                     "m2", "kg/m", "rad", "kg", "Pa", "N", "K", "m", "s"});
 
 std::string in_words(std::string_view unit) {
+  using Change = std::pair<std::string_view, std::string_view>;
   std::string text(unit);
-  constexpr std::string_view slash = "/", per = "_per_";
-  for (std::size_t at = text.find(slash); at != std::string::npos; at = text.find(slash, at))
-    text.replace(at, slash.size(), per);
+  for (const auto& [sign, words] : {Change{"/", "_per_"}, Change{" sqrt(m)", "_sqrt_m"}})
+    for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at))
+      text.replace(at, sign.size(), words);
   return text;
 }
 

@@ -10,7 +10,6 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "measure/cracks.hpp"
 #include "measure/heading.hpp"
 #include "measure/scalar.hpp"
 #include "scene/load_names.hpp"
@@ -34,6 +33,12 @@ template <int axis>
 Number tip(Glance& glance) {
   const std::optional<Vec2> place = glance.cracks().tip();
   return place ? Number((*place)[axis]) : std::nullopt;
+}
+
+template <auto part>
+Number fracture_part(Glance& glance) {
+  const std::optional<Fracture>& found = glance.fracture();
+  return found ? Number(((*found).*part)()) : std::nullopt;
 }
 
 constexpr QuantityKind usual{.usual = true}, usual_and_dear{.usual = true, .dear = true};
@@ -87,13 +92,46 @@ constexpr auto quantity_list = std::to_array<Quantity>({
     {"tip.speed", "m/s",
      "Speed of the tip along `along`: its way over the time that its last two horizons took.",
      usual, [](Glance& glance) -> Number { return glance.cracks().speed(); }},
+    {"tip.energy",
+     "J/m2",
+     "Energy of broken bonds per length of the way of the tip, over its last two horizons: G0 for "
+     "one straight crack, more where the crack frays or forks. Empty before it moves.",
+     {},
+     [](Glance& glance) -> Number { return glance.cracks().energy_per_length(); }},
+    {"J",
+     "J/m2",
+     "Mean of J over rings around the tip, as s:fracture tells it; empty without.",
+     {.dear = true},
+     fracture_part<&Fracture::J>},
+    {"K_I",
+     "Pa sqrt(m)",
+     "Stress intensity of opening there, by the interaction integral.",
+     {.dear = true},
+     fracture_part<&Fracture::K_I>},
+    {"K_II", "Pa sqrt(m)", "The same of sliding.", {.dear = true}, fracture_part<&Fracture::K_II>},
     {"fragments",
      "",
      "Number of fragments; a look at every bond.",
      {.dear = true},
+     [](Glance& glance) -> Number { return static_cast<double>(glance.fragments().all.size()); }},
+    {"fragments.largest",
+     "m2",
+     "Area of the largest fragment.",
+     {.dear = true},
      [](Glance& glance) -> Number {
-       return static_cast<double>(fragment_sizes(glance.view()).size());
+       const auto& all = glance.fragments().all;
+       return all.empty() ? 0.0 : all.front().area;
      }},
+    {"fragments.median",
+     "m2",
+     "Area of the fragment up to which, from the smallest on, half of the area lies.",
+     {.dear = true},
+     [](Glance& glance) -> Number { return glance.fragments().median_area(); }},
+    {"fragments.dust",
+     "m2",
+     "Area of the nodes that have lost all bonds.",
+     {.dear = true},
+     [](Glance& glance) -> Number { return glance.fragments().dust; }},
 });
 
 struct LoadValue {
@@ -239,6 +277,17 @@ const std::vector<float>& Glance::field(std::string_view name) {
     field_name_ = name;
   }
   return field_;
+}
+
+const FragmentList& Glance::fragments() {
+  if (!fragments_) fragments_ = measured_fragments(*view_);
+  return *fragments_;
+}
+
+const std::optional<Fracture>& Glance::fracture() {
+  if (!fracture_)
+    fracture_ = fracture_if_any(*view_, {.along = cracks_->direction(), .who = "log"});
+  return *fracture_;
 }
 
 std::span<const Quantity> quantities() {

@@ -11,6 +11,8 @@
 
 #include "measure/crack_track.hpp"
 #include "measure/energy.hpp"
+#include "measure/fracture.hpp"
+#include "measure/fragment_list.hpp"
 #include "solver/reaction.hpp"
 #include "solver/view.hpp"
 
@@ -31,6 +33,9 @@ class Glance {
   const Ledger& ledger();
   const std::vector<Reaction>& reactions();
   const std::vector<float>& field(std::string_view name);  // a field of pictures
+  const FragmentList& fragments();
+  // Of the tip of the cracks; nothing where it cannot be measured.
+  const std::optional<Fracture>& fracture();
 
  private:
   const View* view_;
@@ -39,6 +44,8 @@ class Glance {
   std::optional<Energy> energy_;
   std::optional<Ledger> ledger_;
   std::optional<std::vector<Reaction>> reactions_;
+  std::optional<FragmentList> fragments_;
+  std::optional<std::optional<Fracture>> fracture_;
   std::string field_name_;
   std::vector<float> field_;
 };

@@ -61,12 +61,6 @@ TEST(Cracks, TheTipIsTheFarthestNode) {
               2e-3);  // a horizon: nodes there have lost fewer bonds
 }
 
-TEST(Fragments, AreListedTheLargestFirst) {
-  Plate plate = test::bare_plate(30, 20);
-  plate.cracks.push_back({{5e-3, 0.0}, {5e-3, plate.height}});
-  EXPECT_EQ(fragment_sizes(Simulation(plate, test::numerics(), {1})), (std::vector<int>{400, 200}));
-}
-
 TEST(Foremost, IsTheFarthestNodeOnACrackInThatDirection) {
   Field damage = none();
   EXPECT_FALSE(foremost(damage, grid, {1, 0}));

@@ -38,14 +38,6 @@ constexpr FunctionDoc cracks_doc{
     .options = cracks_options,
     .example = "tip = s:cracks { from = {0, 10*mm}, to = {100*mm, 30*mm} }.right"};
 
-constexpr FunctionDoc fragments_doc{.name = "fragments",
-                                    .owner = "s",
-                                    .call = Call::values,
-                                    .sentence =
-                                        "Lists the fragments by size: the number of nodes in each "
-                                        "part that bonds hold together, the largest first.",
-                                    .example = "print(#s:fragments())"};
-
 constexpr std::array at_options{
     Option{.name = "place",
            .type = OptionType::point,
@@ -103,18 +95,6 @@ int find_cracks(lua_State* L) {
   return 1;
 }
 
-int fragments(lua_State* L) {
-  const Simulation& simulation = self<ScriptedRun>(L, fragments_doc).results();
-  Arguments::from_values(L, 2, fragments_doc).problems.throw_if_any();
-  lua_newtable(L);
-  lua_Integer place = 0;
-  for (const int size : fragment_sizes(simulation)) {
-    lua_pushinteger(L, size);
-    lua_rawseti(L, -2, ++place);
-  }
-  return 1;
-}
-
 // Returns the column or row of the node nearest to `x` spacings from the lower left corner.
 int nearest(double x, int count, const char* axis) {
   if (!(x >= 0.0 && x <= count))
@@ -158,7 +138,6 @@ int at(lua_State* L) {
 
 std::span<const Function> measure_methods() {
   static constexpr std::array methods{Function{&cracks_doc, guarded<find_cracks>},
-                                      Function{&fragments_doc, guarded<fragments>},
                                       Function{&at_doc, guarded<at>}};
   return methods;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries about the state of a simulation: s:cracks, s:fragments, s:at.
+// Queries about the state of a simulation: s:cracks, s:at.
 #pragma once
 
 #include <span>

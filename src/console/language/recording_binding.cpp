@@ -11,6 +11,7 @@
 #include "base/units.hpp"
 #include "console/language/background_binding.hpp"
 #include "console/language/chart_binding.hpp"
+#include "console/language/fracture_binding.hpp"
 #include "console/language/gauge_binding.hpp"
 #include "console/language/recording_docs.hpp"
 #include "console/language/scripted_recording.hpp"
@@ -158,8 +159,9 @@ constexpr std::array own_methods{Function{&recorded_frame_doc, guarded<frame>},
 
 std::vector<Function> all_methods_of_recording() {
   std::vector<Function> all(own_methods.begin(), own_methods.end());
-  for (const std::span<const Function> part : {recorded_series_methods(), recorded_chart_methods(),
-                                               recorded_gauge_methods(), recorded_values_methods()})
+  for (const std::span<const Function> part :
+       {recorded_series_methods(), recorded_chart_methods(), recorded_gauge_methods(),
+        recorded_values_methods(), recorded_fracture_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -38,10 +38,10 @@ TEST(MeasureBinding, CracksSideBySideAreNoFork) {
 
 TEST(MeasureBinding, CountsFragmentsTheLargestFirst) {
   EXPECT_EQ(test::message_of(test::scene + R"(
-    assert(#s:fragments() == 1 and s:fragments()[1] == 1000)
+    assert(#s:fragments() == 1 and s:fragments()[1].nodes == 1000)
     p:crack { from = {20*mm, 0}, to = {20*mm, 40*mm} }
     local list = simulate(p, { spacing = 2*mm }):fragments()
-    assert(#list == 3 and list[1] == 800 and list[2] == 100 and list[3] == 100)
+    assert(#list == 3 and list[1].nodes == 800 and list[2].nodes == 100 and list[3].nodes == 100)
   )"),
             "");
 }
@@ -127,7 +127,7 @@ TEST(MeasureBinding, RefusesBadInput) {
            {"cracks { from = {1, 0}, to = {0, 1} }", "the area is empty"},
            {"cracks { form = {0, 0} }", "did you mean 'from'?"},
            {"cracks(3)", "expected options in braces"},
-           {"fragments(2)", "one value too many"},
+           {"fragments(2)", "expected options in braces"},
            {"at()", "place is missing"},
            {"at({1, 0})", "beyond the plate along x"},
            {"at({0, -1*mm})", "beyond the plate along y"},

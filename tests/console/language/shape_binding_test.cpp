@@ -45,10 +45,10 @@ TEST(ShapeBinding, APlateIsCutToItsOutline) {
   EXPECT_EQ(test::message_of(R"(
     local d = plate { outline = { centre = {25*mm, 25*mm}, radius = 25*mm }, material = 'duran50' }
     assert(math.abs(d.width - 50*mm) < 1e-9 and math.abs(d.height - 50*mm) < 1e-9)
-    local nodes = simulate(d, { spacing = 0.5*mm }):fragments()[1]
+    local nodes = simulate(d, { spacing = 0.5*mm }):fragments()[1].nodes
     assert(math.abs(nodes / (math.pi * 50^2) - 1) < 0.01, 'nodes: ' .. nodes)
     d:keep { points = {{0, 0}, {50*mm, 0}, {50*mm, 25*mm}, {0, 25*mm}} }
-    assert(math.abs(simulate(d, { spacing = 0.5*mm }):fragments()[1] / nodes - 0.5) < 0.01)
+    assert(math.abs(simulate(d, { spacing = 0.5*mm }):fragments()[1].nodes / nodes - 0.5) < 0.01)
     assert(tostring(d):find('2 outlines', 1, true), tostring(d))
   )"),
             "");
@@ -59,7 +59,7 @@ TEST(ShapeBinding, SeveralAreasAreKeptTogether) {
     p:keep { any = { { centre = {20*mm, 20*mm}, radius = 10*mm, inner = 5*mm },
                      { from = {60*mm, 20*mm}, to = {80*mm, 20*mm}, width = 10*mm } }, name = 'rim' }
     local s = simulate(p, { spacing = 0.25*mm, horizon = 0.75*mm })
-    local slot, ring = s:fragments()[1] * 0.25^2, s:fragments()[2] * 0.25^2
+    local slot, ring = s:fragments()[1].nodes * 0.25^2, s:fragments()[2].nodes * 0.25^2
     assert(#s:fragments() == 2)
     assert(math.abs(slot / (20*10 + math.pi * 5^2) - 1) < 0.02, 'slot: ' .. slot)
     assert(math.abs(ring / (math.pi * (10^2 - 5^2)) - 1) < 0.02, 'ring: ' .. ring)
