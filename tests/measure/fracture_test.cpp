@@ -69,11 +69,6 @@ void expect_intensities(const Fracture& found, const Vec2& wanted, double tolera
   EXPECT_NEAR(found.williams->T, 0.0, within / std::sqrt(0.01));
   EXPECT_NEAR(found.K_J(), wanted.norm(), within);
   EXPECT_LT(found.spread(), 2e-3);
-  std::printf("%.4f %.4f W %.4f %.4f KJ %.4f spread %.5f T %.4f misfit %.4f\n",
-              *found.K_I() / wanted.x(), *found.K_II() / wanted.y(),
-              found.williams->K_I / wanted.x(), found.williams->K_II / wanted.y(),
-              found.K_J() / wanted.norm(), found.spread(), found.williams->T * 0.1 / wanted.norm(),
-              found.williams->misfit);
 }
 
 TEST(Fracture, FindsTheIntensitiesOfBothModesAlongBothAxes) {
@@ -91,7 +86,7 @@ TEST(Fracture, FindsTheIntensitiesOfBothModesAlongBothAxes) {
 TEST(Fracture, FindsThemAtAnAngle) {
   const Vec2 ahead(std::cos(0.5), std::sin(0.5)), intensity(3e4, 2e4), middle(0.02, 0.02);
   Plate plate = test::bare_plate(80, 80);
-  plate.cracks.push_back({middle - 0.03 * ahead, middle, Born::absent});
+  plate.cracks.push_back({middle - 0.022 * ahead, middle, Born::absent});
   const Simulation simulation = around_a_tip(plate, ahead, intensity, 3.0);
   const Fracture found = fracture(simulation, {.tip = middle});
   EXPECT_NEAR(found.frame.ahead.dot(ahead), 1.0, 1e-3);
@@ -100,10 +95,10 @@ TEST(Fracture, FindsThemAtAnAngle) {
 
 // A strip of `rows` free rows between rigid grips that have moved apart, at rest.
 Simulation strip_at_rest(int rows, int m, double shift) {
-  const int columns = 8 * rows, all = rows + 2 * m;
+  const int columns = 12 * rows, all = rows + 2 * m;
   Plate plate = test::bare_plate(columns, all);
   plate.cracks.push_back(
-      {{0.0, 0.5 * plate.height}, {4.0 * rows * spacing, 0.5 * plate.height}, Born::broken});
+      {{0.0, 0.5 * plate.height}, {6.0 * rows * spacing, 0.5 * plate.height}, Born::broken});
   for (const auto& [edge, sign] : {std::pair{Edge::top, 1.0}, {Edge::bottom, -1.0}}) {
     Support support;
     support.region = strip(plate, edge, m * spacing);
@@ -115,8 +110,8 @@ Simulation strip_at_rest(int rows, int m, double shift) {
   return simulation;
 }
 
-// Returns the energy of the bonds per length of the strip, J/m2, two heights of the strip ahead of
-// the tip less that far behind it.
+// Returns the energy of the bonds per length of the strip, J/m2, three heights of the strip ahead
+// of the tip less that far behind it.
 double energy_set_free(const Simulation& simulation) {
   const Grid& grid = simulation.lattice().grid;
   const std::vector<double> energy = energy_densities(simulation);
@@ -131,16 +126,8 @@ TEST(Fracture, OfAStripIsTheEnergyThatItsCrackSetsFree) {
   for (const auto& [rows, m] : {std::pair{20, 3}, {20, 4}}) {
     const Simulation simulation = strip_at_rest(rows, m, 1e-7);
     const Fracture found = fracture(simulation, {});
-    EXPECT_NEAR(found.J(), energy_set_free(simulation), 2e-3 * found.J());
+    EXPECT_NEAR(found.J(), energy_set_free(simulation), 4e-3 * found.J());
     EXPECT_LT(found.spread(), 2e-3);
-    const double H = (rows + 1) * spacing, e = 2e-7 / H,
-                 wanted = 0.5 * simulation.lattice().calibration.moduli.C11 * e * e * H;
-    const double K = std::sqrt(wanted * found.moduli.stiffness());
-    std::printf(
-        "strip %d %d J/free %.4f J/LEFM %.4f KJ %.4f KI %.4f W %.4f spread %.4f  clear %.3g %.3g\n",
-        rows, m, found.J() / energy_set_free(simulation), found.J() / wanted, found.K_J() / K,
-        found.K_I().value_or(0) / K, found.williams ? found.williams->K_I / K : 0.0, found.spread(),
-        found.clear.along / spacing / m, found.clear.all_round / spacing / m);
   }
 }
 

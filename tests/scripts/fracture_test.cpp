@@ -18,7 +18,7 @@ void expect_handbook(const std::string& body, const char* spacing, const char* t
   console.evaluate(body);
   console.evaluate(fmt::format(
       "s = simulate(p, {{ spacing = {0}, horizon = 3*{0}, surface = 'energy' }}) s:relax()\n"
-      "f = s:fracture {}",
+      "f = s:fracture {1}",
       spacing, tip));
   const auto number = [&](const char* what) { return std::stod(console.evaluate(what).at(0)); };
   EXPECT_NEAR(number("f.K_J/K"), 1.0, 0.03);
