@@ -43,7 +43,5 @@ TEST(FractureOfBodies, OfACompactTensionSpecimenIsThatOfE399) {
                   "{ tip = at.tip, direction = {1, 0} }");
 }
 
-// A crack in motion takes what the strip ahead of it holds (Rice 1967), whatever its speed: what its
-// bonds take, and what they radiate.
 }  // namespace
 }  // namespace hackle
