@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "measure/bond_field.hpp"
+#include "scene/geometry.hpp"
 
 namespace hackle {
 namespace {
@@ -22,10 +23,6 @@ void for_each_node(const Lattice& lattice, const std::vector<int>& numbers, cons
       const double mass = lattice.material_at(i, j).material.rho * grid.dx * grid.dx;
       visit(numbers[grid.index(i, j)], i, j, mass);
     }
-}
-
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
 }
 
 class Measurement {
