@@ -90,7 +90,7 @@ TEST(Fracture, FindsThemAtAnAngle) {
   const Simulation simulation = around_a_tip(plate, ahead, intensity, 3.0);
   const Fracture found = fracture(simulation, {.tip = middle});
   EXPECT_NEAR(found.frame.ahead.dot(ahead), 1.0, 1e-3);
-  expect_intensities(found, intensity, 0.08);
+  expect_intensities(found, intensity, 0.1);
 }
 
 // A strip of `rows` free rows between rigid grips that have moved apart, at rest.
@@ -126,7 +126,7 @@ TEST(Fracture, OfAStripIsTheEnergyThatItsCrackSetsFree) {
   for (const auto& [rows, m] : {std::pair{20, 3}, {20, 4}}) {
     const Simulation simulation = strip_at_rest(rows, m, 1e-7);
     const Fracture found = fracture(simulation, {});
-    EXPECT_NEAR(found.J(), energy_set_free(simulation), 4e-3 * found.J());
+    EXPECT_NEAR(found.J(), energy_set_free(simulation), 2e-3 * found.J());
     EXPECT_LT(found.spread(), 2e-3);
   }
 }
