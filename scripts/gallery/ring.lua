@@ -35,5 +35,5 @@ s:frame { "ring.png", width = 800 }
 print(s:report())
 
 local large = 0
-for _, nodes in ipairs(s:fragments()) do if nodes > 50 then large = large + 1 end end
+for _, one in ipairs(s:fragments()) do if one.nodes > 50 then large = large + 1 end end
 expect { "fragments of more than 50 nodes", got = large, min = 10, source = "Mott: a ring breaks into many" }

@@ -50,7 +50,7 @@ class Measurement {
   const Vec2& velocity(int i, int j) const { return velocities_[view_.lattice().grid.index(i, j)]; }
 
   void add_momenta() {
-    const double cell = std::pow(view_.lattice().grid.dx, 2);
+    const double dx = view_.lattice().grid.dx;
     int loose = 0;
     for_each_node(view_.lattice(), numbers_, [&](int number, int i, int j, double mass) {
       if (number == 0) {
@@ -58,13 +58,13 @@ class Measurement {
         return;
       }
       MeasuredFragment& one = fragment(number);
-      one.area = ++one.nodes * cell;
+      one.area = ++one.nodes * dx * dx;
       one.mass += mass;
       one.centre += mass * place(i, j);
       one.velocity += mass * velocity(i, j);
       one.kinetic += 0.5 * mass * velocity(i, j).squaredNorm();
     });
-    found_.dust = loose * cell;
+    found_.dust = loose * dx * dx;
     for (MeasuredFragment& one : found_.all) {
       one.centre /= one.mass;
       one.velocity /= one.mass;

@@ -51,7 +51,7 @@ TEST_F(Drawing, HasItsAreaAndSize) {
     p = plate {{ outline = part.outline, material = 'pmma' }}
     assert(math.abs(p.width - 65*mm) < 1e-6 and math.abs(p.height - 30*mm) < 1e-9)
     for _, hole in ipairs(part.holes) do p:hole(hole) end
-    local found = simulate(p, {{ spacing = 0.25*mm }}):fragments()[1]/16
+    local found = simulate(p, {{ spacing = 0.25*mm }}):fragments()[1].nodes/16
     assert(math.abs(found/{:.17g} - 1) < 0.005, found))",
                                                           area)),
             "");

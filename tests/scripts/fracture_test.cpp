@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// J and K of handbook bodies with 20 nodes in the ligament, with surface = "energy" and m = 3. Measured
-// errors at two spacings: tests/README.md, "Fracture mechanics".
+// J and K of handbook bodies with 20 nodes in the ligament, with surface = "energy" and m = 3.
+// Measured errors at two spacings: tests/README.md, "Fracture mechanics".
 #include <cmath>
 #include <string>
 
@@ -12,7 +12,8 @@
 namespace hackle {
 namespace {
 
-// Solves the body of plate p and table `at` and expects its K within 3 % and its spread below 0.2 %.
+// Solves the body of plate p and table `at` and expects its K within 3 % and its spread below 0.2
+// %.
 void expect_handbook(const std::string& body, const char* spacing, const char* tip) {
   Console console(test::quiet());
   console.evaluate(body);

@@ -47,7 +47,7 @@ TEST(Gallery, TheRingFliesApart) {
   test::WatchedScript script("gallery/ring.lua", {}, "interval = 2*us");
   EXPECT_TRUE(script.holds(R"((function()
     local large = 0
-    for _, nodes in ipairs(runs[1].s:fragments()) do if nodes > 50 then large = large + 1 end end
+    for _, one in ipairs(runs[1].s:fragments()) do if one.nodes > 50 then large = large + 1 end end
     return large >= 10
   end)())"));
   EXPECT_EQ(script.pictures(), 1U);
