@@ -2,6 +2,7 @@
 #include "measure/crack_growth.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lattice/carve.hpp"
 #include "measure/crack_bands.hpp"
@@ -93,6 +94,7 @@ void CrackGrowth::look(const View& view) {
   if (step_ < 0) since_ = view.time();
   if (step_ >= 0) interval_ = std::max(interval_, view.time() - time_);
   catch_up(view);
+  any_broken_ = any_broken_ || !(view.state().bonds == view.lattice().bonds);
   step_ = view.state().step;
   clock_ = view.state().clock;
   time_ = view.time();
@@ -110,8 +112,13 @@ void CrackGrowth::follow(const Simulation& simulation) {
   if (untouched) since_ = time_;
   interval_ = std::max(interval_, simulation.dt());
   if (simulation.broken_bonds().empty() || untouched) return;
-  if (initial_.empty()) return catch_up(simulation.view().at_step());
-  for (const LostBond& bond : just_broken(simulation)) {
+  const std::vector<LostBond> lost = just_broken(simulation);
+  if (initial_.empty()) {
+    catch_up(simulation.view().at_step());
+    return note_first(lost);
+  }
+  note_first(lost);
+  for (const LostBond& bond : lost) {
     const std::size_t one = grid_.index(bond.i, bond.j);
     const std::size_t other = grid_.index(bond.i + bond.a, bond.j + bond.b);
     --left_[one];
@@ -119,6 +126,22 @@ void CrackGrowth::follow(const Simulation& simulation) {
     examine(one, time_);
     examine(other, time_);
   }
+}
+
+void CrackGrowth::note_first(const std::vector<LostBond>& lost) {
+  if (std::exchange(any_broken_, true) || lost.empty()) return;
+  const auto middle = [](const LostBond& bond) {
+    return Vec2(bond.i + 0.5 * bond.a, bond.j + 0.5 * bond.b);
+  };
+  const Vec2 first = middle(lost.front());
+  Vec2 sum(0.0, 0.0);
+  double count = 0.0;
+  for (const LostBond& bond : lost) {
+    if ((middle(bond) - first).norm() > m_) continue;
+    sum += middle(bond);
+    count += 1.0;
+  }
+  first_break_ = {time_, grid_.position(0, 0) + grid_.dx * sum / count};
 }
 
 void CrackGrowth::count(const Simulation& simulation) {

@@ -6,8 +6,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "measure/just_broken.hpp"
 #include "solver/simulation.hpp"
 #include "solver/view.hpp"
 
@@ -37,6 +39,14 @@ class CrackGrowth {
   double interval() const { return interval_; }  // s, the longest between two looks
   double rayleigh() const { return rayleigh_; }  // m/s, speed of Rayleigh waves
 
+  // The first bond that broke: the middle of those that broke with it within a horizon. Nothing
+  // before one has, or if one had when the growth was first seen.
+  struct FirstBreak {
+    double time = 0.0;  // s
+    Vec2 place{0, 0};   // m
+  };
+  const std::optional<FirstBreak>& first_break() const { return first_break_; }
+
   // The nodes on cracks in the order of their arrival, by Grid::index.
   const std::vector<std::size_t>& nodes() const { return nodes_; }
   // Returns when a node came onto a crack, s; or one of the two above.
@@ -51,6 +61,7 @@ class CrackGrowth {
   void catch_up(const View& view);
   void examine(std::size_t node, double time);
   void mark_absent_cracks(const Plate& plate);
+  void note_first(const std::vector<LostBond>& lost);
 
   Grid grid_{};
   double m_ = 0.0;
@@ -63,6 +74,8 @@ class CrackGrowth {
   std::vector<std::uint16_t> initial_, left_;  // bonds of a node; empty before the first breaks
   std::vector<double> arrival_;
   std::vector<std::size_t> nodes_;
+  bool any_broken_ = false;
+  std::optional<FirstBreak> first_break_;
 };
 
 }  // namespace hackle

@@ -25,6 +25,14 @@ std::string material_text(const Lattice& lattice) {
                      grouped(static_cast<std::int64_t>(lattice.grid.nodes()) - removed));
 }
 
+// Returns a line for each sentence.
+std::string account_lines(const std::vector<std::string>& account) {
+  std::string lines;
+  for (const std::string& sentence : account)
+    lines += fmt::format("\n  {}{}", lines.empty() ? "account  " : "         ", sentence);
+  return lines;
+}
+
 std::string lattice_line(const Simulation& simulation, const Summary& summary) {
   const Numerics& numerics = simulation.numerics();
   return fmt::format("{} nodes{}, {} bonds; spacing {}, horizon {} (m = {:.4g}); {} quadrature",
@@ -122,13 +130,15 @@ std::string tiles_line(const Summary& summary) {
 
 std::string report(const Simulation& simulation, const Summary& summary) {
   return fmt::format(
-      "{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}{}\n  steps    "
+      "{}{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}{}\n  steps  "
+      "  "
       "{}\n  tiles    "
       "{}\n  wall     {}\n  state    {}",
-      describe(simulation.plate()), lattice_line(simulation, summary), model_line(simulation),
-      time_line(summary), damage_line(summary), energy_line(summary.energy),
-      reactions_line(summary.reactions), describe_features(simulation), tiles_line(summary),
-      wall_line(simulation, summary), summary.hash);
+      describe(simulation.plate()), account_lines(summary.account),
+      lattice_line(simulation, summary), model_line(simulation), time_line(summary),
+      damage_line(summary), energy_line(summary.energy), reactions_line(summary.reactions),
+      describe_features(simulation), tiles_line(summary), wall_line(simulation, summary),
+      summary.hash);
 }
 
 std::vector<std::string> remarks(const Simulation& simulation) {

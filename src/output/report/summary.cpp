@@ -99,6 +99,10 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   json["residual_share"] = residual_share(summary.energy);
   json["damage"] = {{"broken_bonds", summary.damage.broken_bonds}, {"max", summary.damage.max}};
   if (!summary.reactions.empty()) json["reactions"] = to_json(summary.reactions);
+  json["account"] = summary.account;
+  if (const auto& first = summary.first_break)
+    json["first_break"] = {{"time_s", first->time},
+                           {"place_m", {first->place.x(), first->place.y()}}};
   if (!summary.events.empty()) json["events"] = to_json(summary.events, summary.rayleigh);
   json["peak_rss_bytes"] = summary.peak_rss;
   json["hash"] = summary.hash;

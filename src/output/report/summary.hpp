@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,9 @@ struct Summary {
   StageSeconds wall;
   Energy energy;  // J/m
   DamageCount damage;
-  std::vector<Reaction> reactions;           // of bodies, supports and foundations
+  std::vector<Reaction> reactions;   // of bodies, supports and foundations
+  std::vector<std::string> account;  // what happened, in sentences; see account.hpp
+  std::optional<CrackGrowth::FirstBreak> first_break;
   std::vector<CrackEvent> events;            // of the cracks
   double rayleigh = 0.0;                     // m/s, speed of Rayleigh waves
   std::uint64_t peak_rss = 0;                // bytes, of the process

@@ -22,6 +22,7 @@
 #include "output/files/series_output.hpp"
 #include "output/picture/chart_data.hpp"
 #include "output/picture/painting.hpp"
+#include "output/report/account.hpp"
 #include "output/report/notes.hpp"
 #include "output/report/report.hpp"
 #include "output/run/rehearsal.hpp"
@@ -118,6 +119,14 @@ struct Run::Parts {
   void note(const Tell& tell) const {
     if (outputs.closed() || rehearsing) return;
     for (const auto& journal : journals) tell(*journal);
+  }
+
+  void tell_of_cracks(Summary& summary) const {
+    const CrackGraph graph = growth.empty() ? CrackGraph() : hackle::crack_graph(growth);
+    summary.events = graph.events;
+    summary.rayleigh = graph.rayleigh;
+    summary.first_break = growth.first_break();
+    if (!rehearsing && !pretends) summary.account = account_of(simulation, summary, growth, graph);
   }
 
   // Outputs, watchers and `others` look on while the simulation goes where it aims.
@@ -525,11 +534,7 @@ Summary Run::summary() const {
   summary.script = parts_->origin.script_name;
   summary.notes = parts_->notes.all();
   summary.wall.setup = parts_->setup_seconds;
-  if (!parts_->growth.empty()) {
-    const CrackGraph graph = hackle::crack_graph(parts_->growth);
-    summary.events = graph.events;
-    summary.rayleigh = graph.rayleigh;
-  }
+  parts_->tell_of_cracks(summary);
   parts_->pictures.add_to(summary);
   parts_->outputs.add_to(summary);
   summary.files.insert(summary.files.end(), parts_->saved.begin(), parts_->saved.end());

@@ -35,7 +35,7 @@ TEST(Summary, HasTheKeysOfSchemaOneInOrder) {
                                          "dt_s", "dt_limit_s", "precision", "threads", "tile_paths",
                                          "step_shares", "kernel_features", "wall_s",
                                          "node_steps_per_s", "energy_J_per_m", "residual_share",
-                                         "damage", "peak_rss_bytes", "hash", "files", "notes"));
+                                         "damage", "account", "peak_rss_bytes", "hash", "files", "notes"));
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["node_steps_per_s"], 1500.0);
   EXPECT_EQ(json["energy_J_per_m"]["residual"], 3.0);
