@@ -13,6 +13,7 @@
 #include "console/language/chart_binding.hpp"
 #include "console/language/fracture_binding.hpp"
 #include "console/language/gauge_binding.hpp"
+#include "console/language/graph_binding.hpp"
 #include "console/language/recording_docs.hpp"
 #include "console/language/scripted_recording.hpp"
 #include "console/language/series_binding.hpp"
@@ -161,7 +162,7 @@ std::vector<Function> all_methods_of_recording() {
   std::vector<Function> all(own_methods.begin(), own_methods.end());
   for (const std::span<const Function> part :
        {recorded_series_methods(), recorded_chart_methods(), recorded_gauge_methods(),
-        recorded_values_methods(), recorded_fracture_methods()})
+        recorded_values_methods(), recorded_fracture_methods(), recorded_graph_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

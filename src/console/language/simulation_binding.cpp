@@ -19,6 +19,7 @@
 #include "console/language/checkpoint_binding.hpp"
 #include "console/language/fracture_binding.hpp"
 #include "console/language/gauge_binding.hpp"
+#include "console/language/graph_binding.hpp"
 #include "console/language/load_binding.hpp"
 #include "console/language/measure_binding.hpp"
 #include "console/language/reaction_binding.hpp"
@@ -337,7 +338,7 @@ std::vector<Function> all_methods_of_simulation() {
        {std::span<const Function>(own_methods_of_simulation), load_methods_of_simulation(),
         relax_methods(), measure_methods(), steering_methods(), checkpoint_methods(),
         background_methods(), show_methods(), reaction_methods(), series_methods(), chart_methods(),
-        gauge_methods(), values_methods(), fracture_methods()})
+        gauge_methods(), values_methods(), fracture_methods(), graph_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

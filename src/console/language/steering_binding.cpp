@@ -18,8 +18,9 @@
 namespace hackle {
 namespace {
 
-enum class Event { every, breaks, damage };
-constexpr auto event_names = std::to_array<std::string_view>({"every", "break", "damage"});
+enum class Event { every, breaks, damage, nucleation, branch, coalescence, arrest, arrival };
+constexpr auto event_names = std::to_array<std::string_view>(
+    {"every", "break", "damage", "nucleation", "branch", "coalescence", "arrest", "arrival"});
 
 constexpr auto on_options = joined(
     std::array{Option{.name = "event",
@@ -28,12 +29,16 @@ constexpr auto on_options = joined(
                       .positional = true,
                       .choices = event_names,
                       .sentence = "Event: every (repeatedly), break (once, when the next bond "
-                                  "breaks) or damage (once, when a crack reaches an area)."},
+                                  "breaks), damage (once, when a crack reaches an area), or each "
+                                  "nucleation, branch, coalescence, arrest or arrival (at an edge "
+                                  "or hole) of cracks, see s:graph."},
                Option{.name = "call",
                       .type = OptionType::function,
                       .required = true,
                       .sentence = "Function called with the time, between two steps; it may change "
-                                  "loads, write pictures, and stop the run."},
+                                  "loads, write pictures, and stop the run. An event of cracks "
+                                  "is seen some time after it: s:graph().events has its time and "
+                                  "place."},
                Option{.name = "every",
                       .unit = "s",
                       .range = above(0.0),
@@ -54,7 +59,8 @@ constexpr FunctionDoc on_doc{
     .example =
         "s:on { \"every\", every = 1*us, call = function(t) print(t, s.energy.kinetic) end }\n"
         "s:on { \"damage\", from = {80*mm, 0}, to = {100*mm, 40*mm}, call = function() s:stop() "
-        "end }"};
+        "end }\n"
+        "s:on { \"branch\", call = function(t) print(#s:tips(), t) end }"};
 constexpr FunctionDoc stop_doc{
     .name = "stop",
     .owner = "s",
@@ -93,6 +99,11 @@ std::shared_ptr<Observer> watcher_of(const Arguments& arguments, Event event, co
   if (event == Event::every)
     return std::make_shared<Ticker>(std::move(function), arguments.number("every"), simulation);
   if (event == Event::breaks) return std::make_shared<BreakAlarm>(std::move(function), simulation);
+  if (event >= Event::nucleation) {
+    const int kind = static_cast<int>(event) - static_cast<int>(Event::nucleation);
+    return std::make_shared<CrackAlarm>(std::move(function), static_cast<CrackEventKind>(kind),
+                                        simulation);
+  }
   return std::make_shared<DamageAlarm>(std::move(function), area, arguments.number("above", 0.35),
                                        simulation);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "console/lua/lua_function.hpp"
+#include "measure/crack_graph.hpp"
 #include "output/files/schedule.hpp"
 #include "scene/loads.hpp"
 #include "solver/observer.hpp"
@@ -74,6 +75,27 @@ class BreakAlarm : public Watcher {
  private:
   bool rung_ = false;
   double start_;  // s
+};
+
+// Calls when it sees that something of a kind has happened to the cracks since it was set: a fork
+// is one only when its branches are apart.
+class CrackAlarm : public Watcher {
+ public:
+  CrackAlarm(LuaFunction function, CrackEventKind kind, const Simulation& simulation);
+
+  // Looks at the cracks when they have grown by about a horizon, or may have come to rest.
+  bool due(const Simulation& simulation) override;
+
+ private:
+  bool is_new(const CrackEvent& event, double horizon) const;
+  bool is_time_to_look(const Simulation& simulation) const;
+
+  CrackEventKind kind_;
+  CrackGrowth growth_;
+  std::size_t seen_nodes_ = 0;
+  double seen_time_;
+  std::int64_t seen_step_;
+  std::vector<CrackEvent> known_;
 };
 
 }  // namespace hackle
