@@ -12,7 +12,7 @@
 
 #include "base/units.hpp"
 #include "measure/bond_field.hpp"
-#include "measure/cracks.hpp"
+#include "measure/fragment_list.hpp"
 #include "output/report/ledger_remark.hpp"
 #include "output/report/ligament_remark.hpp"
 
@@ -173,13 +173,13 @@ class Teller {
   }
 
   void tell_fragments() {
-    const std::vector<int> sizes = fragment_sizes(simulation_.view());
-    if (sizes.size() < 2) return;
-    double all = 0.0;
-    for (const int size : sizes) all += size;
+    const FragmentList fragments = measured_fragments(simulation_.view());
+    if (fragments.all.size() < 2) return;
+    double area = 0.0;
+    for (const MeasuredFragment& one : fragments.all) area += one.area;
     told_.push_back(fmt::format("The plate is in {} pieces, the largest with {:.3g} % of it.",
-                                grouped(static_cast<long long>(sizes.size())),
-                                100.0 * sizes.front() / all));
+                                grouped(static_cast<long long>(fragments.all.size())),
+                                100.0 * fragments.all.front().area / area));
   }
 
   // tests/README.md, "How far a fork can be trusted", has the measurement.
