@@ -1,6 +1,6 @@
 -- hole_and_crack.lua: the paper's fourth plate. An edge crack and a hole grow together.
 --
--- 25.5 MPa on the short edges (paper, Fig. 8; its frames are at 34, 42 and 60 us). The paper's dimensions
+-- 25.5 MPa on the short edges (paper, Figs. 10 and 11; its frames are at 34, 42 and 60 us). The paper's dimensions
 -- are lost. A plate of 300 mm fits its times: the waves from the loaded edges meet at mid-height
 -- at 26 us.
 -- Expected: the edge crack and both sides of the hole have started by 34 us, have joined by 42 us, and
@@ -38,9 +38,9 @@ s:frame  { "hole_and_crack.png", field = "damage", width = 640 }
 print(s:report())
 
 -- 4. What it should give.
-expect { "crack and both sides of the hole have started", unit = "s", got = started, max = 35*us, source = "paper, Fig. 8: frame at 34 us" }
-expect { "crack and hole have joined", unit = "s", got = joined, max = 43*us, source = "paper, Fig. 8: frame at 42 us" }
+expect { "crack and both sides of the hole have started", unit = "s", got = started, max = 35*us, source = "paper, Fig. 11: frame at 34 us" }
+expect { "crack and hole have joined", unit = "s", got = joined, max = 43*us, source = "paper, Fig. 11: frame at 42 us" }
 local all = s:cracks()
-expect { "right end of the cracks", unit = "m", got = all.right, min = 99*mm, source = "paper, Fig. 8: frame at 60 us" }
+expect { "right end of the cracks", unit = "m", got = all.right, min = 99*mm, source = "paper, Fig. 11: frame at 60 us" }
 expect { "distance from mid-height: no fork", unit = "m", got = all.top and math.max(all.top - 150*mm, 150*mm - all.bottom), max = 6*mm,
-         source = "paper, Fig. 8" }
+         source = "paper, Fig. 11" }

@@ -46,6 +46,7 @@ std::vector<ValidationScript> ready_scripts() {
 
 [[noreturn]] void refuse(const std::string& name, const std::vector<ValidationScript>& all) {
   std::vector<std::string_view> known;
+  known.reserve(all.size());
   for (const ValidationScript& script : all) known.push_back(script.name);
   throw Error(ErrorKind::usage,
               fmt::format("validate: there is no check '{}'{}", name, did_you_mean(name, known)),

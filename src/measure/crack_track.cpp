@@ -104,7 +104,7 @@ void CrackTrack::look(const View& view) {
 }
 
 std::vector<double> CrackTrack::memory() const {
-  if (step_ < 0) return {};
+  if (step_ < 0) return recalled_;
   std::vector<double> memory{broken_energy_, length_};
   for (const Arrival& arrival : arrivals_)
     memory.insert(memory.end(), {arrival.time, arrival.along, arrival.energy});

@@ -25,7 +25,8 @@ class CrackTrack {
   // Takes up any state, looking at every bond.
   void look(const View& view);
 
-  // Returns what a state does not tell: how sums were rounded, and when the tip came where it is.
+  // Returns what a state does not tell: how sums were rounded, and when the tip came where it is;
+  // before the first state, what was recalled.
   std::vector<double> memory() const;
   // Called before the first state is taken up by follow(), which is that of the memory.
   void recall(std::vector<double> memory) { recalled_ = std::move(memory); }

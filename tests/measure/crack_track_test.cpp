@@ -84,5 +84,24 @@ TEST(CrackTrack, TheSpeedIsThatOfTheWayOverItsTime) {
   EXPECT_NEAR(track.speed(), mean, 0.15 * mean);  // an arrival more or less of eight
 }
 
+// A run that waits for its turn may be stopped again before it has gone on.
+TEST(CrackTrack, WhatWasRecalledIsRemembered) {
+  Simulation simulation(test::edge_crack(24e6), coarse(), {1});
+  CrackTrack track;
+  for (int k = 0; k < 60; ++k) {
+    track.follow(simulation);
+    simulation.step();
+  }
+  track.follow(simulation);
+  ASSERT_GT(track.broken_energy(), 0.0);
+  const std::vector<double> memory = track.memory();
+  CrackTrack later, latest;
+  later.recall(memory);
+  EXPECT_EQ(later.memory(), memory);
+  latest.recall(later.memory());
+  latest.follow(simulation);
+  EXPECT_EQ(latest.memory(), memory);
+}
+
 }  // namespace
 }  // namespace hackle

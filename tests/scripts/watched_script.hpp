@@ -19,7 +19,7 @@ inline constexpr double us = 1e-6, mm = 1e-3;
 // output of the script.
 inline const std::string watcher = R"(
 interval, runs, printed = 0.5*us, {}, ""
-local simulate_really = simulate
+local simulate_really, really = simulate, {}
 function print(...)
   for _, value in ipairs { ... } do printed = printed .. tostring(value) .. "\n" end
 end
@@ -44,11 +44,17 @@ function simulate(p, options)
       watch(run)
     end
   end
+  really[watched] = s
   return setmetatable(watched, { __index = function(_, name)
     local value = s[name]
     if type(value) ~= "function" then return value end
     return function(_, ...) return value(s, ...) end
   end })
+end
+local chart_really = chart
+function chart(options)
+  for k, one in ipairs(options.of) do options.of[k] = really[one] or one end
+  chart_really(options)
 end
 )";
 

@@ -33,6 +33,7 @@ constexpr auto groups = std::to_array<std::string_view>({
     "contact_sheet side_by_side recording frame",
     "close movie record",
     "cracks fragments fracture at report",
+    "graph tips on cracks fracture",
     "fracture log relax cracks",
     "log record report on chart",
     "chart log recording frame contact_sheet",

@@ -166,7 +166,8 @@ void ScriptCheckpoints::finish() {
 }
 
 void ScriptCheckpoints::keep_last() noexcept {
-  if (replay_.is_replaying() || replay_.has_failed()) return;  // nothing has been added
+  // Nothing has been added, or the run that failed has kept its own state, unless it had not begun.
+  if (replay_.is_replaying() || (replay_.has_failed() && !places_.empty())) return;
   for (int k = host_.count(); k > 0; --k)
     if (Run* run = host_.objects.run(k); run != nullptr && run->simulation().state().step > 0)
       return run->keep_last();

@@ -92,7 +92,8 @@ TEST(FractureBinding, RefusesBadInput) {
   EXPECT_THAT(told("fracture { {20*mm, 20*mm}, radii = {1*mm} }"), HasSubstr("too small"));
   EXPECT_THAT(told("fracture { tipp = {0, 0} }"), HasSubstr("did you mean 'tip'?"));
   EXPECT_THAT(told("fragments { 'a.png' }"), HasSubstr(".csv"));
-  EXPECT_THAT(told("fragments()[1].aera"), HasSubstr("area"));
+  EXPECT_THAT(test::message_of(two_pieces + "print(s:fragments()[1].aera)"),
+              HasSubstr("did you mean 'area'?"));
 }
 
 }  // namespace

@@ -141,7 +141,9 @@ TEST_F(CompletionTest, OptionsAreOfferedOnlyWhereTheirNameMayStand) {
 TEST_F(CompletionTest, ChoicesAreOfferedWithTheirQuotes) {
   EXPECT_THAT(offered("plate { plane = "), ElementsAre("\"strain\"", "\"stress\""));
   EXPECT_THAT(offered("plate { material = "), Contains("\"duran50\""));
-  EXPECT_THAT(offered("s:on { event = \""), ElementsAre("break", "damage", "every"));
+  EXPECT_THAT(offered("s:on { event = \""),
+              ElementsAre("arrest", "arrival", "branch", "break", "coalescence", "damage", "every",
+                          "nucleation"));
 }
 
 TEST_F(CompletionTest, AFunctionOfTheScriptThatBearsANameOfOursIsNotTakenForIt) {
