@@ -62,6 +62,7 @@ std::vector<ContourRing> default_rings_in(const Clearance& clear, double horizon
   const double inner = innermost * horizon, room = std::min(free, most_clear * horizon) - inner;
   const double width = std::min(most_width * horizon, 0.6 * room);
   std::vector<ContourRing> rings;
+  rings.reserve(default_rings);
   for (int k = 0; k < default_rings; ++k)
     rings.push_back({inner + 0.5 * width + (room - width) * k / (default_rings - 1), width});
   return rings;

@@ -37,7 +37,8 @@ std::vector<LostBond> just_broken(const Simulation& simulation) {
   const std::vector<LostBond> by_bit = bonds_by_bit(simulation.lattice().family);
   const NodeLayout layout = simulation.lattice().grid.layout();
   for (const BrokenBond& bond : each_once(simulation.broken_bonds())) {
-    LostBond one = by_bit[static_cast<std::size_t>(32 * bond.word + std::countr_zero(bond.bit))];
+    const int bit = 32 * bond.word + std::countr_zero(bond.bit);
+    LostBond one = by_bit[static_cast<std::size_t>(bit)];
     one.j = static_cast<int>(bond.at / layout.stride());
     one.i = static_cast<int>(bond.at - layout.at(0, one.j));
     lost.push_back(one);

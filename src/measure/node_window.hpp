@@ -15,12 +15,14 @@ struct NodeWindow {
   int left = 0, right = -1, bottom = 0, top = -1;
 
   std::size_t nodes() const {
-    return static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(top - bottom + 1);
+    const int columns = right - left + 1, rows = top - bottom + 1;
+    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   }
   bool contains(int i, int j) const { return i >= left && i <= right && j >= bottom && j <= top; }
   std::size_t index(int i, int j) const {
-    const auto columns = static_cast<std::size_t>(right - left + 1);
-    return static_cast<std::size_t>(j - bottom) * columns + static_cast<std::size_t>(i - left);
+    const int columns = right - left + 1, row = j - bottom, column = i - left;
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
   }
   template <class Visit>
   void for_each(const Visit& visit) const {

@@ -96,7 +96,8 @@ std::optional<WilliamsFit> fit_williams(const View& view, const TipFrame& frame,
                                         double outer, const PlaneModuli& moduli) {
   const std::vector<Fitted> nodes = fitted_nodes(view, frame, inner, outer);
   const auto rows = static_cast<Eigen::Index>(2 * nodes.size());
-  if (rows < 3 * (unknowns + 1)) return std::nullopt;
+  constexpr Eigen::Index fewest = 3 * (Eigen::Index{unknowns} + 1);
+  if (rows < fewest) return std::nullopt;
   Eigen::MatrixXd matrix(rows, unknowns);
   Eigen::VectorXd u(rows);
   for (std::size_t k = 0; k < nodes.size(); ++k) {

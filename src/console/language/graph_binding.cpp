@@ -181,7 +181,7 @@ void save_graph(lua_State* L, const CrackGraph& graph, const Arguments& argument
 }
 
 Arguments arguments_of(lua_State* L, const FunctionDoc& doc) {
-  const Arguments arguments = Arguments::from_table(L, 2, doc);
+  Arguments arguments = Arguments::from_table(L, 2, doc);
   arguments.problems.throw_if_any();
   if (arguments.has("file")) check_graph_ending("graph", arguments.text("file"));
   return arguments;
