@@ -32,7 +32,7 @@ std::vector<Reach> reaches_of(const Family& family) {
 
 }  // namespace
 
-CrackTrack::CrackTrack(const Vec2& direction) : direction_(direction.normalized()) {
+CrackTrack::CrackTrack(const Vec2& direction) : direction_(direction.stableNormalized()) {
 }
 
 void CrackTrack::begin_anew(const View& view) {

@@ -32,14 +32,14 @@ TipFrame frame_of(const View& view, const FractureOptions& options) {
     const auto found = foremost_tip(view, options.along);
     if (!found)
       throw refusal(options, "there is no crack", "give its tip, or wait until something breaks");
-    return options.ahead ? TipFrame{found->tip, options.ahead->normalized()} : *found;
+    return options.ahead ? TipFrame{found->tip, options.ahead->stableNormalized()} : *found;
   }
   const Grid& grid = view.lattice().grid;
   const Vec2 place = grid.from_centre(*options.tip);
   if (std::abs(place.x()) > 0.5 * grid.nx || std::abs(place.y()) > 0.5 * grid.ny)
     throw refusal(options, fmt::format("the tip {} lies off the plate", text_of(*options.tip)),
                   "the origin is the lower left corner of the plate");
-  if (options.ahead) return {*options.tip, options.ahead->normalized()};
+  if (options.ahead) return {*options.tip, options.ahead->stableNormalized()};
   const auto ahead = direction_at(view, *options.tip);
   if (!ahead)
     throw refusal(options,

@@ -93,9 +93,9 @@ std::optional<TipFrame> foremost_tip(const View& view, const Vec2& along) {
   const Grid& grid = view.lattice().grid;
   const double m = view.lattice().family.m();
   const Field field{"damage", "", 1, gaps(view)};
-  const std::optional<Vec2> foremost_node = foremost(field, grid, along.normalized());
+  const std::optional<Vec2> foremost_node = foremost(field, grid, along.stableNormalized());
   if (!foremost_node) return std::nullopt;
-  TipFrame frame{*foremost_node, along.normalized()};
+  TipFrame frame{*foremost_node, along.stableNormalized()};
   if (const auto ahead = away_from_gaps(field.values, grid, m, frame.tip)) frame.ahead = *ahead;
   const GapsBesideLine beside(field.values, grid, frame.normal());
   frame.tip +=

@@ -75,6 +75,8 @@ TEST(FractureBinding, MeasuresTheSameInARecording) {
     assert(#f.rings == 4 and f.rings[1].radius < f.rings[4].radius)
     assert(math.abs(g.J/f.J - 1) < 1e-5, g.J/f.J)
     assert(math.abs(f.J_over_G0*f.G0/f.J - 1) < 1e-12)
+    local huge = s:fracture { direction = {1e300, 0} }  -- no length but a direction
+    assert(huge.J == s:fracture { direction = {1, 0} }.J and huge.dx == 1)
     local one = s:fracture { {30*mm, 30*mm}, radii = {8*mm} }
     assert(#one.rings == 1 and math.abs(one.J/f.J - 1) < 0.02)
   )",
