@@ -93,7 +93,7 @@ double step_limit(const Family& family, double c, double rho, double dx, const T
       std::sqrt(touching.nodes * c * dx / (family.m() * rho) + touching.springs / rho);
   const double omega = std::hypot(bonds, others) / touching.left_by_drag;
   const double zeta = 0.5 * touching.stiffness_damping * bonds * bonds / omega;
-  return 2.0 / omega * (std::hypot(1.0, zeta) - zeta);
+  return 2.0 / omega / (std::hypot(1.0, zeta) + zeta);  // without a difference of large numbers
 }
 
 }  // namespace hackle

@@ -24,7 +24,7 @@ double rounded_down(double step) {
 // multiple: moments that are written in round numbers then lie at steps.
 double dividing(double longest) {
   constexpr double max_loss = 0.05;
-  if (!std::isfinite(longest)) return longest;
+  if (!std::isfinite(longest) || !(longest > 0.0)) return longest;
   for (double exponent = std::ceil(std::log10(longest));; ++exponent) {
     const double whole = std::pow(10.0, exponent);
     const double step = whole / std::ceil(whole / longest - 1e-9);
@@ -40,7 +40,10 @@ double default_step(double limit, double safety) {
 
 double default_step(const Plate& plate, const Lattice& lattice, double safety) {
   const double longest = longest_step_of_bodies(plate, lattice.grid.dx).longest;
-  return std::min(default_step(lattice.step_limit, safety), dividing(longest));
+  const double step = std::min(default_step(lattice.step_limit, safety), dividing(longest));
+  if (step > 0.0) return step;
+  throw Error(ErrorKind::refused, "simulate: no step is short enough for this plate",
+              "its damping, contacts or bodies are too stiff or too fast");
 }
 
 void check_step(const Plate& plate, const Lattice& lattice, double dt, std::string_view who) {

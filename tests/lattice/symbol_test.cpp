@@ -62,6 +62,19 @@ TEST(StepLimit, IsThePublishedOne) {
   EXPECT_NEAR(step_limit(family, calibration.c, 2235.0, dx), 234.0e-9, 0.5e-9);
 }
 
+// src/lattice/README.md 4.7: for large beta it falls as 2/(beta omega^2), by no more than rounding.
+TEST(StepLimit, OfStrongDampingIsNeverNothing) {
+  const Family family(4.0, Quadrature::full);
+  const Calibration calibration = calibrate(family, test::duran50(), dx, Constants::continuum);
+  const double plain = step_limit(family, calibration.c, 2235.0, dx), omega = 2.0 / plain;
+  for (const double beta : {1.0, 1e9, 1e100}) {
+    Touching touching;
+    touching.stiffness_damping = beta;
+    const double limit = step_limit(family, calibration.c, 2235.0, dx, touching);
+    EXPECT_NEAR(limit * beta * omega * omega / 2.0, 1.0, 1e-9) << beta;
+  }
+}
+
 TEST(StepLimit, MatchesThePeersTableInDimensionlessForm) {
   // src/lattice/README.md 4.3: the limit in dx sqrt(rho/E), continuum constants, full quadrature;
   // here from coarser samples of the symbol, which miss its peak by up to 0.2 %: they may lie above

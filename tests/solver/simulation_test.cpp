@@ -34,6 +34,7 @@ class Watcher : public Observer {
 
 // Nine tenths of the limit are 209.1 ns, of which neither 1 us nor 10 us is a multiple.
 TEST(Simulation, TheDefaultStepDividesRoundTimes) {
+  EXPECT_EQ(default_step(0.0), 0.0);  // nothing divides, and nothing is searched for ever
   EXPECT_DOUBLE_EQ(default_step(232.38e-9), 200e-9);
   EXPECT_DOUBLE_EQ(default_step(1.15), 1.0);
   EXPECT_DOUBLE_EQ(default_step(0.36e-6), 10e-6 / 31.0);
