@@ -86,7 +86,8 @@ class Maker {
  public:
   Maker(const CrackGrowth& growth, const CrackSkeleton& skeleton) : m_(growth.m()) {
     for (const SkeletonPath& path : skeleton.paths) made_.lines.push_back(line_of(growth, path));
-    for (CrackLine& line : made_.lines) part(line);
+    for (std::size_t number = 0; number < made_.lines.size(); ++number)
+      part(static_cast<int>(number));
     for (CrackLine& line : made_.lines) settle_origin(line);
     first_pieces_.assign(made_.lines.size(), -1);
     for (std::size_t number = 0; number < made_.lines.size(); ++number)
@@ -100,23 +101,41 @@ class Maker {
   CrackLine& line(int number) { return made_.lines[static_cast<std::size_t>(number)]; }
 
   // Paths may leave each other before their middles do. The first points of a line are rough.
-  void part(CrackLine& branch) {
+  void part(int number) {
+    CrackLine& branch = line(number);
     if (branch.parent < 0) return;
     const CrackLine& from = line(branch.parent);
+    const std::size_t left = branch.leaves;
     std::size_t common = 0;
     for (std::size_t k = 0; k + 2 < branch.points.size(); ++k) {
-      std::size_t nearest = branch.leaves;
-      for (std::size_t l = branch.leaves; l < from.points.size(); ++l)
-        if ((from.points[l] - branch.points[k]).norm() <
-            (from.points[nearest] - branch.points[k]).norm())
-          nearest = l;
+      const std::size_t nearest = nearest_to(branch.points[k], from, branch.leaves);
       const bool same = (from.points[nearest] - branch.points[k]).norm() <= common_middle;
       if (!same && static_cast<double>(k - common) > std::max(m_, 4.0)) break;
       if (!same) continue;
       branch.leaves = nearest;
       common = k;
     }
+    for (CrackLine& other : made_.lines)
+      if (other.parent == number) hang_anew(other, branch, common, left);
     drop_first(branch, common);
+  }
+
+  // Returns the point of a line, from one on, that is the nearest to a place.
+  static std::size_t nearest_to(const Vec2& place, const CrackLine& line, std::size_t first) {
+    std::size_t nearest = first;
+    for (std::size_t l = first; l < line.points.size(); ++l)
+      if ((line.points[l] - place).norm() < (line.points[nearest] - place).norm()) nearest = l;
+    return nearest;
+  }
+
+  // A line that hangs on one whose first points are about to go to that one's parent.
+  void hang_anew(CrackLine& other, const CrackLine& branch, std::size_t common, std::size_t left) {
+    if (other.leaves >= common) {
+      other.leaves -= common;
+      return;
+    }
+    other.leaves = nearest_to(branch.points[other.leaves], line(branch.parent), left);
+    other.parent = branch.parent;
   }
 
   static void drop_first(CrackLine& line, std::size_t count) {

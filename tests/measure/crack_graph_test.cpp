@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "lattice/crack_cut.hpp"
+#include "measure/crack_lines.hpp"
 #include "support/scenes.hpp"
 
 namespace hackle {
@@ -60,6 +61,13 @@ class Drawing {
     growth_.look(View(plate_, numerics_, lattice_, 1e-7, state_, cold));
   }
   CrackGraph graph() const { return crack_graph(growth_); }
+  const CrackGrowth& growth() const { return growth_; }
+  // Returns the node in whose cell a place lies.
+  std::size_t node_at(const Vec2& place) const {
+    const Grid& grid = lattice_.grid;
+    return grid.index(static_cast<int>(std::floor(place.x() + 0.5 * grid.nx)),
+                      static_cast<int>(std::floor(place.y() + 0.5 * grid.ny)));
+  }
   // Returns a place, m, in spacings from the centre.
   Vec2 drawn(const Vec2& place) const { return lattice_.grid.from_centre(place); }
 
@@ -359,6 +367,36 @@ TEST(CrackGraph, OfAMirrorImageIsTheMirrorImage) {
     for (const Vec2& other : tips[1]) nearest = std::min(nearest, (one - other).norm());
     EXPECT_LT(nearest, 0.5) << one.transpose();
   }
+}
+
+// A branch whose path runs beside another for long loses its first points; what hangs on it stays
+// where it is.
+TEST(CrackLines, ABranchOfAShortenedBranchStaysInItsPlace) {
+  Drawing drawing(120, 80, 4.0);
+  const Vec2 along(-20.0, 0.5), first(0.0, 0.5), second(30.0, 12.5);
+  drawing.line({{-50.0, 0.5}, {50.0, 0.5}});
+  drawing.line({first, {40.0, 16.5}});
+  drawing.line({second, {50.0, 12.5}});
+  drawing.look(1e-6);
+  const auto path = [&](const std::vector<Vec2>& corners) {
+    std::vector<std::size_t> nodes;
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+      const double length = corners[k + 1].x() - corners[k].x();
+      for (double way = 0.0; way < length; way += 1.0)
+        nodes.push_back(drawing.node_at(corners[k] + way / length * (corners[k + 1] - corners[k])));
+    }
+    return nodes;
+  };
+  CrackSkeleton skeleton;
+  skeleton.paths.push_back({path({{-50.0, 0.5}, {50.0, 0.5}}), -1, 0});
+  skeleton.paths.push_back({path({along, first, {40.0, 16.5}}), 0, 30});
+  skeleton.paths.push_back({path({second, {50.0, 12.5}}), 1, 50});
+  const CrackLines lines = crack_lines(drawing.growth(), skeleton);
+  const CrackLine& branch = lines.lines[1];
+  EXPECT_GT(branch.points.front().x(), -5.0);  // it has lost what it had in common
+  ASSERT_LE(lines.lines[2].leaves, branch.last());
+  // The middles of two cracks are one up to two horizons behind their fork.
+  EXPECT_LT((branch.points[lines.lines[2].leaves] - second).norm(), 2.0 * 4.0);
 }
 
 }  // namespace
