@@ -28,6 +28,7 @@
 #include "app/exit_code.hpp"
 #include "app/libraries.hpp"
 #include "app/shell_completion.hpp"
+#include "app/study_words.hpp"
 #include "app/voice.hpp"
 #include "base/streams.hpp"
 #include "base/text.hpp"
@@ -36,9 +37,9 @@
 namespace hackle {
 namespace {
 
-constexpr std::array<std::string_view, 13> commands{
+constexpr std::array<std::string_view, 14> commands{
     "run",    "resume", "check", "render",   "chart", "replay", "diff",
-    "export", "new",    "bench", "validate", "info",  "docs"};
+    "export", "new",    "bench", "validate", "study", "info",   "docs"};
 constexpr int max_threads = 1024;
 
 // The parsed command line.
@@ -55,6 +56,7 @@ struct Request {
   DiffRequest diff;
   ExportRequest exported;
   DocsRequest docs;
+  StudyAction study;
 };
 
 bool is_command(const std::string& word) {
@@ -125,7 +127,10 @@ void describe_script(CLI::App& command, Request& request) {
       .add_option("-o,--output", request.run.output_folder,
                   "Folder for output files (out/<name of the script>)")
       ->type_name("DIR");
-  command.add_option("--set", request.settings, "Override an option of the script; repeatable")
+  command
+      .add_option("--set", request.settings,
+                  "Override an option of the script, simulate.KEY of every simulate, or material.KEY "
+                  "of its plate; repeatable")
       ->type_name("key=value")
       ->check(check_setting, "")
       ->take_all()
@@ -186,6 +191,14 @@ void describe_run(CLI::App& app, Request& request) {
   run->add_flag("--force", request.run.force,
                 "Overwrite the files of an earlier run with other options; without it they go to "
                 "a folder of their own, out/NAME-2, or -o is refused");
+  run->add_flag("--bare", request.run.bare,
+                "Print nothing of the script's own, and make no movies and pictures");
+  run->add_option("--sample", request.run.sample_at,
+                  "With --json: also tell the paths of the cracks, and displacements at places of "
+                  "the plate at this time, which runs with other numerics can be compared by")
+      ->type_name("S")
+      ->needs("--json")
+      ->check(CLI::Range(0.0, 1e12));
   run->add_flag("-i,--interactive", request.run.interactive,
                 "Go on at the prompt after the script, with its variables and simulations")
       ->excludes("--json");
@@ -379,6 +392,7 @@ void describe(CLI::App& app, Request& request) {
   describe_new(app, request);
   describe_bench(app, request);
   describe_validate(app, request);
+  describe_study(app, request.study);
   describe_info(app, request);
   describe_docs(app, request);
   app.footer("hackle FILE.lua is short for hackle run FILE.lua; hackle alone opens the prompt.");
@@ -415,6 +429,7 @@ int execute(const CLI::App& app, Request& request) {
   if (app.got_subcommand("new")) return command_new(request.new_name);
   if (app.got_subcommand("bench")) return command_bench(request.bench);
   if (app.got_subcommand("validate")) return command_validate(request.validate);
+  if (app.got_subcommand("study")) return request.study(request.run.arguments);
   if (app.got_subcommand("info")) return command_info(request.info);
   if (app.got_subcommand("docs")) return command_docs(request.docs, command_table(app));
   return command_prompt(request.run.limits);

@@ -33,6 +33,8 @@ ConsoleSettings settings_of(const RunRequest& request) {
   settings.fresh = request.fresh;
   settings.checkpoint_every = request.checkpoint_every;
   settings.print_to_stderr = request.json;
+  settings.only_verdicts = settings.no_pictures = request.bare;
+  settings.sample_at = request.sample_at;
   settings.show_in_terminal = stdout_is_terminal() && !request.json;
   request.limits.apply(settings);
   return settings;
@@ -68,7 +70,8 @@ void run(Console& console, const RunRequest& request) {
 namespace {
 
 void print_json(const Console& console, const RunRequest& request) {
-  auto json = json_of(console.simulations(), request.script.string());
+  auto json = json_of(console.simulations(), request.script.string(),
+                      request.sample_at ? SummaryDetail::paths : SummaryDetail::usual);
   json["expectations"] = nlohmann::ordered_json::array();
   for (const Expectation& one : console.expectations())
     json["expectations"].push_back(to_json(one));
@@ -114,9 +117,10 @@ int command_run(const RunRequest& asked) {
   });
 }
 
-nlohmann::ordered_json json_of(const std::vector<Summary>& simulations, const std::string& script) {
+nlohmann::ordered_json json_of(const std::vector<Summary>& simulations, const std::string& script,
+                               SummaryDetail detail) {
   auto list = nlohmann::ordered_json::array();
-  for (const Summary& summary : simulations) list.push_back(to_json(summary));
+  for (const Summary& summary : simulations) list.push_back(to_json(summary, detail));
   if (list.empty()) return {{"schema", 1}, {"script", script}, {"simulations", list}};
   nlohmann::ordered_json json = list.back();
   if (list.size() > 1) json["simulations"] = std::move(list);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct RunRequest {
   Execution execution;
   Limits limits;
   bool json = false;
+  bool bare = false;                // no movies and pictures
+  std::optional<double> sample_at;  // s; with JSON: the paths of the cracks, and displacements then
   bool quiet = false;
   bool force = false;               // earlier files may be overwritten
   bool fresh = false;               // an unfinished run is not continued
@@ -43,6 +46,7 @@ int command_run(const RunRequest& request);
 
 // Returns the object of --json: the last simulation, with all of them under "simulations" if there
 // are several; {"schema":1,"script":...,"simulations":[]} if there is none.
-nlohmann::ordered_json json_of(const std::vector<Summary>& simulations, const std::string& script);
+nlohmann::ordered_json json_of(const std::vector<Summary>& simulations, const std::string& script,
+                               SummaryDetail detail = SummaryDetail::usual);
 
 }  // namespace hackle

@@ -13,6 +13,7 @@
 #include "base/terminal.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
+#include "console/language/overrides.hpp"
 #include "store/checkpoint.hpp"
 
 namespace hackle {
@@ -74,7 +75,7 @@ fs::path Session::claim(const std::string& who, const fs::path& name, FileKind k
 fs::path Session::write_picture(const std::string& who, const fs::path& name,
                                 const std::function<void(const fs::path&)>& write) {
   fs::path path = claim(who, name, FileKind::picture);
-  if (settings.purpose != Purpose::results) return path;
+  if (settings.purpose != Purpose::results || settings.no_pictures) return path;
   make_folder_of(path);
   write(path);
   return path;
@@ -177,6 +178,7 @@ std::shared_ptr<Run> Session::resume(const fs::path& path) {
 std::shared_ptr<Run> Session::begin(std::shared_ptr<Run> run) {
   run->limit_output(settings.output_limit);
   run->share_names(names);
+  if (settings.sample_at) run->sample_at(*settings.sample_at);
   return adopt(std::move(run));
 }
 
@@ -376,7 +378,7 @@ void Session::leave(int code) {
 void Session::check_overrides_used() const {
   Problems problems;
   for (const auto& [key, value] : settings.overrides)
-    if (!declared_options.contains(key))
+    if (!declared_options.contains(key) && !is_of_language(key))
       problems.add(fmt::format("--set {}={}: the script has no options to set", key, value),
                    fmt::format("declare them in it: local o = options {{ {} = ... }}", key));
   problems.throw_if_any();

@@ -80,6 +80,15 @@ class GraphMaker {
     return growth_->holds(i, j) ? CrackSite::inside : CrackSite::hole;
   }
 
+  // A crack that begins at a rim begins in the damage beside it.
+  CrackSite site_around(const Vec2& place) const {
+    for (const double row : {0.0, -1.0, 1.0})
+      for (const double column : {0.0, -1.0, 1.0})
+        if (const CrackSite site = site_of(place + Vec2(column, row)); site != CrackSite::inside)
+          return site;
+    return CrackSite::inside;
+  }
+
   void find_ends(int number) {
     const CrackLine& line = line_of(number);
     const bool has_arms = std::ranges::any_of(lines_.lines, [&](const CrackLine& other) {
@@ -305,8 +314,7 @@ class GraphMaker {
     event.time = dated(line.times.front());
     event.place = in_metres(line.points.front());
     event.crack = number;
-    for (const End& end : ends_)
-      if (end.piece == number && end.front) event.site = end.site;
+    event.site = site_around(line.points.front());
     graph_.events.push_back(event);
   }
 

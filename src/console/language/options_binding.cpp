@@ -2,7 +2,6 @@
 #include "console/language/options_binding.hpp"
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,7 +11,7 @@
 
 #include "base/terminal.hpp"
 #include "base/text.hpp"
-#include "console/language/units_binding.hpp"
+#include "console/language/overrides.hpp"
 #include "console/lua/description.hpp"
 #include "console/lua/value_text.hpp"
 #include "console/schema/arguments.hpp"
@@ -60,32 +59,10 @@ void check_known(const Session& session, Problems& problems) {
   std::vector<std::string_view> known;
   for (const auto& [name, fallback] : session.declared_options) known.push_back(name);
   for (const auto& [key, value] : session.settings.overrides)
-    if (!session.declared_options.contains(key))
+    if (!session.declared_options.contains(key) && !is_of_language(key))
       problems.add(fmt::format("--set {}={}: the script has no option '{}'{}", key, value, key,
                                did_you_mean(key, known)),
                    known.empty() ? "it has none" : "it has " + comma_list(known));
-}
-
-// [-0, +0] Evaluates a Lua expression that knows only the unit constants and `math`; returns
-// nothing if it gives no finite number.
-std::optional<double> evaluate(lua_State* L, const std::string& expression) {
-  const int top = lua_gettop(L);
-  const std::string chunk = "return " + expression;
-  if (luaL_loadbufferx(L, chunk.data(), chunk.size(), "=--set", "t") == LUA_OK) {
-    lua_newtable(L);
-    add_units(L);
-    lua_getglobal(L, "math");
-    lua_setfield(L, -2, "math");
-    lua_setupvalue(L, -2, 1);
-    if (lua_pcall(L, 0, 1, 0) == LUA_OK && lua_type(L, -1) == LUA_TNUMBER) {
-      const double value = lua_tonumber(L, -1);
-      lua_settop(L, top);
-      if (std::isfinite(value)) return value;
-      return std::nullopt;
-    }
-  }
-  lua_settop(L, top);
-  return std::nullopt;
 }
 
 // A value has the dimension of its default, as far as both are known: a length for a stress is
@@ -114,7 +91,7 @@ void push_override(lua_State* L, const std::string& key, const std::string& text
   if (type == LUA_TBOOLEAN && (text == "true" || text == "false"))
     return lua_pushboolean(L, text == "true");
   const std::optional<double> value =
-      type == LUA_TNUMBER ? evaluate(L, shell_expression(text)) : std::optional<double>();
+      type == LUA_TNUMBER ? shell_number(L, text) : std::optional<double>();
   if (!value) {
     problems.add(given + (type == LUA_TNUMBER ? "not a finite number" : "not true or false"),
                  type == LUA_TNUMBER ? "units may be used, as in " + key + "=0.5mm" : "");

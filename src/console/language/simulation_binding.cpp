@@ -22,6 +22,7 @@
 #include "console/language/graph_binding.hpp"
 #include "console/language/load_binding.hpp"
 #include "console/language/measure_binding.hpp"
+#include "console/language/overrides.hpp"
 #include "console/language/reaction_binding.hpp"
 #include "console/language/relax_binding.hpp"
 #include "console/language/scripted_plate.hpp"
@@ -63,14 +64,16 @@ int simulate(lua_State* L) {
   Session& session = session_of(L);
   if (session.settings.purpose == Purpose::options) session.leave(0);  // it declares none
   session.check_overrides_used();
-  const Plate& plate = plate_at(L, 1);
+  Plate plate = plate_at(L, 1);
+  set_overrides(L, 2, simulate_prefix, session);
   Arguments arguments = Arguments::from_table(L, 2, simulate_doc);
+  override_material(L, session, plate.material, arguments.problems);
   const Numerics numerics = noun_of<Numerics>(arguments);
   check(plate, arguments.problems);
   collect_simulations(L);
   check_numerics(plate, numerics, session.memory_left(), arguments);
   arguments.problems.throw_if_any();
-  push_object(L, ScriptedRun(session.simulate(plate, numerics), session));
+  push_object(L, ScriptedRun(session.simulate(std::move(plate), numerics), session));
   remember_simulation(L, -1);
   return 1;
 }
@@ -107,6 +110,7 @@ int frame(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, frame_doc);
   const Arguments arguments = Arguments::from_table(L, 2, frame_doc);
   arguments.problems.throw_if_any();
+  if (session_of(L).settings.no_pictures) return 0;
   scripted.run().frame(session_of(L).output_path("frame", arguments.text("file")),
                        noun_of<PictureOptions>(arguments));
   return 0;

@@ -8,6 +8,7 @@
 #include "base/machine.hpp"
 #include "output/files/graph_file.hpp"
 #include "output/report/ledger_remark.hpp"
+#include "store/noun_writer.hpp"
 
 namespace hackle {
 namespace {
@@ -63,6 +64,8 @@ Summary summary_of(const Simulation& simulation) {
   summary.time = simulation.time();
   summary.dt = simulation.dt();
   summary.dt_limit = simulation.lattice().step_limit;
+  summary.numerics = simulation.numerics();
+  summary.material = simulation.plate().material;
   summary.precision = name_of(simulation.state().precision());
   summary.paths = simulation.path_counts();
   summary.threads = simulation.threads();
@@ -77,7 +80,7 @@ Summary summary_of(const Simulation& simulation) {
   return summary;
 }
 
-nlohmann::ordered_json to_json(const Summary& summary) {
+nlohmann::ordered_json to_json(const Summary& summary, SummaryDetail detail) {
   if (!summary.told.empty()) return nlohmann::ordered_json::parse(summary.told);
   nlohmann::ordered_json json;
   json["schema"] = 1;
@@ -88,6 +91,8 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   json["time_s"] = summary.time;
   json["dt_s"] = summary.dt;
   json["dt_limit_s"] = summary.dt_limit;
+  json["numerics"] = NounWriter::json_of(summary.numerics);
+  json["material"] = NounWriter::json_of(summary.material);
   json["precision"] = summary.precision;
   json["threads"] = summary.threads;
   json["tile_paths"] = to_json(summary.paths);
@@ -103,7 +108,10 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   if (const auto& first = summary.first_break)
     json["first_break"] = {{"time_s", first->time},
                            {"place_m", {first->place.x(), first->place.y()}}};
-  if (!summary.events.empty()) json["events"] = to_json(summary.events, summary.rayleigh);
+  if (!summary.graph.events.empty())
+    json["events"] = to_json(summary.graph.events, summary.graph.rayleigh);
+  if (detail == SummaryDetail::paths) json["graph"] = to_json(summary.graph);
+  if (summary.sample) json["sample"] = to_json(*summary.sample);
   json["peak_rss_bytes"] = summary.peak_rss;
   json["hash"] = summary.hash;
   json["files"] = nlohmann::ordered_json::array();

@@ -14,6 +14,7 @@
 #include "measure/crack_graph.hpp"
 #include "measure/energy.hpp"
 #include "output/report/features.hpp"
+#include "output/report/field_sample.hpp"
 #include "solver/cpu/tiles.hpp"
 
 namespace hackle {
@@ -37,6 +38,8 @@ struct Summary {
   double time = 0.0;      // simulated, s
   double dt = 0.0;        // s
   double dt_limit = 0.0;  // s, 2/omega_max
+  Numerics numerics;      // as given
+  Material material;      // of the plate itself
   std::string precision;  // "f64" or "f32"
   int threads = 0;
   PathCounts paths{};                 // tile-steps by path
@@ -48,8 +51,8 @@ struct Summary {
   std::vector<Reaction> reactions;   // of bodies, supports and foundations
   std::vector<std::string> account;  // what happened, in sentences; see account.hpp
   std::optional<CrackGrowth::FirstBreak> first_break;
-  std::vector<CrackEvent> events;            // of the cracks
-  double rayleigh = 0.0;                     // m/s, speed of Rayleigh waves
+  CrackGraph graph;                          // the cracks, and what happened to them
+  std::optional<SampledField> sample;        // if it was asked for, and the run came so far
   std::uint64_t peak_rss = 0;                // bytes, of the process
   std::string hash;                          // of the state
   std::vector<std::filesystem::path> files;  // complete files written
@@ -67,7 +70,11 @@ struct Summary {
 // What the simulation itself tells; the rest is empty.
 Summary summary_of(const Simulation& simulation);
 
+// How much the object of a summary tells: the paths of the cracks are long.
+enum class SummaryDetail { usual, paths };
+
 // Returns the object documented in README.md, "--json".
-nlohmann::ordered_json to_json(const Summary& summary);
+nlohmann::ordered_json to_json(const Summary& summary,
+                               SummaryDetail detail = SummaryDetail::usual);
 
 }  // namespace hackle

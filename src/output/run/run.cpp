@@ -109,6 +109,7 @@ struct Run::Parts {
   RunLoop loop;
   Notes notes{talk};
   CrackGrowth growth;
+  std::shared_ptr<FieldSampler> sampler;  // none, unless it is asked for
   Prospect prospect;
   bool rehearsing = false;
   bool pretends = false;        // to be where it is not: nothing can be said of it
@@ -122,11 +123,10 @@ struct Run::Parts {
   }
 
   void tell_of_cracks(Summary& summary) const {
-    const CrackGraph graph = growth.empty() ? CrackGraph() : hackle::crack_graph(growth);
-    summary.events = graph.events;
-    summary.rayleigh = graph.rayleigh;
+    if (!growth.empty()) summary.graph = hackle::crack_graph(growth);
     summary.first_break = growth.first_break();
-    if (!rehearsing && !pretends) summary.account = account_of(simulation, summary, growth, graph);
+    if (!rehearsing && !pretends)
+      summary.account = account_of(simulation, summary, growth, summary.graph);
   }
 
   // Outputs, watchers and `others` look on while the simulation goes where it aims.
@@ -329,6 +329,11 @@ void Run::watch(std::shared_ptr<Observer> watcher) {
   const std::string remark = watcher->remark();
   parts_->loop.watch(std::move(watcher));
   parts_->notes.add(remark);
+}
+
+void Run::sample_at(double time) {
+  parts_->sampler = std::make_shared<FieldSampler>(time);
+  watch(parts_->sampler);
 }
 
 void Run::stop() {
@@ -535,6 +540,7 @@ Summary Run::summary() const {
   summary.notes = parts_->notes.all();
   summary.wall.setup = parts_->setup_seconds;
   parts_->tell_of_cracks(summary);
+  if (parts_->sampler) summary.sample = parts_->sampler->field();
   parts_->pictures.add_to(summary);
   parts_->outputs.add_to(summary);
   summary.files.insert(summary.files.end(), parts_->saved.begin(), parts_->saved.end());

@@ -105,6 +105,8 @@ class Run {
   // Adds an observer of every later run. It may change loads, write pictures and stop the run, but
   // not run or close it.
   void watch(std::shared_ptr<Observer> watcher);
+  // The summary tells displacements at places of the plate at that time, s; see SampledField.
+  void sample_at(double time);
   // Ends the present run; from a watcher, after the current step.
   void stop();
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "app/study_words.hpp"
+
+#include <fmt/format.h>
+
+#include "app/exit_code.hpp"
+#include "app/voice.hpp"
+#include "base/child_process.hpp"
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+
+namespace hackle {
+namespace {
+
+constexpr int most_threads = 1024;
+
+Settings settings_of(const std::vector<std::string>& words) {
+  Settings settings;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    settings[word.substr(0, equals)] = word.substr(equals + 1);
+  }
+  return settings;
+}
+
+}  // namespace
+
+void describe_study_words(CLI::App& kind, StudyWords& words) {
+  kind.add_option("SCRIPT", words.script, "The script")->required();
+  kind.add_option("-o,--output", words.folder,
+                  "Folder of the study, from which it goes on (out/study/<name of the script>)")
+      ->type_name("DIR");
+  kind.add_option("-j,--threads", words.execution.threads,
+                  "Number of threads of all runs together (one per core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads));
+  kind.add_flag("--json", words.json, "Print one JSON object with the results on stdout");
+  kind.add_flag("-q,--quiet", words.quiet, "Print only results and errors");
+  kind.add_flag("--fresh", words.fresh, "Run again what an earlier study has run");
+}
+
+void describe_set(CLI::App& kind, StudyWords& words) {
+  const auto check = [](const std::string& setting) {
+    const std::size_t equals = setting.find('=');
+    return equals == 0 || equals == std::string::npos ? "'" + setting + "' is not key=value" : "";
+  };
+  kind.add_option("--set", words.settings,
+                  "Override an option of the script, simulate.KEY of every simulate, or "
+                  "material.KEY of its plate, in all runs; repeatable")
+      ->type_name("key=value")
+      ->check(check, "")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+CaseRunner runner_of(const StudyWords& words, const std::vector<std::string>& arguments) {
+  const StudyScript script{.program = this_program(),
+                           .path = words.script,
+                           .settings = settings_of(words.settings),
+                           .arguments = arguments};
+  const auto folder = words.folder.empty()
+                          ? std::filesystem::path("out/study") / words.script.stem()
+                          : words.folder;
+  return {script, RunnerOptions{.folder = folder,
+                                .threads = words.execution.thread_count(),
+                                .talk = talk(words.quiet || words.json),
+                                .fresh = words.fresh}};
+}
+
+int carried_out(const std::function<void()>& work) {
+  const InterruptHandler handler;
+  return exit_code_of([&] {
+    work();
+    return 0;
+  });
+}
+
+void describe_study(CLI::App& app, StudyAction& /*action*/) {
+  CLI::App* study = app.add_subcommand("study", "Run a script many times and compare");
+  study->require_subcommand(1);
+}
+
+}  // namespace hackle

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "console/language/overrides.hpp"
+
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "console/language/units_binding.hpp"
+#include "console/lua/lua_state.hpp"
+#include "console/schema/shell_value.hpp"
+#include "console/session.hpp"
+#include "scene/material.hpp"
+
+namespace hackle {
+namespace {
+
+// The keys set with a prefix, without it.
+std::vector<std::pair<std::string, std::string>> set_with(std::string_view prefix,
+                                                          const Session& session) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const auto& [key, value] : session.settings.overrides)
+    if (key.starts_with(prefix)) found.emplace_back(key.substr(prefix.size()), value);
+  return found;
+}
+
+void push_shell_value(lua_State* L, const std::string& text) {
+  if (text == "true" || text == "false") return lua_pushboolean(L, text == "true");
+  if (const std::optional<double> number = shell_number(L, text)) return lua_pushnumber(L, *number);
+  lua_pushlstring(L, text.data(), text.size());
+}
+
+// A strength replaces the other: the toughness of a bond follows from one of them.
+void set_strength(Material& material, std::string_view name) {
+  if (name == "G0") material.s0 = 0.0;
+  if (name == "s0") material.G0 = 0.0;
+}
+
+}  // namespace
+
+bool is_of_language(std::string_view key) {
+  return key.starts_with(simulate_prefix) || key.starts_with(material_prefix);
+}
+
+std::optional<double> shell_number(lua_State* L, std::string_view text) {
+  const int top = lua_gettop(L);
+  const std::string chunk = "return " + shell_expression(text);
+  if (luaL_loadbufferx(L, chunk.data(), chunk.size(), "=--set", "t") == LUA_OK) {
+    lua_newtable(L);
+    add_units(L);
+    lua_getglobal(L, "math");
+    lua_setfield(L, -2, "math");
+    lua_setupvalue(L, -2, 1);
+    if (lua_pcall(L, 0, 1, 0) == LUA_OK && lua_type(L, -1) == LUA_TNUMBER) {
+      const double value = lua_tonumber(L, -1);
+      lua_settop(L, top);
+      if (std::isfinite(value)) return value;
+      return std::nullopt;
+    }
+  }
+  lua_settop(L, top);
+  return std::nullopt;
+}
+
+void set_overrides(lua_State* L, int index, std::string_view prefix, const Session& session) {
+  const auto given = set_with(prefix, session);
+  if (given.empty() || lua_type(L, index) != LUA_TTABLE) return;
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, index) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
+  for (const auto& [key, value] : given) {
+    push_shell_value(L, value);
+    lua_setfield(L, -2, key.c_str());
+  }
+  lua_replace(L, index);
+}
+
+void override_material(lua_State* L, const Session& session, Material& material,
+                       Problems& problems) {
+  for (const auto& [key, value] : set_with(material_prefix, session)) {
+    std::vector<std::string_view> names;
+    bool known = false;
+    for_each_member<Material>([&](const auto& member) {
+      using Value = typename std::decay_t<decltype(member)>::Value;
+      if constexpr (std::is_same_v<Value, double>) {
+        names.push_back(member.name);
+        if (member.name != key) return;
+        known = true;
+        const std::optional<double> number = shell_number(L, value);
+        const auto why =
+            number
+                ? objection("--set material", key, *number, member.about.unit, member.about.range)
+                : fmt::format("--set material.{}={}: not a finite number", key, value);
+        if (why) return problems.add(*why);
+        material.*member.pointer = *number;
+        set_strength(material, key);
+      }
+    });
+    if (!known)
+      problems.add(fmt::format("--set material.{}={}: a material has no '{}'{}", key, value, key,
+                               did_you_mean(key, names)),
+                   "it has " + comma_list(names));
+  }
+}
+
+}  // namespace hackle

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Values given on the command line: --set key=value for an option of the script,
+// --set simulate.key=value for an option of every simulate { ... }, --set material.key=value for
+// the material of every plate that is simulated.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+struct lua_State;
+
+namespace hackle {
+
+struct FunctionDoc;
+struct Material;
+struct Problems;
+class Session;
+
+inline constexpr std::string_view simulate_prefix = "simulate.", material_prefix = "material.";
+
+// Whether a key is for a call of the scene language, not for an option of the script.
+bool is_of_language(std::string_view key);
+
+// [-0, +0] Evaluates a value as written on a command line, such as 24MPa; returns nothing if it
+// gives no finite number.
+std::optional<double> shell_number(lua_State* L, std::string_view text);
+
+// [-0, +0] Replaces the table at `index` by a copy that has the values set with this prefix.
+// Whoever reads it finds what is wrong with them.
+void set_overrides(lua_State* L, int index, std::string_view prefix, const Session& session);
+
+// [-0, +0] Sets the members of the material that --set names. Adds a problem for each that does not
+// exist, is no number, or is out of range.
+void override_material(lua_State* L, const Session& session, Material& material,
+                       Problems& problems);
+
+}  // namespace hackle

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The numerics that a run had, and settings that change them.
+#pragma once
+
+#include <string>
+
+#include "study/case.hpp"
+
+namespace hackle {
+
+// What the last simulation of a run used; lengths in m, times in s.
+struct SceneNumerics {
+  double spacing = 0.0;
+  double horizon = 0.0;
+  double dt = 0.0;
+  double step_limit = 0.0;
+  double duration = 0.0;  // simulated
+  double nodes = 0.0;
+  std::string precision, quadrature, micromodulus, constants, surface;
+  double fidelity = 0.0;
+  double safety = 0.0;
+  bool fused = false;
+  double alpha = 0.0;  // of the material
+  double E = 0.0;      // of the material, Pa
+
+  double m() const { return horizon / spacing; }
+};
+
+// Throws Error (run_failed) if the run made no simulation.
+SceneNumerics numerics_of(const Outcome& outcome);
+
+// Settings of simulate.
+Settings spaced(double spacing, double m);
+Settings simulated(const std::string& key, const std::string& value);
+
+// A change of the last bits of the stiffness: what it moves is not determined by the scene.
+Settings last_bits(double modulus, int number = 1);
+
+}  // namespace hackle
