@@ -24,7 +24,7 @@ struct RunRequest {
   Execution execution;
   Limits limits;
   bool json = false;
-  bool bare = false;                // no movies and pictures
+  bool bare = false;                // no movies, pictures and records
   std::optional<double> sample_at;  // s; with JSON: the paths of the cracks, and displacements then
   bool quiet = false;
   bool force = false;               // earlier files may be overwritten

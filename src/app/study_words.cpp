@@ -2,12 +2,16 @@
 #include "app/study_words.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
+#include "app/study_kinds.hpp"
 #include "app/voice.hpp"
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/streams.hpp"
+#include "study/quantity.hpp"
 
 namespace hackle {
 namespace {
@@ -53,6 +57,29 @@ void describe_set(CLI::App& kind, StudyWords& words) {
       ->allow_extra_args(false);
 }
 
+void describe_quantities(CLI::App& kind, std::vector<std::string>& names) {
+  std::string known;
+  for (const QuantityRow& row : quantity_rows())
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", row.name);
+  kind.add_option(
+          "--for", names,
+          fmt::format("What is compared (all): {}, and expect.NAME of the script's own", known))
+      ->type_name("NAME,...")
+      ->delimiter(',');
+}
+
+void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
+            const StudyWords& words, const CaseRunner& runner) {
+  const auto files = write_findings(findings, json, runner.options().folder);
+  if (words.json)
+    print_out("{}\n", json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  else
+    print_out("{}", findings.text);
+  flush(stdout);
+  if (words.quiet || words.json) return;
+  for (const auto& file : files) tell_file(file);
+}
+
 CaseRunner runner_of(const StudyWords& words, const std::vector<std::string>& arguments) {
   const StudyScript script{.program = this_program(),
                            .path = words.script,
@@ -75,9 +102,10 @@ int carried_out(const std::function<void()>& work) {
   });
 }
 
-void describe_study(CLI::App& app, StudyAction& /*action*/) {
+void describe_study(CLI::App& app, StudyAction& action) {
   CLI::App* study = app.add_subcommand("study", "Run a script many times and compare");
   study->require_subcommand(1);
+  describe_study_trade(*study, action);
 }
 
 }  // namespace hackle

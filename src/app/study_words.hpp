@@ -13,6 +13,7 @@
 
 #include "solver/simulation.hpp"
 #include "study/case_runner.hpp"
+#include "study/study_files.hpp"
 
 namespace hackle {
 
@@ -41,6 +42,13 @@ void describe_study_words(CLI::App& kind, StudyWords& words);
 
 // Adds --set for values of every run.
 void describe_set(CLI::App& kind, StudyWords& words);
+
+// Adds --for, names of quantities.
+void describe_quantities(CLI::App& kind, std::vector<std::string>& names);
+
+// Writes the findings, and prints them: the text, or the JSON object.
+void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
+            const StudyWords& words, const CaseRunner& runner);
 
 // Returns a runner of the script. Throws Error (usage, files).
 CaseRunner runner_of(const StudyWords& words, const std::vector<std::string>& arguments);

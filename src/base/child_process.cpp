@@ -80,6 +80,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, double time_li
   if (words.empty() || access(words[0].c_str(), X_OK) != 0)
     fail_to_start(words.empty() ? "" : words[0], words.empty() ? ENOENT : errno);
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
   const pid_t parent = getpid();

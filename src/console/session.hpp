@@ -51,7 +51,7 @@ struct ConsoleSettings {
   bool print_to_stderr = false;   // output of the script: stdout serves another purpose
   bool show_in_terminal = false;  // output of show(s): stdout is a terminal; else to files
   bool only_verdicts = false;     // print is silent, and no movie is made
-  bool no_pictures = false;       // nor is a picture
+  bool no_pictures = false;       // nor is a picture or a record
   std::optional<double> sample_at;  // s, of every simulation; see Run::sample_at
   bool trust = false;             // all of Lua's library, files everywhere
   std::size_t lua_memory = default_lua_memory;  // bytes, limit of Lua values

@@ -15,7 +15,7 @@ namespace hackle {
 // Values of --set: options of the script, simulate.KEY, material.KEY.
 using Settings = std::map<std::string, std::string>;
 
-// Returns "spacing 0.25mm, precision f32" for a person; "as written" for none.
+// Returns "spacing 0.25 mm, m 4, f32" for a person; "as written" for none.
 std::string name_of(const Settings& settings);
 
 // Returns `first` with the values of `second` in it, which win.

@@ -32,7 +32,7 @@ constexpr auto rows = std::to_array<QuantityRow>({
     {"branches", count, "", "The number of tips of all that has grown."},
     {"crack.length", number, "m", "The length of all that has grown."},
     {"energy.broken", number, "J/m", "The energy that broken bonds took."},
-    {"residual", number, "", "What the energy ledger lacks, as a share of its entries."},
+    {"residual", number, "", "What the energy ledger lacks, as a share of its entries.", true},
 });
 
 const Json* found(const Json& object, std::string_view key) {
@@ -188,6 +188,12 @@ QuantityValue value_of(const Outcome& outcome, const QuantityRow& row) {
   else
     value.number = number_of(told, row.name);
   return value;
+}
+
+std::optional<double> error_of(const QuantityValue& value, const QuantityValue& reference,
+                               const QuantityRow& row) {
+  if (!row.is_error) return distance(value, reference, row);
+  return value.number ? std::optional(std::abs(*value.number)) : std::nullopt;
 }
 
 std::optional<double> distance(const QuantityValue& one, const QuantityValue& other,

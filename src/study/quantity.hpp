@@ -30,6 +30,7 @@ struct QuantityRow {
   QuantityKind kind = QuantityKind::number;
   std::string_view unit;  // SI, of the difference; "" for a pure number
   std::string_view sentence;
+  bool is_error = false;  // its value is itself an error: the right one is 0
 };
 
 // Returns all of them, in the order of tables. Those of the script's own, expect.NAME, are numbers
@@ -55,6 +56,11 @@ struct QuantityValue {
 // Returns what a run tells of a quantity (hackle run --json --sample); of several simulations, the
 // last. Nothing is found of a run that did not finish.
 QuantityValue value_of(const Outcome& outcome, const QuantityRow& row);
+
+// Returns how wrong a value is, compared to that of a reference: their distance, or, of what is
+// itself an error, its size.
+std::optional<double> error_of(const QuantityValue& value, const QuantityValue& reference,
+                               const QuantityRow& row);
 
 // Returns how far two values are apart, in the unit of the row; 0 if neither run found any, nothing
 // if only one did.

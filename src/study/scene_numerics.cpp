@@ -32,9 +32,14 @@ SceneNumerics numerics_of(const Outcome& outcome) {
   scene.fidelity = numerics["fidelity"].get<double>();
   scene.safety = numerics["safety"].get<double>();
   scene.fused = numerics["fused"].get<bool>();
+  scene.has_step = numerics["step_s"].is_number();
   scene.alpha = told["material"]["alpha"].get<double>();
   scene.E = told["material"]["E_Pa"].get<double>();
   return scene;
+}
+
+Settings SceneNumerics::own_step() const {
+  return has_step ? simulated("step", "default") : Settings();
 }
 
 // A horizon of exactly m spacings, whatever the rounding.

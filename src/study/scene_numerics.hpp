@@ -23,7 +23,11 @@ struct SceneNumerics {
   double alpha = 0.0;  // of the material
   double E = 0.0;      // of the material, Pa
 
+  bool has_step = false;  // the script gives the time step itself
+
   double m() const { return horizon / spacing; }
+  // Settings that take away a time step that the script gives: it suits no other lattice.
+  Settings own_step() const;
 };
 
 // Throws Error (run_failed) if the run made no simulation.

@@ -40,7 +40,10 @@ std::string line_of(const std::vector<std::string>& cells, const std::vector<std
   std::string line;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const std::size_t blanks = widths[k] - width_of(cells[k]);
-    if (k == 0)
+    const bool is_last = k > 0 && k + 1 == widths.size();
+    if (is_last)
+      fmt::format_to(std::back_inserter(line), "  {}", cells[k]);
+    else if (k == 0)
       fmt::format_to(std::back_inserter(line), "{}{:{}}", cells[k], "", blanks);
     else
       fmt::format_to(std::back_inserter(line), "  {:{}}{}", "", blanks, cells[k]);

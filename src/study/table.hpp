@@ -12,7 +12,8 @@ struct Table {
   std::vector<std::vector<std::string>> rows;  // each as long as the heads
 };
 
-// Returns lines with the columns below each other: the first to the left, the others to the right.
+// Returns lines with the columns below each other: the first and the last to the left, the others
+// to the right.
 std::string aligned(const Table& table);
 
 // Returns CSV after RFC 4180.

@@ -27,6 +27,7 @@ std::vector<std::pair<std::string, std::string>> set_with(std::string_view prefi
 }
 
 void push_shell_value(lua_State* L, const std::string& text) {
+  if (text == "default") return lua_pushnil(L);
   if (text == "true" || text == "false") return lua_pushboolean(L, text == "true");
   if (const std::optional<double> number = shell_number(L, text)) return lua_pushnumber(L, *number);
   lua_pushlstring(L, text.data(), text.size());
@@ -41,7 +42,8 @@ void set_strength(Material& material, std::string_view name) {
 }  // namespace
 
 bool is_of_language(std::string_view key) {
-  return key.starts_with(simulate_prefix) || key.starts_with(material_prefix);
+  return key.starts_with(simulate_prefix) || key.starts_with(movie_prefix) ||
+         key.starts_with(material_prefix);
 }
 
 std::optional<double> shell_number(lua_State* L, std::string_view text) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Values given on the command line: --set key=value for an option of the script,
-// --set simulate.key=value for an option of every simulate { ... }, --set material.key=value for
-// the material of every plate that is simulated.
+// --set simulate.key=value for an option of every simulate { ... }, or movie.key of every movie,
+// --set material.key=value for the material of every plate that is simulated. The value `default`
+// takes what the script gives away.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,8 @@ struct Material;
 struct Problems;
 class Session;
 
-inline constexpr std::string_view simulate_prefix = "simulate.", material_prefix = "material.";
+inline constexpr std::string_view simulate_prefix = "simulate.", movie_prefix = "movie.",
+                                  material_prefix = "material.";
 
 // Whether a key is for a call of the scene language, not for an option of the script.
 bool is_of_language(std::string_view key);

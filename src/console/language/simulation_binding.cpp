@@ -98,6 +98,7 @@ int step(lua_State* L) {
 
 int movie(lua_State* L) {
   ScriptedRun& scripted = self<ScriptedRun>(L, movie_doc);
+  set_overrides(L, 2, movie_prefix, session_of(L));
   const Arguments arguments = Arguments::from_table(L, 2, movie_doc);
   arguments.problems.throw_if_any();
   if (session_of(L).settings.only_verdicts) return 0;
@@ -122,6 +123,7 @@ int record(lua_State* L) {
   auto options = noun_of<RecordOptions>(arguments);
   options.region = region_of(arguments, scripted.simulation().plate(), "record");
   arguments.problems.throw_if_any();
+  if (session_of(L).settings.no_pictures) return 0;
   const auto path = session_of(L).output_path("record", arguments.text("file"));
   scripted.run().record(path, options);
   scripted.promised.push_back(path);

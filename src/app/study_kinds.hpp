@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// The kinds of hackle study, each described and carried out in a file of its own.
+#pragma once
+
+#include "app/study_words.hpp"
+
+namespace hackle {
+
+void describe_study_trade(CLI::App& study, StudyAction& action);
+
+}  // namespace hackle

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "app/study_kinds.hpp"
+#include "study/study_files.hpp"
+#include "study/trade.hpp"
+#include "study/trade_report.hpp"
+
+namespace hackle {
+namespace {
+
+struct TradeRequest {
+  StudyWords words;
+  std::vector<std::string> quantities;
+};
+
+void describe_trade(CLI::App& kind, TradeRequest& request) {
+  describe_study_words(kind, request.words);
+  describe_set(kind, request.words);
+  describe_quantities(kind, request.quantities);
+  kind.footer(
+      "Each run is compared with a reference that is finer in every respect. The error is the "
+      "root\n"
+      "mean square of all errors, each as a share of what counts as one: a horizon, 1 % of the "
+      "time\n"
+      "or of the displacements, 5 degrees, 5 % of a speed or an energy.");
+}
+
+void carry_out(const TradeRequest& request, const std::vector<std::string>& arguments) {
+  CaseRunner runner = runner_of(request.words, arguments);
+  const Trade found = trade(runner, quantities_named(request.quantities));
+  finish({"trade", text_of(found), table_of(found), {chart_of(found)}}, to_json(found),
+         request.words, runner);
+}
+
+}  // namespace
+
+void describe_study_trade(CLI::App& study, StudyAction& action) {
+  describe_kind<TradeRequest>(study, action, "trade",
+                              "What a scene loses when it is solved faster, and what more costs",
+                              describe_trade, carry_out);
+}
+
+}  // namespace hackle

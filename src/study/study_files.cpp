@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "study/study_files.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/files.hpp"
+#include "output/chart/chart.hpp"
+
+namespace hackle {
+
+std::vector<std::filesystem::path> write_findings(const StudyFindings& findings,
+                                                  const nlohmann::ordered_json& json,
+                                                  const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files{folder / (findings.name + ".csv"),
+                                           folder / (findings.name + ".json")};
+  make_folder_of(files.front());
+  write_text(files[0], csv_of(findings.table));
+  write_text(files[1], json.dump(1) + "\n");
+  for (std::size_t k = 0; k < findings.diagrams.size(); ++k) {
+    const std::string number = k == 0 ? "" : fmt::format("-{}", k + 1);
+    files.push_back(folder / (findings.name + number + ".png"));
+    write_chart(findings.diagrams[k], ChartOptions{}, files.back());
+  }
+  return files;
+}
+
+}  // namespace hackle

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The files that a study leaves in its folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "render/diagram/diagram.hpp"
+#include "study/table.hpp"
+
+namespace hackle {
+
+// What a study has found. `name` is that of its files: "trade" gives trade.csv, trade.json and
+// trade.png.
+struct StudyFindings {
+  std::string name;
+  std::string text;               // for a person
+  Table table;                    // in SI
+  std::vector<Diagram> diagrams;  // the first is trade.png, others are trade-2.png, ...
+};
+
+// Writes the files, and returns them. Throws Error (files).
+std::vector<std::filesystem::path> write_findings(const StudyFindings& findings,
+                                                  const nlohmann::ordered_json& json,
+                                                  const std::filesystem::path& folder);
+
+}  // namespace hackle
