@@ -130,7 +130,7 @@ void describe_script(CLI::App& command, Request& request) {
   command
       .add_option("--set", request.settings,
                   "Override an option of the script, simulate.KEY of every simulate, or material.KEY "
-                  "of its plate; repeatable")
+                  "and scatter.KEY of its plate; repeatable")
       ->type_name("key=value")
       ->check(check_setting, "")
       ->take_all()

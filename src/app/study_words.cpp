@@ -50,7 +50,7 @@ void describe_set(CLI::App& kind, StudyWords& words) {
   };
   kind.add_option("--set", words.settings,
                   "Override an option of the script, simulate.KEY of every simulate, or "
-                  "material.KEY of its plate, in all runs; repeatable")
+                  "material.KEY and scatter.KEY of its plate, in all runs; repeatable")
       ->type_name("key=value")
       ->check(check, "")
       ->take_all()
@@ -106,6 +106,7 @@ void describe_study(CLI::App& app, StudyAction& action) {
   CLI::App* study = app.add_subcommand("study", "Run a script many times and compare");
   study->require_subcommand(1);
   describe_study_trade(*study, action);
+  describe_study_ensemble(*study, action);
 }
 
 }  // namespace hackle

@@ -12,7 +12,7 @@
 
 namespace hackle {
 
-// Values of --set: options of the script, simulate.KEY, material.KEY.
+// Values of --set: options of the script, simulate.KEY, material.KEY, scatter.KEY.
 using Settings = std::map<std::string, std::string>;
 
 // Returns "spacing 0.25 mm, m 4, f32" for a person; "as written" for none.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,9 @@ constexpr auto rows = std::to_array<QuantityRow>({
     {"fork.angle", number, "rad", "The angle between the branches there."},
     {"branches", count, "", "The number of tips of all that has grown."},
     {"crack.length", number, "m", "The length of all that has grown."},
+    {"fragments", count, "", "The number of fragments, dust not counted."},
+    {"fragments.largest", number, "m2", "The area of the largest fragment."},
+    {"fragments.median", number, "m2", "Half of the area is in fragments up to this one."},
     {"energy.broken", number, "J/m", "The energy that broken bonds took."},
     {"residual", number, "", "What the energy ledger lacks, as a share of its entries.", true},
 });
@@ -102,6 +106,29 @@ double branches_of(const Json& told) {
   }));
 }
 
+// The areas of fragments, m2, from the largest on.
+std::vector<double> areas_of(const Json& told) {
+  const Json* fragments = found(told, "fragments");
+  return fragments ? (*fragments)["areas_m2"].get<std::vector<double>>() : std::vector<double>();
+}
+
+std::optional<double> median_of(const std::vector<double>& areas) {
+  const double half = 0.5 * std::accumulate(areas.begin(), areas.end(), 0.0);
+  double counted = 0.0;
+  for (auto area = areas.rbegin(); area != areas.rend(); ++area)
+    if ((counted += *area) >= half) return *area;
+  return std::nullopt;
+}
+
+std::optional<double> fragments_of(const Json& told, std::string_view name) {
+  if (!found(told, "fragments")) return std::nullopt;
+  const std::vector<double> areas = areas_of(told);
+  if (name == "fragments.median") return median_of(areas);
+  if (name == "fragments.largest")
+    return areas.empty() ? std::nullopt : std::optional(areas.front());
+  return static_cast<double>(areas.size());
+}
+
 std::vector<std::optional<Vec2>> field_of(const Json& told) {
   std::vector<std::optional<Vec2>> all;
   if (const Json* sample = found(told, "sample"))
@@ -126,6 +153,7 @@ std::optional<double> number_of(const Json& told, std::string_view name) {
   if (name == "tip.speed") return speed_of(told);
   if (name == "branches") return branches_of(told);
   if (name == "crack.length") return length_of(told);
+  if (name.starts_with("fragments")) return fragments_of(told, name);
   if (name == "energy.broken") return number_in(found(told, "energy_J_per_m"), "broken");
   if (name == "residual") return number_in(&told, "residual_share");
   return expected_of(told, name.substr(std::min(of_script.size(), name.size())));

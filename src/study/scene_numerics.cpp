@@ -55,4 +55,9 @@ Settings last_bits(double modulus, int number) {
   return {{"material.E", shortest(modulus * (1.0 + number * std::ldexp(1.0, -40)))}};
 }
 
+Settings last_bits(const SceneNumerics& scene, int number) {
+  if (scene.precision == "f64") return last_bits(scene.E, number);
+  return {{"material.E", shortest(scene.E * (1.0 + number * std::ldexp(1.0, -22)))}};
+}
+
 }  // namespace hackle

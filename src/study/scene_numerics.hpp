@@ -39,5 +39,7 @@ Settings simulated(const std::string& key, const std::string& value);
 
 // A change of the last bits of the stiffness: what it moves is not determined by the scene.
 Settings last_bits(double modulus, int number = 1);
+// The same, in the precision of the scene.
+Settings last_bits(const SceneNumerics& scene, int number);
 
 }  // namespace hackle

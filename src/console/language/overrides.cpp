@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "console/language/overrides.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -12,7 +14,9 @@
 #include "console/lua/lua_state.hpp"
 #include "console/schema/shell_value.hpp"
 #include "console/session.hpp"
+#include "scene/check_members.hpp"
 #include "scene/material.hpp"
+#include "scene/plate.hpp"
 
 namespace hackle {
 namespace {
@@ -39,11 +43,29 @@ void set_strength(Material& material, std::string_view name) {
   if (name == "s0") material.G0 = 0.0;
 }
 
+constexpr auto scatter_keys =
+    std::to_array<std::string_view>({"modulus", "deviation", "correlation", "seed"});
+
+// Sets one member of a scatter; returns whether there is one of that name.
+bool set_scatter(Scatter& scatter, std::string_view key, double value) {
+  if (key == "modulus" || key == "deviation") {
+    scatter.kind = key == "modulus" ? Scatter::Kind::weibull : Scatter::Kind::normal;
+    scatter.spread = value;
+  } else if (key == "correlation") {
+    scatter.correlation = value;
+  } else if (key == "seed") {
+    scatter.seed = static_cast<std::int64_t>(value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool is_of_language(std::string_view key) {
   return key.starts_with(simulate_prefix) || key.starts_with(movie_prefix) ||
-         key.starts_with(material_prefix);
+         key.starts_with(material_prefix) || key.starts_with(scatter_prefix);
 }
 
 std::optional<double> shell_number(lua_State* L, std::string_view text) {
@@ -108,6 +130,28 @@ void override_material(lua_State* L, const Session& session, Material& material,
                                did_you_mean(key, names)),
                    "it has " + comma_list(names));
   }
+}
+
+void override_scatter(lua_State* L, const Session& session, Plate& plate, Problems& problems) {
+  const auto given = set_with(scatter_prefix, session);
+  if (given.empty()) return;
+  Scatter scatter = plate.scatter.value_or(Scatter{});
+  for (const auto& [key, value] : given) {
+    const std::optional<double> number = shell_number(L, value);
+    if (!number)
+      problems.add(fmt::format("--set scatter.{}={}: not a finite number", key, value));
+    else if (key == "seed" && !(std::abs(*number) < 1e15 && *number == std::floor(*number)))
+      problems.add(fmt::format("--set scatter.seed={}: not a whole number", value));
+    else if (!set_scatter(scatter, key, *number))
+      problems.add(fmt::format("--set scatter.{}={}: a scatter has no '{}'{}", key, value, key,
+                               did_you_mean(key, scatter_keys)),
+                   "it has " + comma_list(scatter_keys));
+  }
+  if (scatter.spread == 0.0)
+    return problems.add("--set scatter: the plate has no scatter of its own",
+                        "set scatter.modulus or scatter.deviation too");
+  check_members(scatter, "--set scatter", problems);
+  plate.scatter = scatter;
 }
 
 }  // namespace hackle

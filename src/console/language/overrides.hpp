@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Values given on the command line: --set key=value for an option of the script,
 // --set simulate.key=value for an option of every simulate { ... }, or movie.key of every movie,
-// --set material.key=value for the material of every plate that is simulated. The value `default`
-// takes what the script gives away.
+// --set material.key=value for the material of every plate that is simulated, --set
+// scatter.key=value for the scatter of its strength. The value `default` takes what the script
+// gives away.
 #pragma once
 
 #include <optional>
@@ -15,11 +16,12 @@ namespace hackle {
 
 struct FunctionDoc;
 struct Material;
+struct Plate;
 struct Problems;
 class Session;
 
 inline constexpr std::string_view simulate_prefix = "simulate.", movie_prefix = "movie.",
-                                  material_prefix = "material.";
+                                  material_prefix = "material.", scatter_prefix = "scatter.";
 
 // Whether a key is for a call of the scene language, not for an option of the script.
 bool is_of_language(std::string_view key);
@@ -36,5 +38,11 @@ void set_overrides(lua_State* L, int index, std::string_view prefix, const Sessi
 // exist, is no number, or is out of range.
 void override_material(lua_State* L, const Session& session, Material& material,
                        Problems& problems);
+
+// [-0, +0] Scatters the strength of the plate as --set names: scatter.modulus makes a Weibull
+// distribution, scatter.deviation a normal one; scatter.seed and scatter.correlation alone change
+// the scatter that the plate has. Adds a problem for what does not exist, is no number, is out of
+// range, or changes the scatter of a plate that has none.
+void override_scatter(lua_State* L, const Session& session, Plate& plate, Problems& problems);
 
 }  // namespace hackle

@@ -68,6 +68,7 @@ int simulate(lua_State* L) {
   set_overrides(L, 2, simulate_prefix, session);
   Arguments arguments = Arguments::from_table(L, 2, simulate_doc);
   override_material(L, session, plate.material, arguments.problems);
+  override_scatter(L, session, plate, arguments.problems);
   const Numerics numerics = noun_of<Numerics>(arguments);
   check(plate, arguments.problems);
   collect_simulations(L);

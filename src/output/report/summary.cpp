@@ -44,6 +44,12 @@ nlohmann::ordered_json to_json(const std::vector<Reaction>& reactions) {
   return json;
 }
 
+nlohmann::ordered_json to_json(const FragmentList& fragments) {
+  auto areas = nlohmann::ordered_json::array();
+  for (const MeasuredFragment& one : fragments.all) areas.push_back(one.area);
+  return {{"areas_m2", areas}, {"dust_m2", fragments.dust}};
+}
+
 // Returns shares of all tile-steps.
 nlohmann::ordered_json to_json(const PathCounts& paths) {
   const auto all =
@@ -112,6 +118,8 @@ nlohmann::ordered_json to_json(const Summary& summary, SummaryDetail detail) {
     json["events"] = to_json(summary.graph.events, summary.graph.rayleigh);
   if (detail == SummaryDetail::paths) json["graph"] = to_json(summary.graph);
   if (summary.sample) json["sample"] = to_json(*summary.sample);
+  if (summary.plate) json["plate"] = to_json(*summary.plate);
+  if (summary.fragments) json["fragments"] = to_json(*summary.fragments);
   json["peak_rss_bytes"] = summary.peak_rss;
   json["hash"] = summary.hash;
   json["files"] = nlohmann::ordered_json::array();

@@ -13,8 +13,10 @@
 
 #include "measure/crack_graph.hpp"
 #include "measure/energy.hpp"
+#include "measure/fragment_list.hpp"
 #include "output/report/features.hpp"
 #include "output/report/field_sample.hpp"
+#include "output/report/plate_sample.hpp"
 #include "solver/cpu/tiles.hpp"
 
 namespace hackle {
@@ -53,6 +55,8 @@ struct Summary {
   std::optional<CrackGrowth::FirstBreak> first_break;
   CrackGraph graph;                          // the cracks, and what happened to them
   std::optional<SampledField> sample;        // if it was asked for, and the run came so far
+  std::optional<SampledPlate> plate;         // likewise
+  std::optional<FragmentList> fragments;     // likewise
   std::uint64_t peak_rss = 0;                // bytes, of the process
   std::string hash;                          // of the state
   std::vector<std::filesystem::path> files;  // complete files written
@@ -74,7 +78,6 @@ Summary summary_of(const Simulation& simulation);
 enum class SummaryDetail { usual, paths };
 
 // Returns the object documented in README.md, "--json".
-nlohmann::ordered_json to_json(const Summary& summary,
-                               SummaryDetail detail = SummaryDetail::usual);
+nlohmann::ordered_json to_json(const Summary& summary, SummaryDetail detail = SummaryDetail::usual);
 
 }  // namespace hackle

@@ -122,6 +122,12 @@ struct Run::Parts {
     for (const auto& journal : journals) tell(*journal);
   }
 
+  void tell_samples(Summary& summary) const {
+    summary.sample = sampler->field();
+    summary.plate = sampled_plate(simulation.lattice());
+    summary.fragments = measured_fragments(simulation.view());
+  }
+
   void tell_of_cracks(Summary& summary) const {
     if (!growth.empty()) summary.graph = hackle::crack_graph(growth);
     summary.first_break = growth.first_break();
@@ -540,7 +546,7 @@ Summary Run::summary() const {
   summary.notes = parts_->notes.all();
   summary.wall.setup = parts_->setup_seconds;
   parts_->tell_of_cracks(summary);
-  if (parts_->sampler) summary.sample = parts_->sampler->field();
+  if (parts_->sampler) parts_->tell_samples(summary);
   parts_->pictures.add_to(summary);
   parts_->outputs.add_to(summary);
   summary.files.insert(summary.files.end(), parts_->saved.begin(), parts_->saved.end());
