@@ -127,6 +127,8 @@ void study_ensemble(const EnsembleRequest& request, const std::vector<std::strin
   if (!request.words.quiet && !request.words.json) tell_file(map);
 }
 
+}  // namespace
+
 void describe_study_ensemble(CLI::App& study, StudyAction& action) {
   describe_kind<EnsembleRequest>(study, action, "ensemble",
                                  "Until when runs with other last digits agree, and statistics",

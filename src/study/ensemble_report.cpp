@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -87,15 +89,19 @@ std::string_view name_of(Change change) {
   return change == Change::strength ? "strength" : "own_scatter";
 }
 
+// Three digits, in units of a picture.
+std::string short_cell(double value, std::string_view unit) {
+  if (unit == "m2") return fmt::format("{:.3g} mm2", 1e6 * value);
+  if (unit == "rad") return fmt::format("{:.3g} deg", value * 180.0 / std::numbers::pi);
+  return quantity(std::strtod(fmt::format("{:.2e}", value).c_str(), nullptr), unit);
+}
+
 Table statistics_of(const Ensemble& ensemble) {
   Table table{{"quantity", "mean", "± 95 %", "sd", "min", "max", "runs"}, {}};
   for (const QuantityStatistic& one : ensemble.quantities) {
     const Statistic& s = one.statistic;
     if (s.count == 0) continue;
-    const bool area = one.row.unit == "m2";
-    const auto cell = [&](double value) {
-      return area ? quantity(1e6 * value, "mm2") : quantity(value, one.row.unit);
-    };
+    const auto cell = [&](double value) { return short_cell(value, one.row.unit); };
     table.rows.push_back({std::string(one.row.name), cell(s.mean), cell(s.high - s.mean),
                           cell(s.sd), cell(s.min), cell(s.max), fmt::format("{}", s.count)});
   }
