@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/accuracy.hpp"
 #include "app/bench_deck.hpp"
 #include "app/exit_code.hpp"
 #include "app/lammps_peer.hpp"
@@ -201,72 +200,9 @@ void print_table(const Json& json) {
 
 }  // namespace
 
-namespace {
-
-Json optional(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
-Json to_json(const TradeResult& result) {
-  return {{"name", result.name},
-          {"nodes", result.nodes},
-          {"seconds", result.seconds},
-          {"node_steps_per_second", result.node_steps_per_second},
-          {"error_to_exact", result.to_exact},
-          {"error_to_finer", result.to_finer},
-          {"first_bond_s", optional(result.first_bond)},
-          {"fork_time_s", optional(result.fork_time)},
-          {"fork_place_m", optional(result.fork_place)},
-          {"tip_place_m", result.tip_place},
-          {"broken_bonds", result.broken},
-          {"energy_residual", result.residual}};
-}
-
-std::string in(const std::optional<double>& value, double unit) {
-  return value ? fmt::format("{:.2f}", *value / unit) : "-";
-}
-
-void print(const TradeResult& result) {
-  print_out(
-      "{:<24} {:>6} {:>6.2f} {:>7.1f} {:>9.1e} {:>9.1e} {:>6} {:>6} {:>6} {:>6.2f} {:>6} "
-      "{:>7.2f}\n",
-      result.name, result.nodes, result.seconds, 1e-6 * result.node_steps_per_second,
-      result.to_exact, result.to_finer, in(result.first_bond, 1e-6), in(result.fork_time, 1e-6),
-      in(result.fork_place, 1e-3), 1e3 * result.tip_place, result.broken, 100.0 * result.residual);
-}
-
-void print_head() {
-  print_out(
-      "12 MPa on an edge crack, to 32 us, one core. u is compared at 5 us, before the first bond "
-      "breaks:\nwith f64 and the default step on the same lattice, and with a lattice of half the "
-      "spacing.\n\n{:<24} {:>6} {:>6} {:>7} {:>9} {:>9} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7}\n"
-      "{:<24} {:>6} {:>6} {:>7} {:>9} {:>9} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7}\n",
-      "", "nodes", "solve", "M node-", "u to", "u to", "bond", "fork", "fork", "tip", "broken",
-      "energy", "", "", "s", "steps/s", "exact", "finer", "us", "us", "mm", "mm", "bonds", "%");
-}
-
-int show_accuracy(const BenchRequest& request) {
-  Json json{{"schema", 1},
-            {"machine", machine(request.execution.instruction_set)},
-            {"rows", Json::array()}};
-  if (!request.json) print_head();
-  for (const Trade& trade : trades()) {
-    if (trade.numerics.fused && !can_fuse(request.execution.instruction_set)) continue;
-    const TradeResult result = measure_trade(trade, request.execution.instruction_set);
-    json["rows"].push_back(to_json(result));
-    if (!request.json) print(result);
-    flush(stdout);
-  }
-  if (request.json) print_out("{}\n", json.dump());
-  return 0;
-}
-
-}  // namespace
-
 int command_bench(const BenchRequest& request) {
   const InterruptHandler handler;
   return exit_code_of([&] {
-    if (request.accuracy) return show_accuracy(request);
     const Json json = to_json(measure_all(request), request);
     if (request.json)
       print_out("{}\n", json.dump());

@@ -13,7 +13,6 @@ struct BenchRequest {
   int rounds = 5;
   int nodes = 64000;
   Execution execution;
-  bool accuracy = false;  // measure the loss of accuracy instead
   bool json = false;
   bool quiet = false;
 };

@@ -268,8 +268,6 @@ void describe_bench(CLI::App& app, Request& request) {
       ->type_name("N")
       ->check(CLI::Range(1000, 100000000));
   describe_execution(*bench, request.bench.execution);
-  bench->add_flag("--accuracy", request.bench.accuracy,
-                  "Measure the loss of accuracy by the fast options instead");
   bench->add_flag("--json", request.bench.json, "Print one JSON object on stdout");
   bench->add_flag("-q,--quiet", request.bench.quiet, "Print only errors");
 }

@@ -72,7 +72,7 @@ std::vector<QuantityRow> numbers_named(const std::vector<std::string>& names) {
   std::vector<QuantityRow> rows = quantities_named(names);
   Problems problems;
   for (const QuantityRow& row : rows)
-    if (row.kind != QuantityKind::number && row.kind != QuantityKind::count)
+    if (row.kind != ComparedAs::number && row.kind != ComparedAs::count)
       problems.add(fmt::format("--for {}: it is no number", row.name),
                    "an ensemble has statistics of numbers; it compares paths by itself");
   problems.throw_if_any(ErrorKind::usage);

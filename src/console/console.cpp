@@ -22,6 +22,7 @@
 #include "console/language/scripted_run.hpp"
 #include "console/language/show_binding.hpp"
 #include "console/language/simulation_binding.hpp"
+#include "console/language/study_binding.hpp"
 #include "console/language/units_binding.hpp"
 #include "console/language/values_binding.hpp"
 #include "console/lua/description.hpp"
@@ -213,6 +214,7 @@ struct Console::Parts {
     open_type(L, type_name<ScriptedValues>, values_type());
     keep_load_of_lua(L);
     open_functions(L, all_functions());
+    close_study(L);
     open_exit(L);
     open_print(L);
   }

@@ -34,6 +34,7 @@ struct Case {
   Settings settings;           // beside those of every run
   double sample_at = 0.0;      // s, when the displacements are compared
   bool with_pictures = false;  // makes the movies and pictures of the script too
+  int repeat = 0;              // the same once more, for its time
 };
 
 enum class CaseState {

@@ -108,7 +108,8 @@ std::string CaseRunner::key_of(const Case& one) const {
                     {"settings", joined(script_.settings, one.settings)},
                     {"arguments", script_.arguments},
                     {"sample_at", one.sample_at},
-                    {"pictures", one.with_pictures}};
+                    {"pictures", one.with_pictures},
+                    {"repeat", one.repeat}};
   Hash hash;
   hash.add(std::span<const char>(inputs.dump(-1, ' ', false, Json::error_handler_t::replace)));
   return hash.hex();

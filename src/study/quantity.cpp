@@ -16,7 +16,7 @@ namespace hackle {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using enum QuantityKind;
+using enum ComparedAs;
 
 constexpr std::string_view of_script = "expect.";
 

@@ -17,7 +17,7 @@
 namespace hackle {
 
 // How two values of a quantity are compared.
-enum class QuantityKind {
+enum class ComparedAs {
   number,  // the difference, in the unit of the quantity
   count,   // the same, of a whole number
   place,   // the distance, m
@@ -27,7 +27,7 @@ enum class QuantityKind {
 
 struct QuantityRow {
   std::string_view name;  // "fork.time"
-  QuantityKind kind = QuantityKind::number;
+  ComparedAs kind = ComparedAs::number;
   std::string_view unit;  // SI, of the difference; "" for a pure number
   std::string_view sentence;
   bool is_error = false;  // its value is itself an error: the right one is 0

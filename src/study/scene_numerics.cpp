@@ -28,6 +28,7 @@ SceneNumerics numerics_of(const Outcome& outcome) {
   scene.quadrature = numerics["quadrature"].get<std::string>();
   scene.micromodulus = numerics["micromodulus"].get<std::string>();
   scene.constants = numerics["constants"].get<std::string>();
+  scene.breaking = numerics["breaking"].get<std::string>();
   scene.surface = numerics["surface"].get<std::string>();
   scene.fidelity = numerics["fidelity"].get<double>();
   scene.safety = numerics["safety"].get<double>();
@@ -45,6 +46,13 @@ Settings SceneNumerics::own_step() const {
 // A horizon of exactly m spacings, whatever the rounding.
 Settings spaced(double spacing, double m) {
   return {{"simulate.spacing", shortest(spacing)}, {"simulate.horizon", shortest(spacing * m)}};
+}
+
+Settings with_finer_lattice(Settings settings, double factor) {
+  for (const char* key : {"simulate.spacing", "simulate.horizon"})
+    if (const auto at = settings.find(key); at != settings.end())
+      at->second = shortest(std::stod(at->second) / factor);
+  return settings;
 }
 
 Settings simulated(const std::string& key, const std::string& value) {

@@ -16,7 +16,7 @@ struct SceneNumerics {
   double step_limit = 0.0;
   double duration = 0.0;  // simulated
   double nodes = 0.0;
-  std::string precision, quadrature, micromodulus, constants, surface;
+  std::string precision, quadrature, micromodulus, constants, surface, breaking;
   double fidelity = 0.0;
   double safety = 0.0;
   bool fused = false;
@@ -35,6 +35,8 @@ SceneNumerics numerics_of(const Outcome& outcome);
 
 // Settings of simulate.
 Settings spaced(double spacing, double m);
+// Returns the settings with a spacing and a horizon smaller by a factor, if they set them.
+Settings with_finer_lattice(Settings settings, double factor);
 Settings simulated(const std::string& key, const std::string& value);
 
 // A change of the last bits of the stiffness: what it moves is not determined by the scene.

@@ -4,199 +4,225 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "study/front.hpp"
 #include "study/moments.hpp"
-#include "study/scene_numerics.hpp"
 #include "study/trade_axes.hpp"
 
 namespace hackle {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double one_percent = 0.01;
-// What a quantity adds to the score at most, in sizes that count as one: also if it is not found.
-constexpr double worst = 10.0;
-// The reference may cost as much as this many runs of the script as written, or this many seconds.
-constexpr double most_of_reference = 40.0, least_budget = 60.0;
-constexpr std::size_t most_pairs = 16;
+// s of CPU time: a scene that takes longer is screened on a coarser lattice, which takes as long as
+// `screening`.
+constexpr double costly = 8.0, screening = 3.0;
+constexpr std::size_t most_pairs = 16, most_of_screen = 8;
+// Runs that take less are timed again, this often.
+constexpr double short_run = 3.0;
+constexpr int timings = 2;
 
-double allowed_of(const QuantityRow& row, const SceneNumerics& scene, const QuantityValue& value) {
-  if (row.kind == QuantityKind::place || row.kind == QuantityKind::paths) return scene.horizon;
-  if (row.kind == QuantityKind::field || row.is_error) return one_percent;
-  if (row.kind == QuantityKind::count) return 1.0;
-  if (row.name == "crack.length") return scene.horizon;
-  if (row.unit == "s") return one_percent * scene.duration;
-  if (row.unit == "rad") return std::numbers::pi / 36.0;
-  constexpr double share = 0.05;
-  const double size = share * std::abs(value.number.value_or(0.0));
-  return size > 0.0 ? size : 1.0;
-}
+// The scene whose solutions are compared.
+struct Subject {
+  Settings base;  // of all runs
+  SceneNumerics scene;
+  double sample_at = 0.0;      // s
+  double cost = 0.0;           // s of CPU time, as written
+  double most = 40.0;          // costs of the reference, in these
+  std::vector<Settings> ways;  // if not empty, only these are tried
+};
 
 class TradeStudy {
  public:
-  TradeStudy(CaseRunner& runner, std::vector<QuantityRow> quantities) : runner_(&runner) {
-    trade_.quantities = std::move(quantities);
-    if (trade_.quantities.empty())
-      trade_.quantities.assign(quantity_rows().begin(), quantity_rows().end());
+  TradeStudy(CaseRunner& runner, const std::vector<QuantityRow>& quantities, Subject subject)
+      : runner_(&runner), subject_(std::move(subject)) {
+    trade_.quantities = quantities;
   }
 
   Trade made() {
-    begin();
     vary_one_at_a_time();
-    combine();
+    if (subject_.ways.empty()) combine();
+    time_again();
     choose();
     return std::move(trade_);
   }
 
  private:
-  Case case_of(Settings settings) const { return {std::move(settings), sample_at_, false}; }
-
-  // The script as written says when to compare, and what a run costs.
-  void begin() {
-    const Outcome first = finished(runner_->run_alone({}, "as written"));
-    scene_ = numerics_of(first);
-    sample_at_ = moment_of_comparison(first);
-    usual_cost_ = first.cpu;
+  Case case_of(const Settings& settings, int repeat = 0) const {
+    return {joined(subject_.base, settings), subject_.sample_at, false, repeat};
+  }
+  std::vector<Outcome> outcomes_of(const std::vector<Settings>& all, const std::string& what,
+                                   double time_limit, int repeat = 0) {
+    std::vector<Case> cases;
+    cases.reserve(all.size());
+    for (const Settings& settings : all) cases.push_back(case_of(settings, repeat));
+    return runner_->run(cases, what, time_limit);
   }
 
   // The reference runs beside all that varies one choice: it takes longest, and begins first.
   void vary_one_at_a_time() {
-    axes_ = trade_axes(scene_);
-    const auto references =
-        reference_settings(scene_, std::max(most_of_reference, least_budget / usual_cost_));
-    std::vector<Case> cases{case_of(references[0]), case_of({}), case_of(last_bits(scene_.E))};
+    if (subject_.ways.empty()) axes_ = trade_axes(subject_.scene);
+    const auto references = reference_settings(subject_.scene, subject_.most);
+    std::vector<Settings> all{references[0], {}, last_bits(subject_.scene.E)};
     for (const TradeAxis& axis : axes_)
-      for (const Settings& settings : axis.values) cases.push_back(case_of(settings));
-    std::vector<Outcome> outcomes = runner_->run(cases, "one choice at a time");
-    for (std::size_t k = 1; k < references.size() && !outcomes[0].finished(); ++k)
-      outcomes[0] = runner_->run_alone(case_of(references[k]), "reference");
-    take_reference(finished(outcomes[0]));
-    trade_.noise = errors_of(finished(outcomes[2]), finished(outcomes[1]));
-    outcomes.erase(outcomes.begin() + 2);
-    outcomes.erase(outcomes.begin());
-    for (const Outcome& outcome : outcomes) add(outcome);
+      all.insert(all.end(), axis.values.begin(), axis.values.end());
+    all.insert(all.end(), subject_.ways.begin(), subject_.ways.end());
+    constexpr double patience = 4.0;
+    const double time_limit = patience * (subject_.most * subject_.cost + 1.0);
+    std::vector<Outcome> outcomes = outcomes_of(all, "one choice at a time", time_limit);
+    std::size_t used = 0;
+    while (!outcomes[0].finished() && ++used < references.size())
+      outcomes[0] = runner_->run_alone(case_of(references[used]), "reference");
+    take_reference(references[std::min(used, references.size() - 1)], finished(outcomes[0]));
+    trade_.noise = errors_of(finished(outcomes[2]), finished(outcomes[1]), trade_.quantities);
+    for (std::size_t k = 1; k < all.size(); ++k)
+      if (k != 2) add(all[k], outcomes[k]);
     mark_front();
   }
 
-  void take_reference(const Outcome& outcome) {
-    trade_.reference.outcome = outcome;
+  void take_reference(const Settings& settings, const Outcome& outcome) {
+    trade_.reference = {settings, outcome, errors_of(outcome, outcome, trade_.quantities)};
     for (const QuantityRow& row : trade_.quantities)
-      trade_.allowed[std::string(row.name)] = allowed_of(row, scene_, value_of(outcome, row));
-    trade_.reference.errors = errors_of(outcome, outcome);
-    trade_.reference.error = 0.0;
+      trade_.allowed[std::string(row.name)] = allowed_error(row, subject_.scene, outcome);
   }
 
-  std::map<std::string, std::optional<double>> errors_of(const Outcome& outcome,
-                                                         const Outcome& reference) const {
-    std::map<std::string, std::optional<double>> errors;
-    for (const QuantityRow& row : trade_.quantities) {
-      const QuantityValue value = value_of(outcome, row), right = value_of(reference, row);
-      if (value.found() || right.found())
-        errors[std::string(row.name)] = error_of(value, right, row);
-    }
-    return errors;
-  }
-
-  // The root mean square of the errors over the sizes that count as one.
-  double score(const std::map<std::string, std::optional<double>>& errors) const {
-    double sum = 0.0;
-    for (const auto& [name, error] : errors) {
-      const double share = error ? std::min(*error / trade_.allowed.at(name), worst) : worst;
-      sum += share * share;
-    }
-    return errors.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(errors.size()));
-  }
-
-  void add(const Outcome& outcome) {
-    TradeRun run{.outcome = outcome, .error = infinity};
+  void add(const Settings& settings, const Outcome& outcome) {
+    TradeRun run{settings, outcome, {}, infinity};
     if (outcome.finished()) {
-      run.errors = errors_of(outcome, trade_.reference.outcome);
-      run.error = score(run.errors);
+      run.errors = errors_of(outcome, trade_.reference.outcome, trade_.quantities);
+      run.error = score(run.errors, trade_.allowed);
     }
-    tried_.insert(outcome.setting.settings);
+    tried_.insert(settings);
     trade_.runs.push_back(std::move(run));
   }
 
   // Runs that change the model are none that one can choose.
+  Candidate candidate(const TradeRun& run) const {
+    return {run.outcome.cpu, is_of_model(run.settings) ? infinity : run.error};
+  }
   void mark_front() {
     std::vector<Candidate> all;
-    for (const TradeRun& run : trade_.runs)
-      all.push_back({run.outcome.cpu, is_of_model(run) ? infinity : run.error});
+    all.reserve(trade_.runs.size());
+    for (const TradeRun& run : trade_.runs) all.push_back(candidate(run));
     const std::vector<bool> front = front_of(all);
     for (std::size_t k = 0; k < front.size(); ++k) trade_.runs[k].on_front = front[k];
   }
 
-  bool is_of_model(const TradeRun& run) const {
-    return std::ranges::any_of(axes_, [&](const TradeAxis& axis) {
-      return axis.of_model &&
-             std::ranges::find(axis.values, run.outcome.setting.settings) != axis.values.end();
-    });
+  static bool has(const TradeAxis& axis, const Settings& settings) {
+    return std::ranges::find(axis.values, settings) != axis.values.end();
+  }
+  bool is_of_model(const Settings& settings) const {
+    return std::ranges::any_of(
+        axes_, [&](const TradeAxis& axis) { return axis.of_model && has(axis, settings); });
+  }
+  std::optional<std::size_t> axis_of(const Settings& settings) const {
+    for (std::size_t k = 0; k < axes_.size(); ++k)
+      if (has(axes_[k], settings)) return k;
+    return std::nullopt;
   }
 
-  // Returns the number of the axis of a run that varies one choice.
-  std::size_t axis_of(const Settings& settings) const {
-    const auto axis = std::ranges::find_if(axes_, [&](const TradeAxis& one) {
-      return std::ranges::find(one.values, settings) != one.values.end();
-    });
-    return static_cast<std::size_t>(axis - axes_.begin());
-  }
-
-  void want(const Settings& settings, std::vector<Case>& cases) {
-    if (tried_.insert(settings).second) cases.push_back(case_of(settings));
-  }
-
-  // What is fast by its arithmetic on every lattice that is on the front, and pairs of the front.
+  // What is fast by its arithmetic, and what is surest by all else, on every lattice, and pairs of
+  // the front.
   void combine() {
-    std::vector<Case> cases;
-    const Settings fast = fast_arithmetic();
-    std::vector<Settings> best;
-    for (const TradeRun& run : trade_.runs)
-      if (run.on_front && !run.outcome.setting.settings.empty())
-        best.push_back(run.outcome.setting.settings);
-    want(fast, cases);
+    std::vector<Settings> all;
+    const auto want = [&](const Settings& settings) {
+      if (tried_.insert(settings).second) all.push_back(settings);
+    };
+    const Settings fast = fast_arithmetic(), sure = surest();
+    want(fast);
+    want(joined(fast, sure));
     for (const TradeAxis& axis : axes_)
       if (axis.of_lattice)
-        for (const Settings& lattice : axis.values) want(joined(lattice, fast), cases);
-    std::size_t pairs = 0;
-    for (const Settings& one : best)
-      for (const Settings& other : best)
-        if (may_join(one, other) && pairs < most_pairs && !tried_.contains(joined(one, other))) {
-          ++pairs;
-          want(joined(one, other), cases);
-          want(joined(fast, joined(one, other)), cases);
+        for (const Settings& lattice : axis.values) {
+          want(joined(lattice, fast));
+          want(joined(joined(lattice, fast), sure));
         }
-    for (const Outcome& outcome : runner_->run(cases, "combinations", slowest())) add(outcome);
+    std::size_t pairs = 0;
+    for (const TradeRun& one : trade_.runs)
+      for (const TradeRun& other : trade_.runs) {
+        if (!one.on_front || !other.on_front || !may_join(one.settings, other.settings)) continue;
+        if (pairs++ >= most_pairs) continue;
+        want(joined(one.settings, other.settings));
+        want(joined(fast, joined(one.settings, other.settings)));
+      }
+    // What takes longer than the reference is beaten by it.
+    const double time_limit = 2.0 * trade_.reference.outcome.wall;
+    const std::vector<Outcome> outcomes = outcomes_of(all, "combinations", time_limit);
+    for (std::size_t k = 0; k < all.size(); ++k) add(all[k], outcomes[k]);
     mark_front();
   }
 
-  // A run that takes longer than the reference is beaten by it.
-  double slowest() const { return 2.0 * trade_.reference.outcome.wall; }
-
   bool may_join(const Settings& one, const Settings& other) const {
-    const std::size_t a = axis_of(one), b = axis_of(other);
-    if (a >= b || b >= axes_.size()) return false;
-    return !(axes_[a].of_lattice && axes_[b].of_lattice);
+    const auto a = axis_of(one), b = axis_of(other);
+    if (!a || !b || *a >= *b) return false;
+    return !(axes_[*a].of_lattice && axes_[*b].of_lattice);
   }
 
-  // The cheapest value of each axis that only changes the arithmetic, if it saves anything.
+  // The value of each axis apart from the lattice that errs clearly least.
+  Settings surest() const {
+    constexpr double clearly = 0.95;
+    Settings sure;
+    for (const TradeAxis& axis : axes_) {
+      if (axis.of_lattice || axis.of_model) continue;
+      const TradeRun* best = nullptr;
+      for (const TradeRun& run : trade_.runs)
+        if (has(axis, run.settings) && run.error < clearly * trade_.runs.front().error &&
+            (!best || run.error < best->error))
+          best = &run;
+      if (best) sure = joined(sure, best->settings);
+    }
+    return sure;
+  }
+
+  // The cheapest value of each axis that only changes the arithmetic, if it does little harm.
   Settings fast_arithmetic() const {
+    constexpr double little = 1.1;
+    const TradeRun& as_written = trade_.runs.front();
     Settings fast;
     for (const TradeAxis& axis : axes_) {
       if (!axis.exact_by_itself) continue;
-      const TradeRun* cheapest = &trade_.runs.front();
-      for (const TradeRun& run : trade_.runs) {
-        const bool of_axis =
-            std::ranges::find(axis.values, run.outcome.setting.settings) != axis.values.end();
-        const bool harmless = run.error < 2.0 * trade_.runs.front().error + one_percent;
-        if (of_axis && harmless && run.outcome.cpu < cheapest->outcome.cpu) cheapest = &run;
-      }
-      fast = joined(fast, cheapest->outcome.setting.settings);
+      const TradeRun* cheapest = &as_written;
+      for (const TradeRun& run : trade_.runs)
+        if (has(axis, run.settings) && run.error <= little * as_written.error &&
+            run.outcome.cpu < cheapest->outcome.cpu)
+          cheapest = &run;
+      fast = joined(fast, cheapest->settings);
     }
     return fast;
+  }
+
+  // What else the machine does only adds to a time: runs near the front are timed again, and the
+  // least counts.
+  void time_again() {
+    std::vector<std::size_t> near;
+    std::vector<Settings> all;
+    for (std::size_t k = 0; k < trade_.runs.size(); ++k)
+      if (trade_.runs[k].outcome.cpu < short_run && (k == 0 || is_near_front(trade_.runs[k]))) {
+        near.push_back(k);
+        all.push_back(trade_.runs[k].settings);
+      }
+    for (int repeat = 1; repeat <= timings; ++repeat) {
+      const std::vector<Outcome> outcomes = outcomes_of(all, "timing", infinity, repeat);
+      for (std::size_t k = 0; k < near.size(); ++k) {
+        Outcome& first = trade_.runs[near[k]].outcome;
+        if (!outcomes[k].finished()) continue;
+        first.cpu = std::min(first.cpu, outcomes[k].cpu);
+        first.wall = std::min(first.wall, outcomes[k].wall);
+      }
+    }
+    mark_front();
+  }
+
+  bool is_near_front(const TradeRun& run) const {
+    constexpr double clearly_cheaper = 0.75;
+    const Candidate mine = candidate(run);
+    return std::isfinite(mine.error) &&
+           std::ranges::none_of(trade_.runs, [&](const TradeRun& other) {
+             const Candidate its = candidate(other);
+             return its.cost < clearly_cheaper * mine.cost && its.error <= mine.error;
+           });
   }
 
   void choose() {
@@ -205,26 +231,62 @@ class TradeStudy {
       std::optional<std::size_t> best;
       for (std::size_t k = 0; k < trade_.runs.size(); ++k) {
         const TradeRun& run = trade_.runs[k];
-        if (run.on_front && run.outcome.cpu <= budget &&
-            (!best || run.error < trade_.runs[*best].error))
-          best = k;
+        const bool fits = run.on_front && run.outcome.cpu <= budget;
+        if (fits && (!best || run.error < trade_.runs[*best].error)) best = k;
       }
       if (best) trade_.recommended.push_back({budget, *best});
     }
   }
 
   CaseRunner* runner_;
+  Subject subject_;
   Trade trade_;
-  SceneNumerics scene_;
-  double sample_at_ = 0.0, usual_cost_ = 0.0;
   std::vector<TradeAxis> axes_;
   std::set<Settings> tried_;
 };
 
+// The same scene on a lattice so coarse that it takes seconds.
+Subject coarsened(const Subject& subject) {
+  const double factor = std::cbrt(subject.cost / screening);
+  Subject coarse = subject;
+  coarse.scene.spacing *= factor;
+  coarse.scene.horizon *= factor;
+  coarse.base = spaced(coarse.scene.spacing, coarse.scene.m());
+  coarse.cost = screening;
+  return coarse;
+}
+
+// What is best on the coarse lattice, the surest first, for the lattice as written.
+std::vector<Settings> best_of(const Trade& screen, double factor) {
+  std::vector<const TradeRun*> front;
+  for (const TradeRun& run : screen.runs)
+    if (run.on_front && !run.settings.empty()) front.push_back(&run);
+  std::ranges::sort(front, {}, [](const TradeRun* run) { return run->error; });
+  if (front.size() > most_of_screen) front.resize(most_of_screen);
+  std::vector<Settings> ways;
+  for (const TradeRun* run : front) ways.push_back(with_finer_lattice(run->settings, factor));
+  return ways;
+}
+
 }  // namespace
 
 Trade trade(CaseRunner& runner, std::vector<QuantityRow> quantities) {
-  return TradeStudy(runner, std::move(quantities)).made();
+  if (quantities.empty()) quantities.assign(quantity_rows().begin(), quantity_rows().end());
+  const Outcome first = finished(runner.run_alone({}, "as written"));
+  Subject subject{.base = {},
+                  .scene = numerics_of(first),
+                  .sample_at = moment_of_comparison(first),
+                  .cost = first.cpu,
+                  .ways = {}};
+  if (subject.cost <= costly) return TradeStudy(runner, quantities, subject).made();
+  const Subject coarse = coarsened(subject);
+  const double factor = coarse.scene.spacing / subject.scene.spacing;
+  subject.ways = best_of(TradeStudy(runner, quantities, coarse).made(), factor);
+  constexpr double most_of_costly = 3.0;
+  subject.most = most_of_costly;
+  Trade found = TradeStudy(runner, quantities, subject).made();
+  found.screened_at = factor;
+  return found;
 }
 
 }  // namespace hackle

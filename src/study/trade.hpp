@@ -4,19 +4,18 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "study/case_runner.hpp"
-#include "study/quantity.hpp"
+#include "study/trade_score.hpp"
 
 namespace hackle {
 
 struct TradeRun {
+  Settings settings;  // other than the script's own
   Outcome outcome;
-  std::map<std::string, std::optional<double>>
-      errors;          // by quantity, in its unit, of the reference
+  Errors errors;       // against the reference
   double error = 0.0;  // all of them in one number, see score(); infinite if it did not finish
   bool on_front = false;
 };
@@ -29,19 +28,22 @@ struct Recommendation {
 
 struct Trade {
   std::vector<QuantityRow> quantities;
-  std::map<std::string, double> allowed;  // the size of an error that counts as one, by quantity
+  std::map<std::string, double> allowed;  // see allowed_error(), by quantity
   TradeRun reference;
   std::vector<TradeRun> runs;  // the first is the script as written
   // How far a change in the last bits of the stiffness moves the script as written: what is smaller
-  // than this is not an error of the numerics.
-  std::map<std::string, std::optional<double>> noise;
+  // than this is no error of the numerics.
+  Errors noise;
   std::vector<Recommendation> recommended;
+  // Of a scene that takes long: the ways were chosen on a lattice coarser by this; else 1.
+  double screened_at = 1.0;
 };
 
-// Runs the script over precision, spacing, m, quadrature, surface correction, constants, step,
-// fidelity, fused arithmetic, history and outputs, one at a time, then what is fast together. With
-// no quantities, all are compared. Throws what CaseRunner throws, and Error (run_failed) if the
-// script as written or the reference fails.
+// Runs the script over precision, spacing, m, horizon, quadrature, surface correction, constants,
+// step, fidelity, fused arithmetic and history, one at a time, then what is fast together. Of a
+// scene that takes longer than seconds all of this is done on a coarser lattice, and only what is
+// best there with the spacing of the script. With no quantities, all are compared. Throws what
+// CaseRunner throws, and Error (run_failed) if the script as written or the reference fails.
 Trade trade(CaseRunner& runner, std::vector<QuantityRow> quantities);
 
 }  // namespace hackle

@@ -115,6 +115,7 @@ std::vector<TradeAxis> trade_axes(const SceneNumerics& scene) {
           horizons(scene),
           choice<Quadrature>("quadrature", scene.quadrature),
           choice<Surface>("surface", scene.surface),
+          choice<Breaking>("breaking", scene.breaking),
           constants(scene),
           choice<Micromodulus>("micromodulus", scene.micromodulus),
           history(scene)};

@@ -15,12 +15,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string error_cell(const std::map<std::string, std::optional<double>>& errors,
-                       const QuantityRow& row) {
+std::string error_cell(const Errors& errors, const QuantityRow& row, const Trade& trade) {
   const auto at = errors.find(std::string(row.name));
   if (at == errors.end()) return "";
   if (!at->second) return "lost";
-  return cell_of(*at->second, row.unit);
+  constexpr double nothing = 1e-9;  // of what counts as one: rounding
+  const bool is_none = *at->second < nothing * trade.allowed.at(at->first);
+  return is_none ? "0" : cell_of(*at->second, row.unit);
 }
 
 std::string speed_of(const Outcome& outcome) {
@@ -68,13 +69,13 @@ Table front_table(const Trade& trade) {
   const auto add = [&](const std::string& name, const TradeRun& run) {
     std::vector<std::string> cells{fmt::format("{:.2f}", run.outcome.cpu),
                                    fmt::format("{:.2f}", run.error)};
-    for (const QuantityRow& row : rows) cells.push_back(error_cell(run.errors, row));
+    for (const QuantityRow& row : rows) cells.push_back(error_cell(run.errors, row, trade));
     cells.push_back(name);
     table.rows.push_back(std::move(cells));
   };
   for (const std::size_t k : by_cost(trade, true)) {
     const TradeRun& run = trade.runs[k];
-    add(name_of(run.outcome.setting.settings) + (run.on_front ? "" : " (beaten)"), run);
+    add(name_of(run.settings) + (run.on_front ? "" : " (beaten)"), run);
   }
   add("reference", trade.reference);
   return table;
@@ -99,8 +100,9 @@ Json to_json(const QuantityValue& value) {
   return nullptr;
 }
 
-Json cost_json(const Outcome& outcome) {
-  Json json{{"settings", outcome.setting.settings},
+Json cost_json(const TradeRun& run) {
+  const Outcome& outcome = run.outcome;
+  Json json{{"settings", run.settings},
             {"wall_s", outcome.wall},
             {"cpu_s", outcome.cpu},
             {"bytes", outcome.peak_bytes}};
@@ -111,7 +113,7 @@ Json cost_json(const Outcome& outcome) {
   return json;
 }
 
-Json errors_json(const std::map<std::string, std::optional<double>>& errors) {
+Json errors_json(const Errors& errors) {
   Json json = Json::object();
   for (const auto& [name, error] : errors) json[name] = error ? Json(*error) : Json();
   return json;
@@ -131,10 +133,14 @@ std::string text_of(const Trade& trade) {
   std::string text = aligned(front_table(trade));
   fmt::format_to(std::back_inserter(text), "\n{} runs. {}", trade.runs.size() + 1,
                  noise_text(trade));
+  if (trade.screened_at > 1.0)
+    fmt::format_to(std::back_inserter(text),
+                   "These ways were the best of many on a lattice {:.1f} times coarser.\n",
+                   trade.screened_at);
   for (const Recommendation& one : trade.recommended) {
     const TradeRun& run = trade.runs[one.run];
     fmt::format_to(std::back_inserter(text), "within {} of CPU time: {} (error {:.2f})\n",
-                   quantity(one.budget, "s"), name_of(run.outcome.setting.settings), run.error);
+                   quantity(one.budget, "s"), name_of(run.settings), run.error);
   }
   return text;
 }
@@ -159,21 +165,22 @@ Table table_of(const Trade& trade) {
     }
     table.rows.push_back(std::move(cells));
   };
-  add("reference: " + name_of(trade.reference.outcome.setting.settings), trade.reference);
+  add("reference: " + name_of(trade.reference.settings), trade.reference);
   for (const std::size_t k : by_cost(trade, false))
-    add(name_of(trade.runs[k].outcome.setting.settings), trade.runs[k]);
+    add(name_of(trade.runs[k].settings), trade.runs[k]);
   return table;
 }
 
 Json to_json(const Trade& trade) {
   Json json{{"schema", 1}, {"kind", "trade"}};
-  json["reference"] = cost_json(trade.reference.outcome);
+  json["reference"] = cost_json(trade.reference);
   json["reference"]["values"] = values_json(trade, trade.reference.outcome);
   json["allowed"] = trade.allowed;
+  json["screened_at"] = trade.screened_at;
   json["noise"] = errors_json(trade.noise);
   Json& runs = json["runs"] = Json::array();
   for (const TradeRun& run : trade.runs) {
-    Json one = cost_json(run.outcome);
+    Json one = cost_json(run);
     one["errors"] = errors_json(run.errors);
     one["error"] = std::isfinite(run.error) ? Json(run.error) : Json();
     one["on_front"] = run.on_front;
@@ -181,8 +188,7 @@ Json to_json(const Trade& trade) {
   }
   Json& recommended = json["recommended"] = Json::array();
   for (const Recommendation& one : trade.recommended)
-    recommended.push_back(
-        {{"budget", one.budget}, {"settings", trade.runs[one.run].outcome.setting.settings}});
+    recommended.push_back({{"budget", one.budget}, {"settings", trade.runs[one.run].settings}});
   return json;
 }
 
@@ -204,7 +210,7 @@ Diagram chart_of(const Trade& trade) {
                             DiagramStroke::dots});
   for (const std::size_t k : by_cost(trade, true))
     if (trade.runs[k].on_front && k != 0)
-      diagram.curves.push_back({name_of(trade.runs[k].outcome.setting.settings),
+      diagram.curves.push_back({name_of(trade.runs[k].settings),
                                 {Vec2(trade.runs[k].outcome.cpu, trade.runs[k].error)},
                                 DiagramStroke::dots});
   return diagram;

@@ -72,7 +72,7 @@ TEST_F(DocsTest, CompletionsKnowEveryCommandAndOption) {
   for (const std::string_view shell : shell_names) {
     const std::string text = docs({"--completion", std::string(shell)});
     for (const char* word :
-         {"run", "bench", "info", "diff", "export", "docs", "instructions", "accuracy", "lammps"})
+         {"run", "bench", "info", "diff", "export", "docs", "instructions", "study", "lammps"})
       EXPECT_THAT(text, HasSubstr(word)) << shell;
   }
 }

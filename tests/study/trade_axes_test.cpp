@@ -18,6 +18,7 @@ SceneNumerics scene() {
   scene.micromodulus = "constant";
   scene.constants = "lattice";
   scene.surface = "none";
+  scene.breaking = "at_once";
   scene.safety = 0.9;
   scene.E = 65e9;
   return scene;

@@ -30,7 +30,7 @@ class TradeTest : public testing::Test {
   }
   static const TradeRun& run_with(const Trade& trade, const Settings& settings) {
     const auto run = std::ranges::find_if(
-        trade.runs, [&](const TradeRun& one) { return one.outcome.setting.settings == settings; });
+        trade.runs, [&](const TradeRun& one) { return one.settings == settings; });
     EXPECT_NE(run, trade.runs.end()) << name_of(settings);
     return *run;
   }
@@ -57,7 +57,7 @@ TEST_F(TradeTest, RecommendsFromTheFront) {
     EXPECT_LE(trade.runs[one.run].outcome.cpu, one.budget);
   }
   for (const TradeRun& run : trade.runs) {
-    const bool of_model = run.outcome.setting.settings.contains("material.alpha");
+    const bool of_model = run.settings.contains("material.alpha");
     EXPECT_FALSE(run.on_front && of_model);
   }
 }
@@ -82,7 +82,7 @@ TEST_F(TradeTest, ComparesOnlyWhatIsAskedFor) {
 
 TEST_F(TradeTest, GoesOnWithoutWhatTheSceneRefuses) {
   const Trade trade = traded(R"({"a": 0.5, "fails": "simulate.surface"})");
-  EXPECT_FALSE(trade.reference.outcome.setting.settings.contains("simulate.surface"));
+  EXPECT_FALSE(trade.reference.settings.contains("simulate.surface"));
   const TradeRun& failed = run_with(trade, {{"simulate.surface", "energy"}});
   EXPECT_FALSE(failed.on_front);
   EXPECT_EQ(failed.outcome.reason, "this cannot be (do otherwise)");

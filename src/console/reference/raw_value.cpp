@@ -97,9 +97,14 @@ const FunctionDoc* doc_of(lua_State* L, const NamePath& path) {
   object.names.pop_back();
   const RawValue value = raw_value(L, object);
   if (!value.known() && path.is_method) return method_of_any(path.names.back());
-  const Function* method =
-      value.type != nullptr ? find_method(*value.type, path.names.back()) : nullptr;
-  return method != nullptr ? method->doc : nullptr;
+  if (value.type != nullptr) {
+    const Function* method = find_method(*value.type, path.names.back());
+    return method != nullptr ? method->doc : nullptr;
+  }
+  if (value.table == 0) return nullptr;
+  lua_pushvalue(L, value.table);
+  push_key(L, path.names.back());
+  return doc_of_global(L, -1);
 }
 
 std::vector<Key> keys_of(lua_State* L, int table) {

@@ -17,6 +17,7 @@
 #include "console/language/recording_binding.hpp"
 #include "console/language/show_binding.hpp"
 #include "console/language/simulation_binding.hpp"
+#include "console/language/study_binding.hpp"
 #include "console/language/values_binding.hpp"
 
 namespace hackle {
@@ -32,7 +33,7 @@ std::vector<Function> all_functions() {
        {material_functions(), plate_functions(), amplitude_functions(), simulation_functions(),
         background_functions(), show_functions(), checkpoint_functions(), recording_functions(),
         contact_sheet_functions(), chart_functions(), gauge_functions(), expect_functions(),
-        options_functions(), help_functions()})
+        options_functions(), study_functions(), help_functions()})
     list.insert(list.end(), functions.begin(), functions.end());
   return list;
 }

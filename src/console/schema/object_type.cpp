@@ -72,8 +72,14 @@ void open_type(lua_State* L, const char* registry_name, const TypeDoc& type) {
 
 void open_functions(lua_State* L, std::span<const Function> functions) {
   for (const Function& function : functions) {
+    const std::string name(function.doc->name);
+    const std::size_t dot = name.find('.');
+    const int top = lua_gettop(L);
+    lua_pushglobaltable(L);
+    if (dot != std::string::npos) luaL_getsubtable(L, -1, name.substr(0, dot).c_str());
     lua_pushcfunction(L, function.call);
-    lua_setglobal(L, std::string(function.doc->name).c_str());
+    lua_setfield(L, -2, name.substr(dot == std::string::npos ? 0 : dot + 1).c_str());
+    lua_settop(L, top);
   }
 }
 

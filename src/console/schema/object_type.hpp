@@ -14,7 +14,7 @@ namespace hackle {
 // text, and protection against writing and against access to the metatable from a script.
 void open_type(lua_State* L, const char* registry_name, const TypeDoc& type);
 
-// Defines the functions as globals.
+// Defines the functions as globals, those with a dot in their name in a table.
 void open_functions(lua_State* L, std::span<const Function> functions);
 
 // Throws the Error for a method called without its object, as in p.crack{...}.
