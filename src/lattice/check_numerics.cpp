@@ -107,6 +107,11 @@ bool check_horizon(const Numerics& numerics, Problems& problems) {
   return false;
 }
 
+// Returns false if a constant has overflowed, or lost bits near 0.
+bool can_be_computed_with(const Calibration& found) {
+  return std::isnormal(found.moduli.E) && std::isnormal(found.s0) && std::isnormal(found.G0);
+}
+
 // Requires a family. Returns nothing if the material or the constants give no stiffness, which is
 // reported elsewhere, or if the numbers overflow, which is reported here.
 std::optional<double> micromodulus_of(const Material& material, const Plate& plate,
@@ -116,12 +121,16 @@ std::optional<double> micromodulus_of(const Material& material, const Plate& pla
   check(material, of_material);
   if (!of_material.empty() || !constants_apply(plate, numerics)) return std::nullopt;
   const double dx = numerics.spacing;
-  const double c = calibrate(family, material, dx, numerics.constants, plate.plane).c;
-  if (std::isnormal(c * dx / material.rho)) return c;
-  problems.add(fmt::format("simulate: E {}, rho {} kg/m3 and spacing {} are beyond what numbers "
-                           "can express together",
-                           quantity(material.E, "Pa"), material.rho, quantity(dx, "m")),
-               "take values nearer to a real plate's");
+  const Calibration found = calibrate(family, material, dx, numerics.constants, plate.plane);
+  if (can_be_computed_with(found) && std::isnormal(found.c * dx / material.rho)) return found.c;
+  problems.add(
+      fmt::format("simulate: E {}, rho {} kg/m3, {} and spacing {} are beyond what numbers "
+                  "can express together",
+                  quantity(material.E, "Pa"), material.rho,
+                  material.s0 > 0.0 ? fmt::format("s0 {:g}", material.s0)
+                                    : "G0 " + quantity(material.G0, "J/m2"),
+                  quantity(dx, "m")),
+      "take values nearer to a real plate's");
   return std::nullopt;
 }
 

@@ -109,7 +109,8 @@ void check(const Amplitude& amplitude, const std::string& who, Problems& problem
   double last = -std::numeric_limits<double>::infinity();
   for (const Vec2& point : amplitude.points()) {
     if (!point.allFinite())
-      problems.add(fmt::format("{}: the amplitude in time holds a number that is not finite", who));
+      problems.add(fmt::format("{}: the amplitude in time holds a number that is not finite", who),
+                   "give finite times and factors");
     else if (point.x() < last)
       problems.add(fmt::format("{}: the amplitude in time goes back from {} to {}", who,
                                quantity(last, "s"), quantity(point.x(), "s")),

@@ -135,6 +135,15 @@ TEST(Numerics, NoProblemHidesAnother) {
               testing::AllOf(HasSubstr("spacing is 0 m"), HasSubstr("fidelity is 2")));
 }
 
+TEST(Numerics, ConstantsThatOverflowOrVanishAreRefused) {
+  for (const auto& [E, G0] : {std::pair{1e300, 200.0}, {65e9, 1e-320}, {1e-200, 1e200}}) {
+    Plate plate = test::bare_plate(20, 10);
+    plate.material.E = E;
+    plate.material.G0 = G0;
+    EXPECT_THAT(problems_of(plate, test::numerics()), HasSubstr("can express together")) << E;
+  }
+}
+
 TEST(Numerics, ABadMaterialHasNoStepLimit) {
   Plate plate = test::edge_crack(12e6);
   plate.material.rho = 0.0;

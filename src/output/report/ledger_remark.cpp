@@ -83,8 +83,9 @@ double largest_entry(const Energy& energy) {
 }
 
 // Returns the energy, J/m, below which a ledger is empty: rounding, for a plate that only moves;
-// the nonlinear part of the stretch, on which heat does work, for a plate that is only heated.
-double nothing(const Simulation& simulation) {
+// the nonlinear part of the stretch, on which heat does work, for a plate that is only heated. One
+// that heat has broken is more than that.
+double nothing(const Simulation& simulation, const Energy& energy) {
   constexpr double rounding = 1e-9;
   const Lattice& lattice = simulation.lattice();
   double motion = 0.0, heat = 0.0;
@@ -93,6 +94,7 @@ double nothing(const Simulation& simulation) {
       motion = std::max(motion, simulation.displacement(i, j).squaredNorm());
   for (const double strain : simulation.thermal_strain())
     heat += 2.0 * std::pow(std::abs(strain), 3) * lattice.grid.dx * lattice.grid.dx;
+  if (energy.broken > 0.0) heat = 0.0;
   return simulation.plate().material.E * (rounding * motion + heat);
 }
 
@@ -107,7 +109,7 @@ std::optional<std::string> ledger_remark(const Simulation& simulation, const Ene
                                          bool at_once) {
   const double share = residual_share(energy);
   if (!(std::abs(share) > max_residual)) return std::nullopt;
-  if (largest_entry(energy) < nothing(simulation)) return std::nullopt;
+  if (largest_entry(energy) < nothing(simulation, energy)) return std::nullopt;
   const Cause cause = likely_cause(simulation, at_once);
   return fmt::format(
       "the energies do not add up: {:.2g} % of the largest {}. A likely cause: {}; {}",

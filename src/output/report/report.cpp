@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -126,6 +127,22 @@ std::string tiles_line(const Summary& summary) {
   return line.empty() ? "no step yet" : line;
 }
 
+// A material whose critical stretch is given has no fracture energy of its own to compare with.
+std::optional<std::string> constants_remark(const Simulation& simulation) {
+  const Material& material = simulation.plate().material;
+  const Calibration& calibration = simulation.lattice().calibration;
+  const double E = calibration.moduli.E / material.E;
+  const double G0 = material.G0 > 0.0 ? calibration.G0 / material.G0 : 1.0;
+  if (std::abs(E - 1.0) <= 1e-6 && std::abs(G0 - 1.0) <= 1e-6) return std::nullopt;
+  const std::string constants(name_of(simulation.numerics().constants));
+  if (material.G0 == 0.0)
+    return fmt::format("{} constants give {:.3f} of the material's E on this lattice", constants,
+                       E);
+  return fmt::format(
+      "{} constants give {:.3f} of the material's E and {:.3f} of its G0 on this lattice",
+      constants, E, G0);
+}
+
 }  // namespace
 
 std::string report(const Simulation& simulation, const Summary& summary) {
@@ -163,12 +180,7 @@ std::vector<std::string> remarks(const Simulation& simulation) {
   for (std::string& remark : shape_remarks(plate, simulation.lattice()))
     list.push_back(std::move(remark));
   if (auto remark = ligament_remark(simulation)) list.push_back(std::move(*remark));
-  const double E = simulation.lattice().calibration.moduli.E / plate.material.E;
-  const double G0 = simulation.lattice().calibration.G0 / plate.material.G0;
-  if (std::abs(E - 1.0) > 1e-6 || std::abs(G0 - 1.0) > 1e-6)
-    list.push_back(fmt::format(
-        "{} constants give {:.3f} of the material's E and {:.3f} of its G0 on this lattice",
-        name_of(simulation.numerics().constants), E, G0));
+  if (auto remark = constants_remark(simulation)) list.push_back(*std::move(remark));
   return list;
 }
 

@@ -65,6 +65,18 @@ TEST(LedgerRemark, IsSilentWhereNothingHappened) {
   EXPECT_EQ(ledger_remark(moved, energy(moved)), std::nullopt);
 }
 
+// Far below the nonlinear part of what heat does, but bonds have broken.
+TEST(LedgerRemark, SpeaksWhereHeatHasBrokenBonds) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.material.alphaT = 3e-6;
+  plate.loads.thermal_loads.push_back({{}, ScalarField(1e4), {}});
+  const Simulation simulation(plate, test::numerics());
+  Energy energy = ledger(1.0, 2.0);
+  EXPECT_EQ(ledger_remark(simulation, energy), std::nullopt);
+  energy.broken = 0.5;
+  EXPECT_NE(ledger_remark(simulation, energy), std::nullopt);
+}
+
 TEST(LedgerRemark, AdvisesWhatHelps) {
   Simulation simulation(test::bare_plate(20, 10), test::numerics());
   EXPECT_THAT(ledger_remark(simulation, ledger(1.0, 2.0), true).value_or(""),

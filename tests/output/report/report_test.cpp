@@ -43,6 +43,20 @@ TEST(Report, SaysWhatBodiesBear) {
   EXPECT_THAT(bare.report(), testing::Not(HasSubstr("forces")));
 }
 
+// A material whose critical stretch is given has no fracture energy to compare with.
+TEST(Report, ComparesNoFractureEnergyWhereTheStretchIsGiven) {
+  Plate plate = test::bare_plate(20, 10);
+  plate.material.G0 = 0.0;
+  plate.material.s0 = 1e-3;
+  EXPECT_THAT(remarks(Simulation(plate, test::numerics(), {1})),
+              testing::Not(testing::Contains(HasSubstr("of its G0"))));
+  Numerics numerics = test::numerics();
+  numerics.constants = Constants::continuum;
+  EXPECT_THAT(remarks(Simulation(plate, numerics, {1})),
+              testing::Contains(testing::AllOf(HasSubstr("of the material's E on this lattice"),
+                                               testing::Not(HasSubstr("G0")))));
+}
+
 TEST(Report, SaysPlaneQuadratureAndMicromodulus) {
   Plate plate = test::edge_crack(12e6);
   plate.plane = Plane::strain;
