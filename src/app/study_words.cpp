@@ -31,8 +31,12 @@ Settings settings_of(const std::vector<std::string>& words) {
 
 void describe_study_words(CLI::App& kind, StudyWords& words) {
   kind.add_option("SCRIPT", words.script, "The script")->required();
+  describe_study_options(kind, words, "out/study/<name of the script>");
+}
+
+void describe_study_options(CLI::App& kind, StudyWords& words, const std::string& folder) {
   kind.add_option("-o,--output", words.folder,
-                  "Folder of the study, from which it goes on (out/study/<name of the script>)")
+                  fmt::format("Folder of the study, from which it goes on ({})", folder))
       ->type_name("DIR");
   kind.add_option("-j,--threads", words.execution.threads,
                   "Number of threads of all runs together (one per core)")
@@ -70,7 +74,12 @@ void describe_quantities(CLI::App& kind, std::vector<std::string>& names) {
 
 void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
             const StudyWords& words, const CaseRunner& runner) {
-  const auto files = write_findings(findings, json, runner.options().folder);
+  finish(findings, json, words, runner.options().folder);
+}
+
+void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
+            const StudyWords& words, const std::filesystem::path& folder) {
+  const auto files = write_findings(findings, json, folder);
   if (words.json)
     print_out("{}\n", json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   else
@@ -107,6 +116,7 @@ void describe_study(CLI::App& app, StudyAction& action) {
   study->require_subcommand(1);
   describe_study_trade(*study, action);
   describe_study_ensemble(*study, action);
+  describe_study_envelope(*study, action);
 }
 
 }  // namespace hackle

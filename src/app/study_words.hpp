@@ -39,6 +39,8 @@ int carried_out(const std::function<void()>& work);
 
 // Adds SCRIPT, -o, -j, -q, --json and --fresh to a kind.
 void describe_study_words(CLI::App& kind, StudyWords& words);
+// Adds the same without SCRIPT.
+void describe_study_options(CLI::App& kind, StudyWords& words, const std::string& folder);
 
 // Adds --set for values of every run.
 void describe_set(CLI::App& kind, StudyWords& words);
@@ -49,6 +51,8 @@ void describe_quantities(CLI::App& kind, std::vector<std::string>& names);
 // Writes the findings, and prints them: the text, or the JSON object.
 void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
             const StudyWords& words, const CaseRunner& runner);
+void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
+            const StudyWords& words, const std::filesystem::path& folder);
 
 // Returns a runner of the script. Throws Error (usage, files).
 CaseRunner runner_of(const StudyWords& words, const std::vector<std::string>& arguments);

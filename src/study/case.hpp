@@ -46,6 +46,7 @@ enum class CaseState {
 struct Outcome {
   Case setting;
   CaseState state = CaseState::failed;
+  int exit_code = 0;   // 128 plus the signal that ended it
   std::string reason;  // of a failure, the message of the run
   double wall = 0.0;   // s, of the whole program
   double cpu = 0.0;    // s

@@ -56,8 +56,11 @@ std::vector<std::string> files_beside(const fs::path& script) {
 }
 
 Outcome outcome_of(const Case& one, const ChildResult& result) {
-  Outcome outcome{
-      .setting = one, .wall = result.wall, .cpu = result.cpu, .peak_bytes = result.peak_bytes};
+  Outcome outcome{.setting = one,
+                  .exit_code = result.exit_code,
+                  .wall = result.wall,
+                  .cpu = result.cpu,
+                  .peak_bytes = result.peak_bytes};
   if (result.timed_out) {
     outcome.state = CaseState::stopped;
     outcome.reason = fmt::format("stopped after {:.1f} s", result.wall);
@@ -147,6 +150,7 @@ bool CaseRunner::recall(const Case& one, Outcome& outcome) const {
   if (!kept.is_object() || !kept.contains("told")) return false;
   outcome = {.setting = one,
              .state = kept.value("finished", false) ? CaseState::finished : CaseState::failed,
+             .exit_code = kept.value("exit_code", 0),
              .reason = kept.value("reason", std::string()),
              .wall = kept.value("wall_s", 0.0),
              .cpu = kept.value("cpu_s", 0.0),
@@ -160,6 +164,7 @@ void CaseRunner::keep(const Outcome& outcome) const {
   if (outcome.state == CaseState::stopped) return;
   const Json kept{{"settings", joined(script_.settings, outcome.setting.settings)},
                   {"finished", outcome.finished()},
+                  {"exit_code", outcome.exit_code},
                   {"reason", outcome.reason},
                   {"wall_s", outcome.wall},
                   {"cpu_s", outcome.cpu},
