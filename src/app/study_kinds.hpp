@@ -8,6 +8,7 @@ namespace hackle {
 
 void describe_study_ensemble(CLI::App& study, StudyAction& action);
 void describe_study_envelope(CLI::App& study, StudyAction& action);
+void describe_study_features(CLI::App& study, StudyAction& action);
 void describe_study_trade(CLI::App& study, StudyAction& action);
 
 }  // namespace hackle

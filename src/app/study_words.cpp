@@ -117,6 +117,7 @@ void describe_study(CLI::App& app, StudyAction& action) {
   describe_study_trade(*study, action);
   describe_study_ensemble(*study, action);
   describe_study_envelope(*study, action);
+  describe_study_features(*study, action);
 }
 
 }  // namespace hackle

@@ -114,10 +114,13 @@ bool has_remedy(const std::string& message) {
   return false;
 }
 
+// An error of the script itself is told with its line, which is what to mend.
 CellVerdict of_error(const Outcome& outcome) {
   const std::string& message = outcome.reason;
   const bool before = outcome.exit_code != run_failed && time_in(message).value_or(0.0) == 0.0;
-  if (before && !has_remedy(message)) return failure("the refusal has no remedy: " + message);
+  const bool own = outcome.exit_code == script_error && names_a_place(message);
+  if (before && !own && !has_remedy(message))
+    return failure("the refusal has no remedy: " + message);
   if (before) return {CellEnd::refused, message};
   if (outcome.exit_code == run_failed && says_nan(message))
     return failure("the message has a nan or inf: " + message);
