@@ -40,7 +40,7 @@ void describe_features_kind(CLI::App& kind, FeaturesRequest& request) {
       ->check(CLI::Range(1, 100));
   kind.footer(
       "Without a script: a cracked plate with one feature at a time, on one thread. Time per\n"
-      "node-step is the difference of runs of 300 and 100 steps, so that start-up cancels; start "
+      "node-step is the difference of runs of 550 and 50 steps, so that start-up cancels; start "
       "is\n"
       "a run of no step; MB more is the largest memory less that of the plate without features.\n"
       "What is absent must have the numbers of the first row. With a script: as written, without\n"

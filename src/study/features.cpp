@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "base/files.hpp"
+#include "base/progress.hpp"
 #include "base/text.hpp"
 #include "study/instruction_count.hpp"
 
@@ -83,8 +83,9 @@ std::vector<FeatureRow> features_named(const std::vector<std::string>& names) {
 
 namespace {
 
-// Steps of the two runs whose difference counts, and of those that valgrind counts.
-constexpr int few = 100, many = 300, few_counted = 2, many_counted = 6;
+// Steps of a run that only starts, and of two whose difference counts; those that valgrind counts.
+constexpr std::array<int, 3> steps_of_runs{0, 50, 550};
+constexpr int few_counted = 2, many_counted = 6;
 
 Case case_of(const FeatureRow& row, int steps, int round) {
   return {.settings = {{"feature", std::string(row.name)},
@@ -93,24 +94,33 @@ Case case_of(const FeatureRow& row, int steps, int round) {
           .with_pictures = true};
 }
 
-// The least of several runs: other processes only add.
+// Of several runs alike: other processes only add.
 struct Least {
   double cpu = 0.0;
   std::uint64_t bytes = 0;
   Outcome last;
+
+  void add(const Outcome& one) {
+    const bool first = cpu == 0.0;
+    cpu = first ? one.cpu : std::min(cpu, one.cpu);
+    bytes = first ? one.peak_bytes : std::min(bytes, one.peak_bytes);
+    if (first || last.finished()) last = one;
+  }
 };
 
-Least least_of(CaseRunner& runner, const FeatureRow& row, int steps, int rounds) {
+using Runs = std::array<Least, steps_of_runs.size()>;
+
+// Runs all rows in every round, so that a slow while of the machine meets all of them.
+std::vector<Runs> runs_of(CaseRunner& runner, const std::vector<FeatureRow>& rows, int rounds) {
   std::vector<Case> cases;
-  for (int round = 1; round <= rounds; ++round) cases.push_back(case_of(row, steps, round));
-  const auto outcomes = runner.run(cases, std::string(row.name));
-  Least least{outcomes.front().cpu, outcomes.front().peak_bytes, outcomes.front()};
-  for (const Outcome& one : outcomes) {
-    if (!one.finished()) return {0.0, 0, one};
-    least.cpu = std::min(least.cpu, one.cpu);
-    least.bytes = std::min(least.bytes, one.peak_bytes);
-  }
-  return least;
+  for (int round = 1; round <= rounds; ++round)
+    for (const FeatureRow& row : rows)
+      for (const int steps : steps_of_runs) cases.push_back(case_of(row, steps, round));
+  const auto outcomes = runner.run(cases, "features");
+  std::vector<Runs> runs(rows.size());
+  for (std::size_t k = 0; k < outcomes.size(); ++k)
+    runs[k / steps_of_runs.size() % rows.size()][k % steps_of_runs.size()].add(outcomes[k]);
+  return runs;
 }
 
 std::vector<std::string> words_for_counting(const CaseRunner& runner, const FeatureRow& row,
@@ -142,25 +152,35 @@ void count_into(FeatureCost& cost, const CaseRunner& runner, const FeatureRow& r
   if (less && more) cost.instructions = (*more - *less) / (nodes * (many_counted - few_counted));
 }
 
-FeatureCost cost_of(CaseRunner& runner, const FeatureRow& row, const FeatureOptions& options,
-                    const std::optional<std::filesystem::path>& valgrind) {
+void count_all(const CaseRunner& runner, const std::vector<FeatureRow>& rows,
+               const std::vector<Runs>& runs, const std::filesystem::path& valgrind,
+               std::vector<FeatureCost>& costs) {
+  Progress progress(runner.options().talk);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double fraction = static_cast<double>(k) / static_cast<double>(rows.size());
+    if (progress.due(fraction))
+      progress.show(fraction, fmt::format("instructions: {} of {}", k, rows.size()));
+    if (costs[k].finished)
+      count_into(costs[k], runner, rows[k], runs[k][0].last.told["nodes"].get<double>(), valgrind);
+  }
+}
+
+FeatureCost cost_of(const FeatureRow& row, const Runs& runs) {
   FeatureCost cost{.name = std::string(row.name), .what = std::string(row.sentence)};
-  const Least start = least_of(runner, row, 0, options.rounds);
-  const Least less = least_of(runner, row, few, options.rounds);
-  const Least more = least_of(runner, row, many, options.rounds);
-  for (const Least* one : {&start, &less, &more})
-    if (!one->last.finished()) {
+  for (const Least& one : runs)
+    if (!one.last.finished()) {
       cost.finished = false;
-      cost.reason = one->last.reason;
+      cost.reason = one.last.reason;
       return cost;
     }
+  const auto& [start, less, more] = runs;
   const double nodes = more.last.told["nodes"].get<double>();
   cost.cpu = more.cpu;
   cost.start_cpu = start.cpu;
-  cost.ns_per_node_step = 1e9 * (more.cpu - less.cpu) / (nodes * (many - few));
+  cost.ns_per_node_step =
+      1e9 * (more.cpu - less.cpu) / (nodes * (steps_of_runs[2] - steps_of_runs[1]));
   cost.bytes = static_cast<std::int64_t>(more.bytes);
   cost.inside = more.last.told["kernel_features"].get<std::vector<std::string>>();
-  if (valgrind) count_into(cost, runner, row, nodes, *valgrind);
   return cost;
 }
 
@@ -178,9 +198,11 @@ std::optional<std::filesystem::path> valgrind_if(bool wanted) {
 std::vector<FeatureCost> measure_features(CaseRunner& runner, const std::vector<FeatureRow>& rows,
                                           const FeatureOptions& options) {
   const auto valgrind = valgrind_if(options.count);
+  const std::vector<Runs> runs = runs_of(runner, rows, options.rounds);
   std::vector<FeatureCost> costs;
   costs.reserve(rows.size());
-  for (const FeatureRow& row : rows) costs.push_back(cost_of(runner, row, options, valgrind));
+  for (std::size_t k = 0; k < rows.size(); ++k) costs.push_back(cost_of(rows[k], runs[k]));
+  if (valgrind) count_all(runner, rows, runs, *valgrind, costs);
   const std::int64_t of_base = costs.front().bytes;
   for (FeatureCost& cost : costs)
     if (cost.finished) cost.bytes -= of_base;
@@ -221,12 +243,9 @@ void add_parts(const Json& told, double node_steps, std::vector<FeatureCost>& co
 Least least_of_script(CaseRunner& runner, bool pictures, int rounds) {
   // Rounds are told apart by the time of their sample, which none reads.
   Least least;
-  for (int round = 1; round <= rounds; ++round) {
-    const Case one{.sample_at = 1e-15 * (round - 1), .with_pictures = pictures};
-    const std::string what = pictures ? "as written" : "bare";
-    least.last = finished(runner.run_alone(one, what));
-    least.cpu = round == 1 ? least.last.cpu : std::min(least.cpu, least.last.cpu);
-    least.bytes = round == 1 ? least.last.peak_bytes : std::min(least.bytes, least.last.peak_bytes);
+  for (int round = 0; round < rounds; ++round) {
+    const Case one{.sample_at = 1e-15 * round, .with_pictures = pictures};
+    least.add(finished(runner.run_alone(one, pictures ? "as written" : "bare")));
   }
   return least;
 }
