@@ -21,11 +21,14 @@ namespace fs = std::filesystem;
 
 const fs::path scripts = fs::path(HACKLE_SOURCE_FOLDER) / "scripts";
 
-// Returns false for a sheet of other scripts' output, and for modules.
+// Returns false for a sheet of other scripts' output, for modules, and for what studies run.
 bool stands_alone(const fs::path& script) {
   return script.filename() != "contact_sheet.lua" && script.filename() != "dxf.lua" &&
          script.filename() != "watch.lua" && script.parent_path().filename() != "validation" &&
-         script.parent_path().filename() != "specimens" && script.parent_path().filename() != "dxf";
+         script.parent_path().filename() != "specimens" &&
+         script.parent_path().filename() != "dxf" &&
+         script.parent_path().filename() != "envelope" &&
+         script.parent_path().filename() != "study";
 }
 
 std::vector<fs::path> ready_scripts() {
