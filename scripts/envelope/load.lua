@@ -41,10 +41,10 @@ local scale = o.stress*nx*dx*s.dt/(2235*dx*dx)
 if at(0) then
   local whole, largest = 0.5*at(0), math.abs(at(0))
   for k = 1, o.steps - 1 do whole, largest = whole + at(k*s.dt), math.max(largest, math.abs(at(k*s.dt))) end
-  local last = math.abs(at(o.steps*s.dt))
+  whole = whole + 0.5*at(o.steps*s.dt)
   -- What is below the least number of the precision in lattice units adds nothing.
   local least = ({ f64 = 1e-307, f32 = 1.2e-38 })[o.precision]*dx/s.dt
   parts.near("momentum along y", sum.py, whole*scale,
-             (largest + last)*scale*(1 + o.steps*parts.rounding[o.precision]) + o.steps*nx*ny*least, "sum of the forces, within a step")
+             10*o.steps*largest*scale*parts.rounding[o.precision] + o.steps*nx*ny*least, "sum of the forces of all steps")
 end
 parts.near("momentum along x over the sum of |v|", sum.px/(sum.size + 1e-300), 0, 1e4*parts.rounding[o.precision], "nothing acts along x")

@@ -29,4 +29,4 @@ print(string.format("drift of the energy in %d steps, %s: %.2e", o.steps, o.prec
 parts.near("drift of the energy", drift, 0, 0.25*o.share^2 + 10*math.sqrt(o.steps)*parts.rounding[o.precision],
            "leapfrog's swing, and a rounding of each step, either way")
 local sum = parts.sums(s, o.n, o.n)
-parts.near("momentum over the sum of |v|", math.sqrt(sum.px^2 + sum.py^2)/sum.size, 0, 10*o.steps*parts.rounding[o.precision], "no force from outside")
+parts.near("momentum over the sum of |v|", math.sqrt(sum.px^2 + sum.py^2)/sum.size, 0, 10*math.sqrt(o.steps)*parts.rounding[o.precision], "no force from outside")

@@ -14,5 +14,5 @@ s:step(1)
 parts.near("broken bonds", s.damage.broken_bonds, s.s0 < o.strain and s.bonds or 0, 0, "stretch over critical stretch")
 s:step(200)
 local sum = parts.sums(s, 24, 18)
-parts.near("momentum over the sum of |v|", math.sqrt(sum.px^2 + sum.py^2), 0, 1e4*parts.rounding[o.precision]*(sum.size + 1e-300),
+parts.near("momentum over the sum of |v|", math.sqrt(sum.px^2 + sum.py^2)/(sum.size + 1e-300), 0, 1e3*parts.rounding[o.precision],
            "no force from outside")

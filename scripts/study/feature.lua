@@ -16,7 +16,6 @@ local features = {
   alpha_0 = function() glass.alpha = 0 end,
   damping_0 = function() at_plate = function(p) p:damping { rate = 0 } end end,
   fidelity_0 = function() numerics.fidelity = 0 end,
-  late_load = function() at_plate = function(p) p:traction { edge = "right", stress = { 1, 0 }, time = step_at(1e9) } end end,
   -- In the kernel.
   alpha = function() glass.alpha = 0.25 end,
   scatter = function() at_plate = function(p) p:strength { modulus = 10 } end end,
@@ -35,6 +34,7 @@ local features = {
   stiffness_damping = function() at_plate = function(p) p:damping { stiffness = 1e-9 } end end,
   heat = function() glass.alphaT = 3e-6 at_plate = function(p) p:temperature { change = 1 } end end,
   heating = function() glass.alphaT = 3e-6 at_plate = function(p) p:temperature { change = 1, time = ramp(1e-3) } end end,
+  late_load = function() at_plate = function(p) p:traction { edge = "right", stress = { 1, 0 }, time = step_at(1e9) } end end,
   load_function = function() at_plate = function(p) p:traction { edge = "right", stress = { 1e5, 0 }, time = function(t) return t/us end } end end,
   clamp = function() at_plate = function(p) p:clamp { edge = "left", depth = 2*mm } end end,
   foundation = function() at_plate = function(p) p:foundation { stiffness = 1e10 } end end,
