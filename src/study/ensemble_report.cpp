@@ -91,9 +91,12 @@ std::string_view name_of(Change change) {
 
 // Three digits, in units of a picture.
 std::string short_cell(double value, std::string_view unit) {
-  if (unit == "m2") return fmt::format("{:.3g} mm2", 1e6 * value);
-  if (unit == "rad") return fmt::format("{:.3g} deg", value * 180.0 / std::numbers::pi);
-  return quantity(std::strtod(fmt::format("{:.2e}", value).c_str(), nullptr), unit);
+  const auto rounded = [](double number) {
+    return std::strtod(fmt::format("{:.2e}", number).c_str(), nullptr);
+  };
+  if (unit == "m2") return quantity(rounded(1e6 * value), "mm2");
+  if (unit == "rad") return quantity(rounded(value * 180.0 / std::numbers::pi), "deg");
+  return quantity(rounded(value), unit);
 }
 
 Table statistics_of(const Ensemble& ensemble) {

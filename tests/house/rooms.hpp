@@ -18,11 +18,14 @@ inline const std::map<std::string, std::set<std::string>> may_see = {
     {"store", {"measure", "solver", "lattice", "scene", "base"}},
     {"movie", {"base"}},
     {"output", {"movie", "render", "store", "measure", "solver", "lattice", "scene", "base"}},
-    {"console",
+    {"study",
      {"output", "movie", "render", "store", "measure", "solver", "lattice", "scene", "base"}},
-    {"app",
-     {"console", "output", "movie", "render", "store", "measure", "solver", "lattice", "scene",
+    {"console",
+     {"study", "output", "movie", "render", "store", "measure", "solver", "lattice", "scene",
       "base"}},
+    {"app",
+     {"console", "study", "output", "movie", "render", "store", "measure", "solver", "lattice",
+      "scene", "base"}},
 };
 
 }  // namespace hackle

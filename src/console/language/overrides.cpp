@@ -88,20 +88,24 @@ std::optional<double> shell_number(lua_State* L, std::string_view text) {
   return std::nullopt;
 }
 
-void set_overrides(lua_State* L, int index, std::string_view prefix, const Session& session) {
-  const auto given = set_with(prefix, session);
-  if (given.empty() || lua_type(L, index) != LUA_TTABLE) return;
+void copy_table(lua_State* L, int index) {
   lua_newtable(L);
   for (lua_pushnil(L); lua_next(L, index) != 0;) {
     lua_pushvalue(L, -2);
     lua_insert(L, -2);
     lua_rawset(L, -4);
   }
+  lua_replace(L, index);
+}
+
+void set_overrides(lua_State* L, int index, std::string_view prefix, const Session& session) {
+  const auto given = set_with(prefix, session);
+  if (given.empty() || lua_type(L, index) != LUA_TTABLE) return;
+  copy_table(L, index);
   for (const auto& [key, value] : given) {
     push_shell_value(L, value);
-    lua_setfield(L, -2, key.c_str());
+    lua_setfield(L, index, key.c_str());
   }
-  lua_replace(L, index);
 }
 
 void override_material(lua_State* L, const Session& session, Material& material,

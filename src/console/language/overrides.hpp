@@ -30,6 +30,9 @@ bool is_of_language(std::string_view key);
 // gives no finite number.
 std::optional<double> shell_number(lua_State* L, std::string_view text);
 
+// [-0, +0] Replaces the table at `index`, counted from the bottom, by a copy of it.
+void copy_table(lua_State* L, int index);
+
 // [-0, +0] Replaces the table at `index` by a copy that has the values set with this prefix.
 // Whoever reads it finds what is wrong with them.
 void set_overrides(lua_State* L, int index, std::string_view prefix, const Session& session);

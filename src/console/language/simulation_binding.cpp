@@ -17,6 +17,7 @@
 #include "console/language/background_binding.hpp"
 #include "console/language/chart_binding.hpp"
 #include "console/language/checkpoint_binding.hpp"
+#include "console/language/error_budget.hpp"
 #include "console/language/fracture_binding.hpp"
 #include "console/language/gauge_binding.hpp"
 #include "console/language/graph_binding.hpp"
@@ -66,6 +67,7 @@ int simulate(lua_State* L) {
   session.check_overrides_used();
   Plate plate = plate_at(L, 1);
   set_overrides(L, 2, simulate_prefix, session);
+  const std::optional<ErrorBudget> budget = spend_budget(L, 2, plate, session);
   Arguments arguments = Arguments::from_table(L, 2, simulate_doc);
   override_material(L, session, plate.material, arguments.problems);
   override_scatter(L, session, plate, arguments.problems);
@@ -74,7 +76,9 @@ int simulate(lua_State* L) {
   collect_simulations(L);
   check_numerics(plate, numerics, session.memory_left(), arguments);
   arguments.problems.throw_if_any();
-  push_object(L, ScriptedRun(session.simulate(std::move(plate), numerics), session));
+  const std::shared_ptr<Run> run = session.simulate(std::move(plate), numerics);
+  if (budget) run->set_budget(*budget);
+  push_object(L, ScriptedRun(run, session));
   remember_simulation(L, -1);
   return 1;
 }

@@ -2,8 +2,10 @@
 // The options of simulate and of the methods of a simulation.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
+#include "console/language/error_budget.hpp"
 #include "console/language/noun_options.hpp"
 #include "console/language/picture_options.hpp"
 #include "console/language/region_options.hpp"
@@ -13,12 +15,22 @@
 
 namespace hackle {
 
-inline constexpr auto numerics_options = options_of<Numerics>;
+// Those of the numerics, and an error budget instead of the spacing.
+inline constexpr auto simulate_options = [] {
+  constexpr auto& own = options_of<Numerics>;
+  std::array<Option, own.size() + 2> all{};
+  std::ranges::copy(own, all.begin());
+  for (Option& option : all)
+    if (option.name == "spacing") option.unless = "within";
+  all[own.size()] = within_option;
+  all[own.size() + 1] = verify_option;
+  return all;
+}();
 inline constexpr FunctionDoc simulate_doc{
     .name = "simulate",
     .leading = "p",
     .sentence = "Puts a copy of the plate on a lattice, ready to run.",
-    .options = numerics_options,
+    .options = simulate_options,
     .example = "s = simulate(p, { spacing = 0.5*mm, horizon = 2*mm })"};
 
 inline constexpr std::array run_options{

@@ -150,12 +150,12 @@ std::string report(const Simulation& simulation, const Summary& summary) {
       "{}{}\n  lattice  {}\n  model    {}\n  time     {}\n  damage   {}\n  energy   {}{}\n  steps  "
       "  "
       "{}\n  tiles    "
-      "{}\n  wall     {}\n  state    {}",
+      "{}\n  wall     {}\n  state    {}{}",
       describe(simulation.plate()), account_lines(summary.account),
       lattice_line(simulation, summary), model_line(simulation), time_line(summary),
       damage_line(summary), energy_line(summary.energy), reactions_line(summary.reactions),
       describe_features(simulation), tiles_line(summary), wall_line(simulation, summary),
-      summary.hash);
+      summary.hash, summary.budget ? "\n  budget   " + describe(*summary.budget) : "");
 }
 
 std::vector<std::string> remarks(const Simulation& simulation) {

@@ -117,6 +117,7 @@ nlohmann::ordered_json to_json(const Summary& summary, SummaryDetail detail) {
   if (!summary.graph.events.empty())
     json["events"] = to_json(summary.graph.events, summary.graph.rayleigh);
   if (detail == SummaryDetail::paths) json["graph"] = to_json(summary.graph);
+  if (summary.budget) json["budget"] = to_json(*summary.budget);
   if (summary.sample) json["sample"] = to_json(*summary.sample);
   if (summary.plate) json["plate"] = to_json(*summary.plate);
   if (summary.fragments) json["fragments"] = to_json(*summary.fragments);

@@ -14,6 +14,7 @@
 #include "measure/crack_graph.hpp"
 #include "measure/energy.hpp"
 #include "measure/fragment_list.hpp"
+#include "output/report/error_budget.hpp"
 #include "output/report/features.hpp"
 #include "output/report/field_sample.hpp"
 #include "output/report/plate_sample.hpp"
@@ -54,6 +55,7 @@ struct Summary {
   std::vector<std::string> account;  // what happened, in sentences; see account.hpp
   std::optional<CrackGrowth::FirstBreak> first_break;
   CrackGraph graph;                          // the cracks, and what happened to them
+  std::optional<ErrorBudget> budget;         // what it chose, if the script has one
   std::optional<SampledField> sample;        // if it was asked for, and the run came so far
   std::optional<SampledPlate> plate;         // likewise
   std::optional<FragmentList> fragments;     // likewise

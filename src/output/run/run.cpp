@@ -109,6 +109,7 @@ struct Run::Parts {
   RunLoop loop;
   Notes notes{talk};
   CrackGrowth growth;
+  std::optional<ErrorBudget> budget;
   std::shared_ptr<FieldSampler> sampler;  // none, unless it is asked for
   Prospect prospect;
   bool rehearsing = false;
@@ -337,6 +338,10 @@ void Run::watch(std::shared_ptr<Observer> watcher) {
   parts_->notes.add(remark);
 }
 
+void Run::set_budget(const ErrorBudget& budget) {
+  parts_->budget = budget;
+}
+
 void Run::sample_at(double time) {
   parts_->sampler = std::make_shared<FieldSampler>(time);
   watch(parts_->sampler);
@@ -546,6 +551,7 @@ Summary Run::summary() const {
   summary.notes = parts_->notes.all();
   summary.wall.setup = parts_->setup_seconds;
   parts_->tell_of_cracks(summary);
+  summary.budget = parts_->budget;
   if (parts_->sampler) parts_->tell_samples(summary);
   parts_->pictures.add_to(summary);
   parts_->outputs.add_to(summary);

@@ -21,6 +21,7 @@ class Simulation;
 struct Column;
 struct Checkpoint;
 struct CrackGraph;
+struct ErrorBudget;
 struct Execution;
 struct Loads;
 struct MovieOptions;
@@ -107,6 +108,8 @@ class Run {
   void watch(std::shared_ptr<Observer> watcher);
   // The summary tells displacements at places of the plate at that time, s; see SampledField.
   void sample_at(double time);
+  // What has chosen its numerics, for the report.
+  void set_budget(const ErrorBudget& budget);
   // Ends the present run; from a watcher, after the current step.
   void stop();
 
