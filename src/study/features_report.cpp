@@ -64,7 +64,8 @@ std::string text_of(const std::vector<FeatureCost>& costs) {
       table.rows.push_back(cells_of(cost, costs));
     else
       remarks += fmt::format("{} was not measured: {}\n", cost.name, cost.reason);
-    if (!cost.inside.empty())
+    const bool told = &cost != &costs.front() && cost.inside == costs.front().inside;
+    if (!cost.inside.empty() && !told)
       remarks += fmt::format("{}: the kernel has {}\n", cost.name, fmt::join(cost.inside, ", "));
   }
   return aligned(table) + fitted(remarks, page);
