@@ -193,6 +193,10 @@ void describe_run(CLI::App& app, Request& request) {
                 "a folder of their own, out/NAME-2, or -o is refused");
   run->add_flag("--bare", request.run.bare,
                 "Print nothing of the script's own, and make no movies, pictures and records");
+  run->add_option("--picture", request.run.picture,
+                  "Also make a picture, .png, .pdf or .svg, of the damage at the end of the last "
+                  "simulation")
+      ->type_name("FILE");
   run->add_option("--sample", request.run.sample_at,
                   "With --json: also tell the paths of the cracks, and displacements at places of "
                   "the plate at this time, which runs with other numerics can be compared by")

@@ -16,6 +16,7 @@
 #include "base/streams.hpp"
 #include "base/terminal.hpp"
 #include "console/console.hpp"
+#include "output/files/output_names.hpp"
 #include "store/checkpoint.hpp"
 
 namespace hackle {
@@ -35,6 +36,7 @@ ConsoleSettings settings_of(const RunRequest& request) {
   settings.print_to_stderr = request.json;
   settings.only_verdicts = settings.no_pictures = request.bare;
   settings.sample_at = request.sample_at;
+  settings.last_picture = request.picture;
   settings.show_in_terminal = stdout_is_terminal() && !request.json;
   request.limits.apply(settings);
   return settings;
@@ -99,6 +101,7 @@ int command_run(const RunRequest& asked) {
       request.overrides = found->continuation.inputs.overrides;
       request.script = found->continuation.origin.script_name;
     }
+    if (!request.picture.empty()) check_ending("--picture", request.picture, FileKind::picture);
     Console console(settings_of(request));
     const int code = exit_code_of([&] {
       const InterruptHandler handler;

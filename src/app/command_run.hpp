@@ -25,6 +25,7 @@ struct RunRequest {
   Limits limits;
   bool json = false;
   bool bare = false;                // no movies, pictures and records
+  std::filesystem::path picture;    // of the last state; "": none
   std::optional<double> sample_at;  // s; with JSON: the paths of the cracks, and displacements then
   bool quiet = false;
   bool force = false;               // earlier files may be overwritten

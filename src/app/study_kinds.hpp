@@ -10,5 +10,8 @@ void describe_study_ensemble(CLI::App& study, StudyAction& action);
 void describe_study_envelope(CLI::App& study, StudyAction& action);
 void describe_study_features(CLI::App& study, StudyAction& action);
 void describe_study_trade(CLI::App& study, StudyAction& action);
+void describe_study_convergence(CLI::App& study, StudyAction& action);
+void describe_study_sweep(CLI::App& study, StudyAction& action);
+void describe_study_fit(CLI::App& study, StudyAction& action);
 
 }  // namespace hackle

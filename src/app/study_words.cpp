@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/streams.hpp"
+#include "console/console.hpp"
 #include "study/quantity.hpp"
 
 namespace hackle {
@@ -89,6 +90,19 @@ void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
   for (const auto& file : files) tell_file(file);
 }
 
+std::set<std::string> declared_options(const StudyWords& words,
+                                       const std::vector<std::string>& arguments) {
+  ConsoleSettings settings;
+  settings.purpose = Purpose::options;
+  settings.talk = Talk::quiet;
+  settings.print_to_stderr = true;
+  Console console(settings);
+  console.run_file(words.script, arguments);
+  std::set<std::string> names;
+  for (const auto& [name, fallback] : console.options()) names.insert(name);
+  return names;
+}
+
 CaseRunner runner_of(const StudyWords& words, const std::vector<std::string>& arguments) {
   const StudyScript script{.program = this_program(),
                            .path = words.script,
@@ -118,6 +132,9 @@ void describe_study(CLI::App& app, StudyAction& action) {
   describe_study_ensemble(*study, action);
   describe_study_envelope(*study, action);
   describe_study_features(*study, action);
+  describe_study_convergence(*study, action);
+  describe_study_sweep(*study, action);
+  describe_study_fit(*study, action);
 }
 
 }  // namespace hackle

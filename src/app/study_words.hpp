@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,10 @@ void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
             const StudyWords& words, const CaseRunner& runner);
 void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
             const StudyWords& words, const std::filesystem::path& folder);
+
+// Returns the options that the script declares. Throws what Console::run_file throws.
+std::set<std::string> declared_options(const StudyWords& words,
+                                       const std::vector<std::string>& arguments);
 
 // Returns a runner of the script. Throws Error (usage, files).
 CaseRunner runner_of(const StudyWords& words, const std::vector<std::string>& arguments);

@@ -322,9 +322,19 @@ void Session::retire(const Run* run) noexcept {
   entry->run.reset();
 }
 
+// The last simulation may be closed before others.
+void Session::paint_last(Run& run) {
+  const int number = number_of(run);
+  if (settings.last_picture.empty() || settings.purpose != Purpose::results || number <= painted_)
+    return;
+  painted_ = number;
+  run.frame(settings.last_picture, {});
+}
+
 void Session::close(Run& run) noexcept {
   try {
     run.close();
+    paint_last(run);
   } catch (const Error& error) {
     closing_kind_ = error.kind();
     for (const Problem& problem : error.problems()) closing_problems_.push_back(problem);

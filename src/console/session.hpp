@@ -52,6 +52,8 @@ struct ConsoleSettings {
   bool show_in_terminal = false;  // output of show(s): stdout is a terminal; else to files
   bool only_verdicts = false;     // print is silent, and no movie is made
   bool no_pictures = false;       // nor is a picture or a record
+  // A PNG of the last state of the last simulation; "": none.
+  std::filesystem::path last_picture;
   std::optional<double> sample_at;  // s, of every simulation; see Run::sample_at
   bool trust = false;             // all of Lua's library, files everywhere
   std::size_t lua_memory = default_lua_memory;  // bytes, limit of Lua values
@@ -185,6 +187,7 @@ class Session {
     bool has_failed = false;      // since then, in the background
   };
   void close(Run& run) noexcept;
+  void paint_last(Run& run);
   std::vector<std::shared_ptr<Run>> open_runs() const;
 
   const std::uint64_t memory_at_start_;
@@ -192,6 +195,7 @@ class Session {
   std::vector<std::weak_ptr<const Recording>> recordings_;
   Transcript transcript_;
   bool has_prompt_ = false;
+  int painted_ = 0;  // the number of the run that the last picture shows
   std::vector<Problem> closing_problems_;
   ErrorKind closing_kind_ = ErrorKind::files;
   std::optional<Materials> materials_;

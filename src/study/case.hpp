@@ -31,10 +31,11 @@ struct StudyScript {
 
 // How a study runs it.
 struct Case {
-  Settings settings;           // beside those of every run
-  double sample_at = 0.0;      // s, when the displacements are compared
-  bool with_pictures = false;  // makes the movies and pictures of the script too
-  int repeat = 0;              // the same once more, for its time
+  Settings settings;               // beside those of every run
+  double sample_at = 0.0;          // s, when the displacements are compared
+  bool with_pictures = false;      // makes the movies and pictures of the script too
+  int repeat = 0;                  // the same once more, for its time
+  bool with_last_picture = false;  // makes last.png of the last state, in the folder of the case
 };
 
 enum class CaseState {

@@ -112,7 +112,8 @@ std::string CaseRunner::key_of(const Case& one) const {
                     {"arguments", script_.arguments},
                     {"sample_at", one.sample_at},
                     {"pictures", one.with_pictures},
-                    {"repeat", one.repeat}};
+                    {"repeat", one.repeat},
+                    {"last_picture", one.with_last_picture}};
   Hash hash;
   hash.add(std::span<const char>(inputs.dump(-1, ' ', false, Json::error_handler_t::replace)));
   return hash.hex();
@@ -120,6 +121,10 @@ std::string CaseRunner::key_of(const Case& one) const {
 
 fs::path CaseRunner::folder_of(const Case& one) const {
   return options_.folder / "cases" / key_of(one);
+}
+
+fs::path CaseRunner::picture_of(const Case& one) const {
+  return folder_of(one) / "last.png";
 }
 
 fs::path CaseRunner::file_of(const Case& one) const {
@@ -135,6 +140,7 @@ std::vector<std::string> CaseRunner::words_of(const Case& one, int threads) cons
   words.insert(words.end(), {"-j", std::to_string(threads), "-o", folder_of(one).string(),
                              "--sample", fmt::format("{}", one.sample_at)});
   if (!one.with_pictures) words.emplace_back("--bare");
+  if (one.with_last_picture) words.insert(words.end(), {"--picture", picture_of(one).string()});
   for (const auto& [key, value] : joined(script_.settings, one.settings))
     words.insert(words.end(), {"--set", key + "=" + value});
   if (!script_.arguments.empty()) words.emplace_back("--");
@@ -145,6 +151,7 @@ std::vector<std::string> CaseRunner::words_of(const Case& one, int threads) cons
 bool CaseRunner::recall(const Case& one, Outcome& outcome) const {
   std::error_code ignored;
   const fs::path file = file_of(one);
+  if (one.with_last_picture && !fs::is_regular_file(picture_of(one), ignored)) return false;
   if (options_.fresh || !fs::is_regular_file(file, ignored)) return false;
   const Json kept = Json::parse(read_text(file), nullptr, false);
   if (!kept.is_object() || !kept.contains("told")) return false;

@@ -41,6 +41,8 @@ class CaseRunner {
   int runs() const { return runs_; }  // that were not kept from earlier
   // Returns the folder of the files of a case.
   std::filesystem::path folder_of(const Case& one) const;
+  // Returns the file of its last picture, which exists only if the case asked for it.
+  std::filesystem::path picture_of(const Case& one) const;
 
  private:
   struct Bench;  // the cases that run now

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <mutex>
 #include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -38,6 +41,15 @@ constexpr auto rows = std::to_array<QuantityRow>({
     {"energy.broken", number, "J/m", "The energy that broken bonds took."},
     {"residual", number, "", "What the energy ledger lacks, as a share of its entries.", true},
 });
+
+// Rows outlive the words that name them.
+std::string_view kept(std::string_view name) {
+  static std::mutex mutex;
+  static std::set<std::string, std::less<>> names;
+  const std::lock_guard lock(mutex);
+  const auto known = names.find(name);
+  return known != names.end() ? *known : *names.emplace(name).first;
+}
 
 const Json* found(const Json& object, std::string_view key) {
   const auto at = object.find(key);
@@ -182,7 +194,7 @@ std::optional<QuantityRow> quantity_named(std::string_view name) {
   const auto row = std::ranges::find(rows, name, &QuantityRow::name);
   if (row != rows.end()) return *row;
   if (name.starts_with(of_script) && name.size() > of_script.size())
-    return QuantityRow{name, number, "", "What the script expects under this name."};
+    return QuantityRow{kept(name), number, "", "What the script expects under this name."};
   return std::nullopt;
 }
 

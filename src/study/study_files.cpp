@@ -19,7 +19,9 @@ std::vector<std::filesystem::path> write_findings(const StudyFindings& findings,
   write_text(files[1], json.dump(1) + "\n");
   for (std::size_t k = 0; k < findings.diagrams.size(); ++k) {
     const std::string number = k == 0 ? "" : fmt::format("-{}", k + 1);
-    files.push_back(folder / (findings.name + number + ".png"));
+    const bool is_named = k < findings.diagram_names.size();
+    files.push_back(folder /
+                    ((is_named ? findings.diagram_names[k] : findings.name + number) + ".png"));
     write_chart(findings.diagrams[k], ChartOptions{}, files.back());
   }
   return files;

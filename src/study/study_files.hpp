@@ -17,9 +17,10 @@ namespace hackle {
 // trade.png.
 struct StudyFindings {
   std::string name;
-  std::string text;               // for a person
-  Table table;                    // in SI
-  std::vector<Diagram> diagrams;  // the first is trade.png, others are trade-2.png, ...
+  std::string text;                        // for a person
+  Table table;                             // in SI
+  std::vector<Diagram> diagrams;           // the first is trade.png, others are trade-2.png, ...
+  std::vector<std::string> diagram_names;  // ... unless they have names: "delta-error"
 };
 
 // Writes the files, and returns them. Throws Error (files).

@@ -35,9 +35,9 @@ Ends with_zero(Ends ends) {
 ScaledAxis::ScaledAxis(const DiagramAxis& axis, const Ends& seen, int intervals, bool encloses)
     : logarithmic_(axis.logarithmic), ends_(axis.range.value_or(seen)) {
   if (!axis.range) find_ends(seen, intervals, encloses);
-  if (ticks_.empty())
-    ticks_ = logarithmic_ ? decades(ends_.min, ends_.max, intervals)
-                          : neat_values(ends_.min, ends_.max, intervals);
+  if (ticks_.empty() && logarithmic_) ticks_ = decades(ends_.min, ends_.max, intervals);
+  // An axis within a decade has neat values along it too.
+  if (ticks_.size() < 2) ticks_ = neat_values(ends_.min, ends_.max, intervals);
   const PrefixedUnit unit =
       axis_unit(std::max(std::abs(ends_.min), std::abs(ends_.max)), axis.unit);
   std::vector<double> shown = ticks_;
