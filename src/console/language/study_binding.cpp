@@ -13,7 +13,11 @@
 #include "console/schema/arguments.hpp"
 #include "console/schema/result_table.hpp"
 #include "console/session.hpp"
+#include "study/convergence_files.hpp"
+#include "study/ensemble_report.hpp"
 #include "study/study_files.hpp"
+#include "study/sweep_files.hpp"
+#include "study/sweep_report.hpp"
 #include "study/trade.hpp"
 #include "study/trade_report.hpp"
 
@@ -56,6 +60,48 @@ constexpr FunctionDoc trade_doc{
     .example =
         "t = study.trade { \"plate.lua\", compare = { \"tip.path\" } }\n"
         "for _, one in ipairs(t.recommended) do print(one.budget) end"};
+
+constexpr std::array runs_option{
+    Option{.name = "runs",
+           .type = OptionType::integer,
+           .range = between(2.0, 10000.0),
+           .fallback = "32",
+           .sentence = "How many runs, each with another fifth digit of the stiffness."}};
+constexpr auto ensemble_options = joined(script_options, runs_option);
+constexpr FunctionDoc ensemble_doc{
+    .name = "study.ensemble",
+    .sentence =
+        "Runs a script with changed last digits: until when the paths of cracks agree, and "
+        "statistics after that; writes ensemble.csv, .json and .png, and returns them.",
+    .options = ensemble_options,
+    .example = "e = study.ensemble { \"plate.lua\", runs = 8 }\nprint(e.agree_until_s)"};
+
+constexpr auto convergence_options = joined(script_options, compare_option);
+constexpr FunctionDoc convergence_doc{
+    .name = "study.convergence",
+    .sentence =
+        "Refines horizon, spacing and step of a script, and says what converges, with "
+        "observed order and limit; writes convergence.csv, .json and charts.",
+    .options = convergence_options,
+    .example =
+        "c = study.convergence { \"plate.lua\", compare = { \"first_bond.time\" } }\n"
+        "for _, axis in ipairs(c.axes) do print(axis.axis) end"};
+
+constexpr std::array vary_option{Option{
+    .name = "vary",
+    .type = OptionType::texts,
+    .range = at_least(1.0),
+    .required = true,
+    .sentence = "What varies, as --set of hackle study sweep: \"load=6:24:2MPa\" is a range, "
+                "\"simulate.spacing=1mm,2mm\" a list; several make all combinations."}};
+constexpr auto sweep_options = joined(joined(script_options, vary_option), compare_option);
+constexpr FunctionDoc sweep_doc{
+    .name = "study.sweep",
+    .sentence = "Runs a script over ranges of its options; writes sweep.csv, .json and charts.",
+    .options = sweep_options,
+    .example =
+        "w = study.sweep { \"plate.lua\", vary = { \"load=6:24:6MPa\" } }\n"
+        "for _, run in ipairs(w.runs) do print(run.wall_s) end"};
 
 Settings settings_in(Arguments& arguments, const std::string& who) {
   Settings settings;
@@ -108,15 +154,57 @@ int study_trade(lua_State* L) {
                 runner);
 }
 
+int study_ensemble(lua_State* L) {
+  Arguments arguments = Arguments::from_table(L, 1, ensemble_doc);
+  Session& session = session_of(L);
+  const EnsembleOptions options{.runs = static_cast<int>(arguments.integer("runs", 32))};
+  CaseRunner runner = runner_in(session, arguments, ensemble_doc);
+  if (session.settings.purpose != Purpose::results) return 0;
+  const Ensemble all = ensemble(runner, options);
+  return finish(L, {"ensemble", text_of(all), table_of(all), {chart_of(all)}}, to_json(all),
+                runner);
+}
+
+int study_convergence(lua_State* L) {
+  Arguments arguments = Arguments::from_table(L, 1, convergence_doc);
+  Session& session = session_of(L);
+  const auto quantities = arguments.texts("compare");
+  CaseRunner runner = runner_in(session, arguments, convergence_doc);
+  if (session.settings.purpose != Purpose::results) return 0;
+  ConvergenceOptions options;
+  options.quantities = quantities_named(quantities);
+  const ConvergenceStudy found = convergence(runner, options);
+  return finish(L, findings_of(found), to_json(found), runner);
+}
+
+int study_sweep(lua_State* L) {
+  Arguments arguments = Arguments::from_table(L, 1, sweep_doc);
+  Session& session = session_of(L);
+  const auto quantities = arguments.texts("compare");
+  const auto ranges = arguments.texts("vary");
+  CaseRunner runner = runner_in(session, arguments, sweep_doc);
+  if (session.settings.purpose != Purpose::results) return 0;
+  SweepOptions options;
+  for (const std::string& word : ranges) options.parameters.push_back(parameter_of(word, false));
+  options.quantities = quantities_named(quantities);
+  const Sweep found = sweep(runner, options);
+  constexpr std::size_t columns = 80;
+  return finish(L, findings_of(found, columns), to_json(found), runner);
+}
+
 }  // namespace
 
 std::span<const Function> study_functions() {
-  static constexpr std::array functions{Function{&trade_doc, guarded<study_trade>}};
+  static constexpr std::array functions{Function{&trade_doc, guarded<study_trade>},
+                                        Function{&ensemble_doc, guarded<study_ensemble>},
+                                        Function{&convergence_doc, guarded<study_convergence>},
+                                        Function{&sweep_doc, guarded<study_sweep>}};
   return functions;
 }
 
 void close_study(lua_State* L) {
-  static constexpr std::array<std::string_view, 1> names{"trade"};
+  static constexpr std::array<std::string_view, 4> names{"trade", "ensemble", "convergence",
+                                                         "sweep"};
   lua_getglobal(L, "study");
   close_names(L, "study", names);
   lua_pop(L, 1);
