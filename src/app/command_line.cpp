@@ -28,7 +28,7 @@
 #include "app/exit_code.hpp"
 #include "app/libraries.hpp"
 #include "app/shell_completion.hpp"
-#include "app/study_words.hpp"
+#include "app/study_kinds.hpp"
 #include "app/voice.hpp"
 #include "base/streams.hpp"
 #include "base/text.hpp"
@@ -128,9 +128,10 @@ void describe_script(CLI::App& command, Request& request) {
                   "Folder for output files (out/<name of the script>)")
       ->type_name("DIR");
   command
-      .add_option("--set", request.settings,
-                  "Override an option of the script, simulate.KEY of every simulate, or material.KEY "
-                  "and scatter.KEY of its plate; repeatable")
+      .add_option(
+          "--set", request.settings,
+          "Override an option of the script, simulate.KEY of every simulate, or material.KEY "
+          "and scatter.KEY of its plate; repeatable")
       ->type_name("key=value")
       ->check(check_setting, "")
       ->take_all()

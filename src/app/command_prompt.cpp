@@ -8,6 +8,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/voice.hpp"
+#include "base/child_process.hpp"
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
 #include "base/streams.hpp"
@@ -72,6 +73,7 @@ int ask(Console& console, int code) {
 int command_prompt(const Limits& limits) {
   return exit_code_of([&limits] {
     ConsoleSettings settings;
+    settings.program = this_program();
     settings.output_folder = "out/prompt";
     settings.talk = talk(false);
     settings.show_in_terminal = stdout_is_terminal();

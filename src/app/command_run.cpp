@@ -10,6 +10,7 @@
 #include "app/command_prompt.hpp"
 #include "app/exit_code.hpp"
 #include "app/voice.hpp"
+#include "base/child_process.hpp"
 #include "base/files.hpp"
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
@@ -28,6 +29,7 @@ ConsoleSettings settings_of(const RunRequest& request) {
     settings.output_folder = "out/command";
   if (request.output_folder.empty() && request.script == "-") settings.output_folder = "out/stdin";
   settings.overrides = request.overrides;
+  settings.program = this_program();
   settings.execution = request.execution;
   settings.talk = talk(request.quiet);
   settings.force = request.force;

@@ -79,7 +79,7 @@ std::vector<QuantityRow> numbers_named(const std::vector<std::string>& names) {
   return rows;
 }
 
-EnsembleOptions options_of(const EnsembleRequest& request) {
+EnsembleOptions ensemble_options_of(const EnsembleRequest& request) {
   EnsembleOptions options{.runs = request.runs};
   set_change(request, options);
   if (!request.within.empty()) options.within = length_in(request.within);
@@ -113,7 +113,7 @@ void describe_ensemble(CLI::App& kind, EnsembleRequest& request) {
 }
 
 void study_ensemble(const EnsembleRequest& request, const std::vector<std::string>& arguments) {
-  const EnsembleOptions options = options_of(request);
+  const EnsembleOptions options = ensemble_options_of(request);
   CaseRunner runner = runner_of(request.words, arguments);
   const Ensemble all = ensemble(runner, options);
   finish({"ensemble", text_of(all), table_of(all), {chart_of(all)}}, to_json(all), request.words,

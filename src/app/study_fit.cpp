@@ -67,7 +67,7 @@ void set_start(FitOptions& options, const std::string& word) {
   options.start[static_cast<std::size_t>(found - options.parameters.begin())] = value->value();
 }
 
-FitOptions options_of(const FitRequest& request) {
+FitOptions fit_options_of(const FitRequest& request) {
   FitOptions options;
   Problems problems;
   if (request.ranges.empty())
@@ -87,7 +87,7 @@ FitOptions options_of(const FitRequest& request) {
 }
 
 void carry_out_fit(const FitRequest& request, const std::vector<std::string>& arguments) {
-  const FitOptions options = options_of(request);
+  const FitOptions options = fit_options_of(request);
   CaseRunner runner = runner_of(request.words, arguments);
   const FitResult result = fit(runner, options);
   finish(findings_of(result), to_json(result), request.words, runner);

@@ -6,6 +6,9 @@
 
 namespace hackle {
 
+// Adds hackle study with its kinds. The action of the one that is called is set.
+void describe_study(CLI::App& app, StudyAction& action);
+
 void describe_study_ensemble(CLI::App& study, StudyAction& action);
 void describe_study_envelope(CLI::App& study, StudyAction& action);
 void describe_study_features(CLI::App& study, StudyAction& action);

@@ -55,7 +55,7 @@ void describe_sweep_words(CLI::App& kind, SweepRequest& request) {
       "or == NUMBER, as in 'branches >= 2' or 'fork.time < 20us'.");
 }
 
-SweepOptions options_of(const SweepRequest& request) {
+SweepOptions sweep_options_of(const SweepRequest& request) {
   SweepOptions options;
   const bool seeks = !request.threshold.empty();
   for (const std::string& word : request.ranges)
@@ -76,7 +76,7 @@ SweepOptions options_of(const SweepRequest& request) {
 }
 
 void carry_out_sweep(const SweepRequest& request, const std::vector<std::string>& arguments) {
-  const SweepOptions options = options_of(request);
+  const SweepOptions options = sweep_options_of(request);
   CaseRunner runner = runner_of(request.words, arguments);
   const Sweep result = sweep(runner, options);
   const std::size_t columns = stdout_is_terminal() ? terminal_columns(1) : 80;

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
-#include "app/study_kinds.hpp"
 #include "app/voice.hpp"
 #include "base/child_process.hpp"
 #include "base/error.hpp"
@@ -123,18 +122,6 @@ int carried_out(const std::function<void()>& work) {
     work();
     return 0;
   });
-}
-
-void describe_study(CLI::App& app, StudyAction& action) {
-  CLI::App* study = app.add_subcommand("study", "Run a script many times and compare");
-  study->require_subcommand(1);
-  describe_study_trade(*study, action);
-  describe_study_ensemble(*study, action);
-  describe_study_envelope(*study, action);
-  describe_study_features(*study, action);
-  describe_study_convergence(*study, action);
-  describe_study_sweep(*study, action);
-  describe_study_fit(*study, action);
 }
 
 }  // namespace hackle

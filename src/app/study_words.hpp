@@ -32,9 +32,6 @@ struct StudyWords {
   bool fresh = false;
 };
 
-// Adds hackle study with its kinds. The action of the one that is called is set.
-void describe_study(CLI::App& app, StudyAction& action);
-
 // Returns the exit code of work that hears Ctrl-C; its errors are told.
 int carried_out(const std::function<void()>& work);
 

@@ -13,7 +13,8 @@
 #include "base/terminal.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
-#include "console/language/overrides.hpp"
+#include "console/language/override_keys.hpp"
+#include "output/picture/picture.hpp"
 #include "store/checkpoint.hpp"
 
 namespace hackle {

@@ -35,7 +35,7 @@ TEST_F(StudyFitTest, FindsTheLoadThatMadeAMeasurement) {
 }
 
 TEST_F(StudyFitTest, FindsTheToughness) {
-  const double G0 = 150.0, range = 300.0;
+  const double G0 = 200.0, range = 300.0;
   const Json measured = told("sweep", {"--set", fmt::format("material.G0={}", G0)});
   const Json& values = measured["runs"][0]["quantities"];
   const Json json =

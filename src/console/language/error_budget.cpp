@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <string>
 
-#include "base/child_process.hpp"
 #include "console/language/overrides.hpp"
 #include "console/lua/lua_state.hpp"
 #include "console/session.hpp"
@@ -46,11 +45,12 @@ bool is_set(const Session& session, const std::string& key) {
 bool can_be_tried(const Session& session) {
   std::error_code ignored;
   return session.settings.purpose == Purpose::results && !session.has_prompt() &&
+         !session.settings.program.empty() &&
          std::filesystem::is_regular_file(session.origin.script_name, ignored);
 }
 
 ErrorBudget tried(const Session& session, const BudgetOptions& options) {
-  StudyScript script{.program = this_program(),
+  StudyScript script{.program = session.settings.program,
                      .path = session.origin.script_name,
                      .settings = session.settings.overrides,
                      .arguments = session.arguments};

@@ -63,11 +63,6 @@ bool set_scatter(Scatter& scatter, std::string_view key, double value) {
 
 }  // namespace
 
-bool is_of_language(std::string_view key) {
-  return key.starts_with(simulate_prefix) || key.starts_with(movie_prefix) ||
-         key.starts_with(material_prefix) || key.starts_with(scatter_prefix);
-}
-
 std::optional<double> shell_number(lua_State* L, std::string_view text) {
   const int top = lua_gettop(L);
   const std::string chunk = "return " + shell_expression(text);

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "console/language/override_keys.hpp"
+
 struct lua_State;
 
 namespace hackle {
@@ -17,14 +19,8 @@ namespace hackle {
 struct FunctionDoc;
 struct Material;
 struct Plate;
-struct Problems;
+class Problems;
 class Session;
-
-inline constexpr std::string_view simulate_prefix = "simulate.", movie_prefix = "movie.",
-                                  material_prefix = "material.", scatter_prefix = "scatter.";
-
-// Whether a key is for a call of the scene language, not for an option of the script.
-bool is_of_language(std::string_view key);
 
 // [-0, +0] Evaluates a value as written on a command line, such as 24MPa; returns nothing if it
 // gives no finite number.

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/child_process.hpp"
 #include "console/lua/json_value.hpp"
 #include "console/schema/arguments.hpp"
 #include "console/schema/result_table.hpp"
@@ -120,6 +119,9 @@ void refuse_within_study(const Session& session, const std::string& who) {
   if (session.settings.sample_at)
     throw Error(ErrorKind::refused, fmt::format("{}: this run is itself one of a study", who),
                 "study another script");
+  if (session.settings.program.empty() && session.settings.purpose == Purpose::results)
+    throw Error(ErrorKind::refused, fmt::format("{}: no program is known that runs scripts", who),
+                "call it from a script of hackle run, or at the prompt");
 }
 
 CaseRunner runner_in(Session& session, Arguments& arguments, const FunctionDoc& doc) {
@@ -129,11 +131,13 @@ CaseRunner runner_in(Session& session, Arguments& arguments, const FunctionDoc& 
   refuse_within_study(session, who);
   const std::filesystem::path script = session.input_path(who, arguments.text("script"));
   const std::string usual = fmt::format("study/{}", script.stem().string());
-  return {
-      {.program = this_program(), .path = script, .settings = std::move(settings), .arguments = {}},
-      {.folder = session.output_path(who, arguments.text("output", usual)),
-       .threads = session.settings.execution.thread_count(),
-       .talk = session.settings.talk}};
+  return {{.program = session.settings.program,
+           .path = script,
+           .settings = std::move(settings),
+           .arguments = {}},
+          {.folder = session.output_path(who, arguments.text("output", usual)),
+           .threads = session.settings.execution.thread_count(),
+           .talk = session.settings.talk}};
 }
 
 int finish(lua_State* L, const StudyFindings& findings, const nlohmann::ordered_json& json,

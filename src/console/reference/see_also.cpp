@@ -42,6 +42,10 @@ constexpr auto groups = std::to_array<std::string_view>({
     "reaction clamp move roller platen log",
     "expect report gauge read options",
     "options help",
+    "study.trade study.convergence study.ensemble study.sweep simulate",
+    "study.convergence study.trade study.sweep",
+    "study.ensemble study.trade study.sweep strength",
+    "study.sweep study.convergence study.trade contact_sheet",
 });
 
 std::vector<std::string_view> words_of(std::string_view line) {

@@ -265,7 +265,8 @@ class Fuzz {
 
 void expect_promises_kept(const FunctionDoc& doc, const Arguments& arguments) {
   for (const Option& option : doc.options) {
-    EXPECT_TRUE(arguments.has(option.name) || !option.required) << doc.name << option.name;
+    const bool needed = option.required && (option.unless.empty() || !arguments.has(option.unless));
+    EXPECT_TRUE(arguments.has(option.name) || !needed) << doc.name << option.name;
     if (!arguments.has(option.name)) continue;
     if (option.type == OptionType::number) {
       EXPECT_TRUE(std::isfinite(arguments.number(option.name)));

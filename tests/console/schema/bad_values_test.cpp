@@ -178,7 +178,10 @@ TEST_P(EveryFunction, OffersTheNearestNameForAMisspelledOption) {
 }
 
 std::string name_of(const FunctionDoc& doc) {
-  return (doc.owner.empty() ? "" : std::string(doc.owner) + "_") + std::string(doc.name);
+  std::string name =
+      (doc.owner.empty() ? "" : std::string(doc.owner) + "_") + std::string(doc.name);
+  std::ranges::replace(name, '.', '_');  // study.trade
+  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Calls, EveryFunction, testing::ValuesIn(all_docs()),

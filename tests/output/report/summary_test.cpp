@@ -31,12 +31,12 @@ TEST(Summary, HasTheKeysOfSchemaOneInOrder) {
   const auto json = to_json(summary);
   std::vector<std::string> keys;
   for (const auto& item : json.items()) keys.push_back(item.key());
-  EXPECT_THAT(
-      keys, testing::ElementsAre("schema", "script", "nodes", "bonds", "steps", "time_s", "dt_s",
-                                 "dt_limit_s", "precision", "threads", "tile_paths", "step_shares",
-                                 "kernel_features", "wall_s", "node_steps_per_s", "energy_J_per_m",
-                                 "residual_share", "damage", "account", "peak_rss_bytes", "hash",
-                                 "files", "notes"));
+  EXPECT_THAT(keys,
+              testing::ElementsAre("schema", "script", "nodes", "bonds", "steps", "time_s", "dt_s",
+                                   "dt_limit_s", "numerics", "material", "precision", "threads",
+                                   "tile_paths", "step_shares", "kernel_features", "wall_s",
+                                   "node_steps_per_s", "energy_J_per_m", "residual_share", "damage",
+                                   "account", "peak_rss_bytes", "hash", "files", "notes"));
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["node_steps_per_s"], 1500.0);
   EXPECT_EQ(json["energy_J_per_m"]["residual"], 3.0);
