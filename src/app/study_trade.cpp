@@ -2,9 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study_kinds.hpp"
+#include "app/voice.hpp"
 #include "study/study_files.hpp"
 #include "study/trade.hpp"
 #include "study/trade_report.hpp"
+#include "study/trade_sheet.hpp"
 
 namespace hackle {
 namespace {
@@ -12,12 +14,15 @@ namespace {
 struct TradeRequest {
   StudyWords words;
   std::vector<std::string> quantities;
+  bool sheet = false;
 };
 
 void describe_trade(CLI::App& kind, TradeRequest& request) {
   describe_study_words(kind, request.words);
   describe_set(kind, request.words);
   describe_quantities(kind, request.quantities);
+  kind.add_flag("--sheet", request.sheet,
+                "Make a sheet of the last states of what is recommended and of the reference");
   kind.footer(
       "Each run is compared with a reference that is finer in every respect. The error is the "
       "root\n"
@@ -31,6 +36,10 @@ void carry_out(const TradeRequest& request, const std::vector<std::string>& argu
   const Trade found = trade(runner, quantities_named(request.quantities));
   finish({"trade", text_of(found), table_of(found), {chart_of(found)}}, to_json(found),
          request.words, runner);
+  if (!request.sheet) return;
+  const auto sheet = runner.options().folder / "trade-sheet.png";
+  write_sheet(runner, found, sheet);
+  if (!request.words.quiet && !request.words.json) tell_file(sheet);
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ struct ConsoleSettings {
   // A PNG of the last state of the last simulation; "": none.
   std::filesystem::path last_picture;
   std::optional<double> sample_at;  // s, of every simulation; see Run::sample_at
-  bool trust = false;             // all of Lua's library, files everywhere
-  std::filesystem::path program;  // hackle, which studies run; empty: they are refused
+  bool trust = false;               // all of Lua's library, files everywhere
+  std::filesystem::path program;    // hackle, which studies run; empty: they are refused
   std::size_t lua_memory = default_lua_memory;  // bytes, limit of Lua values
   // bytes, limit of movies and records of one simulation
   double output_limit = default_output_limit;

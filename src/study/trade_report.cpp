@@ -208,11 +208,13 @@ Diagram chart_of(const Trade& trade) {
   diagram.curves.push_back({"as written",
                             {Vec2(trade.runs.front().outcome.cpu, trade.runs.front().error)},
                             DiagramStroke::dots});
+  int number = 0;
   for (const std::size_t k : by_cost(trade, true))
     if (trade.runs[k].on_front && k != 0)
-      diagram.curves.push_back({name_of(trade.runs[k].settings),
+      diagram.curves.push_back({fmt::format("{} {}", ++number, name_of(trade.runs[k].settings)),
                                 {Vec2(trade.runs[k].outcome.cpu, trade.runs[k].error)},
-                                DiagramStroke::dots});
+                                DiagramStroke::dots,
+                                std::to_string(number)});
   return diagram;
 }
 

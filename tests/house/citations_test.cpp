@@ -214,7 +214,8 @@ TEST(Citations, LinksOfDocumentsLeadToFiles) {
   int seen = 0;
   for (const char* document :
        {"README.md", "CONTRIBUTING.md", "src/README.md", "src/lattice/README.md",
-        "src/measure/README.md", "src/solver/README.md", "src/study/README.md", "tests/README.md", "scripts/README.md"}) {
+        "src/measure/README.md", "src/solver/README.md", "src/study/README.md", "tests/README.md",
+        "scripts/README.md"}) {
     const std::string text = read_text(top / document);
     for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
       ++seen;

@@ -78,7 +78,8 @@ int main(int count, char** words) {
                       {"fidelity", number("simulate.fidelity", 0.0)},
                       {"quadrature", text("simulate.quadrature", "full")},
                       {"micromodulus", "constant"},
-                      {"constants", "lattice"}, {"breaking", "at_once"},
+                      {"constants", "lattice"},
+                      {"breaking", "at_once"},
                       {"surface", text("simulate.surface", "none")},
                       {"safety", safety},
                       {"step_s", "default"}};

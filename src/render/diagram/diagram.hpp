@@ -26,6 +26,7 @@ struct DiagramCurve {
   std::string name;
   std::vector<Vec2> points;  // a point that is not finite interrupts a line
   DiagramStroke stroke = DiagramStroke::line;
+  std::string mark{};  // a short text beside its last point
 };
 
 // A value to compare with: a line across the diagram.

@@ -71,6 +71,7 @@ DiagramDrawing::DiagramDrawing(const Diagram& diagram, const DiagramSize& size, 
   if (diagram.to_scale) keep_to_scale();
   write_axes();
   write_levels();
+  write_marks();
 }
 
 Colour DiagramDrawing::colour_of(std::size_t curve) const {
@@ -80,6 +81,15 @@ Colour DiagramDrawing::colour_of(std::size_t curve) const {
 void DiagramDrawing::add(const std::string& text, double x, double y, double anchor,
                          Colour colour) {
   texts_.push_back(font_.place(text, x, y, small_, anchor, colour));
+}
+
+void DiagramDrawing::write_marks() {
+  for (std::size_t k = 0; k < diagram_.curves.size(); ++k) {
+    const DiagramCurve& curve = diagram_.curves[k];
+    if (curve.mark.empty() || curve.points.empty() || !holds(curve.points.back())) continue;
+    const Vec2 at = place(curve.points.back());
+    add(curve.mark, at.x() + 0.35 * small_, at.y() - 0.35 * small_, 0.0, colour_of(k));
+  }
 }
 
 // The title, and below it the names of the curves in their colours, in as many rows as they need.

@@ -35,6 +35,7 @@ class DiagramDrawing {
   void keep_to_scale();
   void write_axes();
   void write_levels();
+  void write_marks();
   void add(const std::string& text, double x, double y, double anchor, Colour colour);
   Colour colour_of(std::size_t curve) const;
   Vec2 place(const Vec2& point) const;
