@@ -25,7 +25,7 @@ std::vector<const TradeRun*> shown(const Trade& trade) {
 
 std::string title_of(const TradeRun& run, const Trade& trade) {
   const std::string name = &run == &trade.reference ? "reference" : name_of(run.settings);
-  return fmt::format("{}: {:.2f} s, error {:.2f}", name, run.outcome.cpu, run.error);
+  return fmt::format("{:.2f} s, error {:.2f}: {}", run.outcome.cpu, run.error, name);
 }
 
 }  // namespace

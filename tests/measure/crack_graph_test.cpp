@@ -325,6 +325,17 @@ TEST(CrackGraph, ACrackIsBornAmidThePlate) {
   EXPECT_EQ(graph.tips.size(), 2U);
 }
 
+TEST(CrackGraph, ACrackIsBornAtAnEdge) {
+  Drawing drawing(100, 60, 4.0);
+  drawing.look(0.0);
+  drawing.look(2e-6);
+  run(drawing, {{{-50.0, 0.2}, {10.0, 0.2}}}, 2e-6);
+  const CrackGraph graph = drawing.graph();
+  const auto born = first_of(graph, CrackEventKind::nucleation);
+  ASSERT_NE(born, graph.events.end());
+  EXPECT_EQ(born->site, CrackSite::edge);
+}
+
 TEST(CrackGraph, CracksThatMeetCoalesceAndDoNotFork) {
   for (const bool head_on : {true, false}) {
     const Segment one{{-60.0, 0.2}, {head_on ? 0.0 : 20.0, 0.2}};

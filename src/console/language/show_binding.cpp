@@ -93,6 +93,7 @@ void show_in_terminal(const Session& session, const View& view, const PictureOpt
 
 // A run counts its pictures; a recording does not.
 void show_in_file(Session& session, Run* run, const View& view, const PictureOptions& options) {
+  if (session.settings.no_pictures) return;
   const std::string name = fmt::format("show_{}.png", ++session.pictures_shown);
   const auto path = session.output_path("show", name);
   if (run != nullptr)

@@ -88,7 +88,9 @@ void DiagramDrawing::write_marks() {
     const DiagramCurve& curve = diagram_.curves[k];
     if (curve.mark.empty() || curve.points.empty() || !holds(curve.points.back())) continue;
     const Vec2 at = place(curve.points.back());
-    add(curve.mark, at.x() + 0.35 * small_, at.y() - 0.35 * small_, 0.0, colour_of(k));
+    const bool within = at.x() >= frame_.x && at.x() <= frame_.right() && at.y() >= frame_.y &&
+                        at.y() <= frame_.bottom();
+    if (within) add(curve.mark, at.x() + 0.35 * small_, at.y() - 0.35 * small_, 0.0, colour_of(k));
   }
 }
 

@@ -107,6 +107,20 @@ TEST_F(Drawn, LevelsAreNamed) {
   EXPECT_THAT(texts, Not(Contains(Field(&PlacedText::text, "c_R"))));
 }
 
+TEST_F(Drawn, AMarkStandsBesideTheLastPoint) {
+  DiagramCurve curve = straight(10.0);
+  curve.points.resize(51);  // ends in the middle
+  curve.mark = "7";
+  draw({"", {"x", "", Ends{0, 10}}, {"y", "", Ends{0, 10}}, {curve}, {}});
+  const auto mark = std::ranges::find(texts, "7", &PlacedText::text);
+  ASSERT_NE(mark, texts.end());
+  EXPECT_NEAR(mark->x, frame.x + 0.5 * frame.width, size.font);
+  EXPECT_NEAR(mark->y, frame.y + 0.5 * frame.height, size.font);
+  curve.mark = "far";
+  draw({"", {"x", "", Ends{0, 4}}, {"y", "", Ends{0, 10}}, {curve}, {}});
+  EXPECT_THAT(texts, Not(Contains(Field(&PlacedText::text, "far"))));
+}
+
 TEST_F(Drawn, AMapIsToScale) {
   Diagram map{"", {"x", "m"}, {"y", "m"}, {straight(4.0)}, {}};
   map.to_scale = true;
