@@ -40,7 +40,7 @@ std::vector<std::string> lattice_words(const Settings& settings) {
 
 std::string word_of(const std::string& key, const std::string& value) {
   const std::size_t dot = key.rfind('.');
-  const std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
+  std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
   if (key == "simulate.precision") return value;
   if (value == "true") return name;
   return value == "false" ? "not " + name : fmt::format("{} {}", name, value);

@@ -142,7 +142,7 @@ std::vector<std::string> CaseRunner::words_of(const Case& one, int threads) cons
   if (!one.with_pictures) words.emplace_back("--bare");
   if (one.with_last_picture) words.insert(words.end(), {"--picture", picture_of(one).string()});
   for (const auto& [key, value] : joined(script_.settings, one.settings))
-    words.insert(words.end(), {"--set", key + "=" + value});
+    words.insert(words.end(), {"--set", fmt::format("{}={}", key, value)});
   if (!script_.arguments.empty()) words.emplace_back("--");
   words.insert(words.end(), script_.arguments.begin(), script_.arguments.end());
   return words;

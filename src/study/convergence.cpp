@@ -27,7 +27,7 @@ struct Planned {
 };
 
 // Where the script has an option of the same name, that one too.
-Settings with_own_options(Settings settings, const std::set<std::string>& declared) {
+Settings with_own_options(const Settings& settings, const std::set<std::string>& declared) {
   constexpr std::string_view prefix = "simulate.";
   Settings all = settings;
   for (const auto& [key, value] : settings)
@@ -86,7 +86,7 @@ void run_axis(CaseRunner& runner, const ConvergenceOptions& options, const Conve
       continue;
     }
     names.push_back(level.name);
-    cases.push_back({.settings = with_own_options(std::move(level.settings), options.declared),
+    cases.push_back({.settings = with_own_options(level.settings, options.declared),
                      .sample_at = study.sample_at});
   }
   // The longest first: short ones then fill the threads that are left.
@@ -121,6 +121,7 @@ std::optional<LevelChange> change_of(const QuantityValue& one, const QuantityVal
 std::vector<double> resolutions_of(const std::vector<Level>& levels, const QuantityRow& row) {
   const bool is_place = row.unit == "m";
   std::vector<double> all;
+  all.reserve(levels.size());
   for (const Level& level : levels)
     all.push_back(is_place ? levels.back().spacing : row.unit == "s" ? level.dt : 0.0);
   return all;
@@ -181,6 +182,7 @@ std::optional<QuantityConvergence> judged(const std::vector<Level>& levels,
   for (const QuantityValue& value : result.values)
     result.distances.push_back(distance(value, result.values.back(), row));
   std::vector<double> sizes;
+  sizes.reserve(levels.size());
   for (const Level& level : levels) sizes.push_back(level.size);
   if (!std::ranges::all_of(result.values, found)) {
     result.order = order_of_missing(result, sizes);

@@ -131,6 +131,7 @@ Ensemble ensemble_of(const SceneNumerics& scene, const EnsembleOptions& options,
 Ensemble ensemble(CaseRunner& runner, const EnsembleOptions& options) {
   const SceneNumerics scene = numerics_of(finished(runner.run_alone({}, "as written")));
   std::vector<Case> cases;
+  cases.reserve(static_cast<std::size_t>(options.runs));
   for (int number = 0; number < options.runs; ++number)
     cases.push_back({.settings = changed(scene, options, number)});
   return ensemble_of(scene, options, runner.run(cases, "runs"));

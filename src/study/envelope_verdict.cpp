@@ -39,7 +39,9 @@ std::optional<std::string> not_a_number(const Json& json, const std::string& pla
   if (json.is_object())
     for (const auto& [key, value] : json.items())
       if (!may_be_null(key))
-        if (auto found = not_a_number(value, place.empty() ? key : place + "." + key)) return found;
+        if (auto found =
+                not_a_number(value, place.empty() ? key : fmt::format("{}.{}", place, key)))
+          return found;
   if (json.is_array())
     for (const Json& value : json)
       if (auto found = not_a_number(value, place)) return found;

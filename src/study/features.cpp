@@ -66,6 +66,7 @@ std::span<const FeatureRow> feature_rows() {
 std::vector<FeatureRow> features_named(const std::vector<std::string>& names) {
   if (names.empty()) return {all_features.begin(), all_features.end()};
   std::vector<std::string_view> known;
+  known.reserve(all_features.size());
   for (const FeatureRow& row : all_features) known.push_back(row.name);
   std::vector<FeatureRow> chosen{all_features.front()};
   Problems problems;
@@ -138,7 +139,7 @@ std::vector<std::string> words_for_counting(const CaseRunner& runner, const Feat
                                  "1"};
   words.insert(words.end(), {"-o", (runner.options().folder / "counted").string()});
   for (const auto& [key, value] : case_of(row, steps, 1).settings)
-    words.insert(words.end(), {"--set", key + "=" + value});
+    words.insert(words.end(), {"--set", fmt::format("{}={}", key, value)});
   return words;
 }
 

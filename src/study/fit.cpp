@@ -46,6 +46,7 @@ class FitRuns {
 
   std::vector<Outcome> run(const std::vector<VectorXd>& points) {
     std::vector<Case> cases;
+    cases.reserve(points.size());
     for (const VectorXd& point : points) cases.push_back({.settings = settings_at(point)});
     if (cases.size() == 1) return {runner_.run_alone(cases.front(), "fit")};
     return runner_.run(cases, "fit");

@@ -49,6 +49,7 @@ class Fit {
 
   std::vector<VectorXd> at(const std::vector<VectorXd>& shares) const {
     std::vector<VectorXd> points;
+    points.reserve(shares.size());
     for (const VectorXd& share : shares) points.push_back(unscaled(share));
     return residuals_(points);
   }
@@ -84,6 +85,7 @@ class Fit {
   bool improve(double& damping) {
     constexpr auto factors = std::to_array({0.1, 1.0, 30.0});
     std::vector<VectorXd> trials;
+    trials.reserve(factors.size());
     for (const double factor : factors)
       trials.push_back((point_ + step_with(damping * factor)).cwiseMax(0.0).cwiseMin(1.0));
     std::vector<VectorXd> values = at(trials);
@@ -163,7 +165,7 @@ class Fit {
 }  // namespace
 
 LeastSquares least_squares(const Residuals& residuals, const FitBounds& bounds,
-                           Eigen::VectorXd start, const LeastSquaresOptions& options) {
+                           const Eigen::VectorXd& start, const LeastSquaresOptions& options) {
   return Fit(residuals, bounds, options).run(start);
 }
 

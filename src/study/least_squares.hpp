@@ -45,6 +45,6 @@ struct LeastSquares {
 // so that the result does not depend on how many can be computed at the same time. Where none is
 // better, it looks around, up to two differences away, and ends if that does not help either.
 LeastSquares least_squares(const Residuals& residuals, const FitBounds& bounds,
-                           Eigen::VectorXd start, const LeastSquaresOptions& options = {});
+                           const Eigen::VectorXd& start, const LeastSquaresOptions& options = {});
 
 }  // namespace hackle

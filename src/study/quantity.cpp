@@ -200,6 +200,7 @@ std::optional<QuantityRow> quantity_named(std::string_view name) {
 
 std::vector<QuantityRow> quantities_named(const std::vector<std::string>& names) {
   std::vector<std::string_view> known;
+  known.reserve(rows.size());
   for (const QuantityRow& row : rows) known.push_back(row.name);
   std::vector<QuantityRow> found;
   Problems problems;

@@ -264,6 +264,7 @@ std::vector<Settings> best_of(const Trade& screen, double factor) {
   std::ranges::sort(front, {}, [](const TradeRun* run) { return run->error; });
   if (front.size() > most_of_screen) front.resize(most_of_screen);
   std::vector<Settings> ways;
+  ways.reserve(front.size());
   for (const TradeRun* run : front) ways.push_back(with_finer_lattice(run->settings, factor));
   return ways;
 }

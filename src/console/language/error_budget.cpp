@@ -31,7 +31,7 @@ bool flag_in(lua_State* L, int index, const char* key) {
 
 std::string text_in(lua_State* L, int index, const char* key) {
   lua_getfield(L, index, key);
-  const std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+  std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
   lua_pop(L, 1);
   return text;
 }

@@ -105,7 +105,8 @@ void set_overrides(lua_State* L, int index, std::string_view prefix, const Sessi
 
 void override_material(lua_State* L, const Session& session, Material& material,
                        Problems& problems) {
-  for (const auto& [key, value] : set_with(material_prefix, session)) {
+  for (const auto& set : set_with(material_prefix, session)) {
+    const std::string &key = set.first, &value = set.second;  // bindings cannot be captured
     std::vector<std::string_view> names;
     bool known = false;
     for_each_member<Material>([&](const auto& member) {
