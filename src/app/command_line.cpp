@@ -480,6 +480,7 @@ int carry_out(std::vector<std::string> words) {
   describe(app, request);
   const std::string first = words.empty() ? "" : words.front();
   try {
+    check_study_kind(app, words);
     std::vector<std::string> reversed(words.rbegin(), words.rend());
     app.parse(reversed);
   } catch (const CLI::Success& help) {
@@ -487,6 +488,9 @@ int carry_out(std::vector<std::string> words) {
     return request.run.script.empty() ? code : tell_options(request.run);
   } catch (const CLI::ParseError& error) {
     return refuse(app, error, first);
+  } catch (const Error& error) {
+    tell(error);
+    return static_cast<int>(error.kind());
   }
   return execute(app, request);
 }

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/study_kinds.hpp"
 
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
 namespace hackle {
 
 void describe_study(CLI::App& app, StudyAction& action) {
@@ -13,6 +21,22 @@ void describe_study(CLI::App& app, StudyAction& action) {
   describe_study_convergence(*study, action);
   describe_study_sweep(*study, action);
   describe_study_fit(*study, action);
+}
+
+void check_study_kind(const CLI::App& app, const std::vector<std::string>& words) {
+  const bool asks = words.size() > 1 && (words[1] == "-h" || words[1] == "--help");
+  if (words.empty() || words[0] != "study" || asks) return;
+  std::vector<std::string> names;
+  for (const CLI::App* kind : app.get_subcommand("study")->get_subcommands({}))
+    names.push_back(kind->get_name());
+  const std::string given = words.size() > 1 ? words[1] : "";
+  if (std::ranges::find(names, given) != names.end()) return;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw Error(ErrorKind::usage,
+              given.empty()
+                  ? "no study is named"
+                  : fmt::format("there is no study '{}'{}", given, did_you_mean(given, known)),
+              "there are " + comma_list(known));
 }
 
 }  // namespace hackle

@@ -9,6 +9,9 @@ namespace hackle {
 // Adds hackle study with its kinds. The action of the one that is called is set.
 void describe_study(CLI::App& app, StudyAction& action);
 
+// Throws Error (usage), with the nearest name, if the words after `hackle study` name no kind.
+void check_study_kind(const CLI::App& app, const std::vector<std::string>& words);
+
 void describe_study_ensemble(CLI::App& study, StudyAction& action);
 void describe_study_envelope(CLI::App& study, StudyAction& action);
 void describe_study_features(CLI::App& study, StudyAction& action);

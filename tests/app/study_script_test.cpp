@@ -63,6 +63,14 @@ TEST_F(StudyScriptTest, AStudyOfItselfEnds) {
   EXPECT_THAT(ended.err, HasSubstr("study.trade: this run is itself one of a study"));
 }
 
+TEST_F(StudyScriptTest, TheCommandKnowsItsKinds) {
+  const test::Ended ended = program_.run({"study", "trad", "plate.lua"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("there is no study 'trad' (did you mean 'trade'?)"));
+  EXPECT_THAT(program_.run({"study"}).err, HasSubstr("no study is named (there are trade"));
+  EXPECT_THAT(program_.run({"study", "--help"}).out, HasSubstr("ensemble"));
+}
+
 TEST_F(StudyScriptTest, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(run("study.trde { 'plate.lua' }").err, HasSubstr("(did you mean 'trade'?)"));
   EXPECT_THAT(run("study.trade { 'plate.lua', compare = { 'fork.tme' } }").err,
