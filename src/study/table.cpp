@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/units.hpp"
-
 namespace hackle {
 namespace {
 
@@ -72,10 +70,6 @@ std::string csv_of(const Table& table) {
   add(table.heads);
   for (const auto& row : table.rows) add(row);
   return text;
-}
-
-std::string cell_of(double value, std::string_view unit) {
-  return quantity(value, unit);
 }
 
 }  // namespace hackle

@@ -19,7 +19,4 @@ std::string aligned(const Table& table);
 // Returns CSV after RFC 4180.
 std::string csv_of(const Table& table);
 
-// Returns a number with four significant digits and a unit with a prefix, or "-" for none.
-std::string cell_of(double value, std::string_view unit);
-
 }  // namespace hackle

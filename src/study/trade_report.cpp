@@ -21,7 +21,7 @@ std::string error_cell(const Errors& errors, const QuantityRow& row, const Trade
   if (!at->second) return "lost";
   constexpr double nothing = 1e-9;  // of what counts as one: rounding
   const bool is_none = *at->second < nothing * trade.allowed.at(at->first);
-  return is_none ? "0" : cell_of(*at->second, row.unit);
+  return is_none ? "0" : quantity(*at->second, row.unit);
 }
 
 std::string speed_of(const Outcome& outcome) {
@@ -87,7 +87,7 @@ std::string noise_text(const Trade& trade) {
     const auto at = trade.noise.find(std::string(row.name));
     if (row.is_error || at == trade.noise.end() || (at->second && *at->second == 0.0)) continue;
     fmt::format_to(std::back_inserter(text), "{}{} {}", text.empty() ? "" : ", ", row.name,
-                   at->second ? cell_of(*at->second, row.unit) : "is lost");
+                   at->second ? quantity(*at->second, row.unit) : "is lost");
   }
   return text.empty()
              ? "A change in the last bits of the stiffness moves nothing.\n"
