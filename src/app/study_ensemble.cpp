@@ -22,7 +22,7 @@ constexpr int max_runs = 10000;
 struct EnsembleRequest {
   StudyWords words;
   int runs = 32;
-  std::string change;   // of the stiffness: "1e-5", "0.001%" or "bits"; "": the fifth digit
+  std::string change;   // of the stiffness: "1e-5", "0.001%" or "bits", as does ""
   std::string scatter;  // "1%", "0.01" or "own"; "": the stiffness is changed
   std::string within;   // "0.5mm"; "": one horizon
   std::vector<std::string> quantities;
@@ -94,8 +94,8 @@ void describe_ensemble(CLI::App& kind, EnsembleRequest& request) {
       ->type_name("N")
       ->check(CLI::Range(2, max_runs));
   auto* change = kind.add_option("--change", request.change,
-                                 "Change the stiffness by at most this share, or `bits`: its last "
-                                 "bits (1e-5, the fifth digit)");
+                                 "Change E by at most this share, as in 1e-5, or `bits`: its last "
+                                 "bits, by 2^-50 from run to run in f64 (bits)");
   change->type_name("SHARE");
   kind.add_option("--scatter", request.scatter,
                   "Instead scatter the strength by this standard deviation, as in 1%, with another "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/study_kinds.hpp"
@@ -15,6 +16,7 @@ struct TradeRequest {
   StudyWords words;
   std::vector<std::string> quantities;
   bool sheet = false;
+  TradeOptions options;
 };
 
 void describe_trade(CLI::App& kind, TradeRequest& request) {
@@ -23,6 +25,14 @@ void describe_trade(CLI::App& kind, TradeRequest& request) {
   describe_quantities(kind, request.quantities);
   kind.add_flag("--sheet", request.sheet,
                 "Make a sheet of the last states of what is recommended and of the reference");
+  kind.add_option("--screen-above", request.options.costly,
+                  fmt::format("CPU time in s of the script, above which ways are screened on a "
+                              "coarser lattice first ({})",
+                              TradeOptions{}.costly))
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+  kind.add_flag("!--no-pictures", request.options.pictures,
+                "Do not try cadences and sizes of its movies");
   kind.footer(
       "Each run is compared with a reference that is finer in every respect. The error is the "
       "root\n"
@@ -33,7 +43,7 @@ void describe_trade(CLI::App& kind, TradeRequest& request) {
 
 void carry_out(const TradeRequest& request, const std::vector<std::string>& arguments) {
   CaseRunner runner = runner_of(request.words, arguments);
-  const Trade found = trade(runner, quantities_named(request.quantities));
+  const Trade found = trade(runner, quantities_named(request.quantities), request.options);
   finish({"trade", text_of(found), table_of(found), {chart_of(found)}}, to_json(found),
          request.words, runner);
   if (!request.sheet) return;

@@ -114,8 +114,10 @@ Ensemble ensemble_of(const SceneNumerics& scene, const EnsembleOptions& options,
                      std::vector<Outcome> runs) {
   Ensemble all{.change = options.change,
                .size = options.size,
+               .of_bits = options.change == Change::stiffness && options.size == 0.0,
                .scene = scene,
                .within = options.within.value_or(scene.horizon)};
+  if (all.of_bits) all.size = static_cast<double>(runs.size() - 1) * last_bit(scene);
   sort_out(std::move(runs), all);
   std::ranges::transform(all.runs, std::back_inserter(all.paths), timed_paths_of);
   compare_all(all);

@@ -24,15 +24,12 @@ enum class Change {
   own_scatter,  // the seed of the scatter that the plate has
 };
 
-// The fifth digit of Young's modulus, which is known to two.
-inline constexpr double fifth_digit = 1e-5;
-
 struct EnsembleOptions {
   int runs = 32;  // at least 2
   Change change = Change::stiffness;
-  // Of the stiffness, the largest relative change, 0 for the last bits of its precision; of the
-  // strength, the relative standard deviation.
-  double size = fifth_digit;
+  // Of the stiffness, the largest relative change; 0: run k has its last bits changed by k times
+  // last_bit(). Of the strength, the relative standard deviation.
+  double size = 0.0;
   std::optional<double> within;         // m, of paths that agree; none: one horizon
   std::vector<QuantityRow> quantities;  // numbers and counts; none: ensemble_quantities()
 };
@@ -48,7 +45,8 @@ struct QuantityStatistic {
 
 struct Ensemble {
   Change change = Change::stiffness;
-  double size = 0.0;  // of the change
+  double size = 0.0;  // of the change, the largest if the last bits are changed
+  bool of_bits = false;
   SceneNumerics scene;
   double within = 0.0;                // m
   std::vector<Outcome> runs;          // those that finished

@@ -23,8 +23,8 @@ std::string change_of(const Ensemble& all) {
   if (all.change == Change::own_scatter) return "another seed of the plate's scatter";
   if (all.change == Change::strength)
     return fmt::format("a scatter of strength of {:.3g} %", 100.0 * all.size);
-  return all.size == 0.0 ? "a change in the last bits of the stiffness"
-                         : fmt::format("a change of the stiffness by at most {:g}", all.size);
+  return fmt::format("a change of {}E by at most {:.2g}", all.of_bits ? "the last bits of " : "",
+                     all.size);
 }
 
 std::string place_text(const Vec2& place) {

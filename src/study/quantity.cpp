@@ -25,6 +25,8 @@ constexpr std::string_view of_script = "expect.";
 
 constexpr auto rows = std::to_array<QuantityRow>({
     {"displacement", field, "", "Displacements before the first bond breaks."},
+    {"stiffness", number, "Pa", "Resistance to a uniform strain, with rims and cracks."},
+    {"wave.speed", number, "m/s", "The speed of waves as long as a fifth of the shorter side."},
     {"first_bond.time", number, "s", "When the first bond breaks."},
     {"first_bond.place", place, "m", "Where it breaks."},
     {"tip.path", paths, "m", "All paths that cracks have grown along."},
@@ -158,6 +160,8 @@ std::optional<double> expected_of(const Json& told, std::string_view name) {
 }
 
 std::optional<double> number_of(const Json& told, std::string_view name) {
+  if (name == "stiffness") return number_in(found(told, "elastic"), "stiffness_Pa");
+  if (name == "wave.speed") return number_in(found(told, "elastic"), "wave_speed_m_per_s");
   if (name == "first_bond.time") return number_in(found(told, "first_break"), "time_s");
   if (name == "fork.time") return number_in(event_of(told, "branch"), "time_s");
   if (name == "fork.angle") return number_in(event_of(told, "branch"), "angle_rad");

@@ -59,13 +59,12 @@ Settings simulated(const std::string& key, const std::string& value) {
   return {{"simulate." + key, value}};
 }
 
-Settings last_bits(double modulus, int number) {
-  return {{"material.E", shortest(modulus * (1.0 + number * std::ldexp(1.0, -40)))}};
+double last_bit(const SceneNumerics& scene) {
+  return std::ldexp(1.0, scene.precision == "f64" ? -50 : -22);
 }
 
 Settings last_bits(const SceneNumerics& scene, int number) {
-  if (scene.precision == "f64") return last_bits(scene.E, number);
-  return {{"material.E", shortest(scene.E * (1.0 + number * std::ldexp(1.0, -22)))}};
+  return {{"material.E", shortest(scene.E * (1.0 + number * last_bit(scene)))}};
 }
 
 }  // namespace hackle

@@ -39,9 +39,10 @@ Settings spaced(double spacing, double m);
 Settings with_finer_lattice(Settings settings, double factor);
 Settings simulated(const std::string& key, const std::string& value);
 
-// A change of the last bits of the stiffness: what it moves is not determined by the scene.
-Settings last_bits(double modulus, int number = 1);
-// The same, in the precision of the scene.
-Settings last_bits(const SceneNumerics& scene, int number);
+// The smallest change of the stiffness that counts, relative: 2^-50 in f64, four units in the last
+// place; 2^-22 in f32, two.
+double last_bit(const SceneNumerics& scene);
+// Changes Young's modulus by `number` of these: what that moves is not determined by the scene.
+Settings last_bits(const SceneNumerics& scene, int number = 1);
 
 }  // namespace hackle

@@ -2,6 +2,7 @@
 #include "study/trade.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -11,18 +12,21 @@
 #include "study/front.hpp"
 #include "study/moments.hpp"
 #include "study/trade_axes.hpp"
+#include "study/trade_forecast.hpp"
 
 namespace hackle {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// s of CPU time: a scene that takes longer is screened on a coarser lattice, which takes as long as
-// `screening`.
-constexpr double costly = 8.0, screening = 3.0;
 constexpr std::size_t most_pairs = 16, most_of_screen = 8;
-// Runs that take less are timed again, this often.
-constexpr double short_run = 3.0;
+// Runs that take less, s, are timed again, this often.
+constexpr double short_run = 1.0;
 constexpr int timings = 2;
+// Budgets, in costs of the scene as written. Beyond the largest nothing is recommended.
+constexpr std::array budgets{0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
+// Of a reference: costs of the scene as written, and s, whatever is less; but at least so many
+// costs.
+constexpr double most_of_reference = 40.0, seconds_of_reference = 40.0, least_of_reference = 3.0;
 
 // The scene whose solutions are compared.
 struct Subject {
@@ -30,7 +34,7 @@ struct Subject {
   SceneNumerics scene;
   double sample_at = 0.0;      // s
   double cost = 0.0;           // s of CPU time, as written
-  double most = 40.0;          // costs of the reference, in these
+  double most = 0.0;           // costs of the reference, in these
   std::vector<Settings> ways;  // if not empty, only these are tried
 };
 
@@ -65,7 +69,7 @@ class TradeStudy {
   void vary_one_at_a_time() {
     if (subject_.ways.empty()) axes_ = trade_axes(subject_.scene);
     const auto references = reference_settings(subject_.scene, subject_.most);
-    std::vector<Settings> all{references[0], {}, last_bits(subject_.scene.E)};
+    std::vector<Settings> all{references[0], {}, last_bits(subject_.scene)};
     for (const TradeAxis& axis : axes_)
       all.insert(all.end(), axis.values.begin(), axis.values.end());
     all.insert(all.end(), subject_.ways.begin(), subject_.ways.end());
@@ -100,7 +104,7 @@ class TradeStudy {
 
   // Runs that change the model are none that one can choose.
   Candidate candidate(const TradeRun& run) const {
-    return {run.outcome.cpu, is_of_model(run.settings) ? infinity : run.error};
+    return {run.outcome.cpu, is_of_model(run.settings, axes_) ? infinity : run.error};
   }
   void mark_front() {
     std::vector<Candidate> all;
@@ -110,16 +114,9 @@ class TradeStudy {
     for (std::size_t k = 0; k < front.size(); ++k) trade_.runs[k].on_front = front[k];
   }
 
-  static bool has(const TradeAxis& axis, const Settings& settings) {
-    return std::ranges::find(axis.values, settings) != axis.values.end();
-  }
-  bool is_of_model(const Settings& settings) const {
-    return std::ranges::any_of(
-        axes_, [&](const TradeAxis& axis) { return axis.of_model && has(axis, settings); });
-  }
   std::optional<std::size_t> axis_of(const Settings& settings) const {
     for (std::size_t k = 0; k < axes_.size(); ++k)
-      if (has(axes_[k], settings)) return k;
+      if (axes_[k].has(settings)) return k;
     return std::nullopt;
   }
 
@@ -127,10 +124,15 @@ class TradeStudy {
   // the front.
   void combine() {
     std::vector<Settings> all;
+    const double most = budgets.back() * trade_.runs.front().outcome.cpu;
     const auto want = [&](const Settings& settings) {
-      if (tried_.insert(settings).second) all.push_back(settings);
+      if (!tried_.insert(settings).second) return;
+      if (is_hopeless(forecast_of(settings, axes_, trade_.runs), axes_, trade_.runs, most))
+        ++trade_.skipped;
+      else
+        all.push_back(settings);
     };
-    const Settings fast = fast_arithmetic(), sure = surest();
+    const Settings fast = fast_arithmetic(axes_, trade_.runs), sure = surest(axes_, trade_.runs);
     want(fast);
     want(joined(fast, sure));
     for (const TradeAxis& axis : axes_)
@@ -147,50 +149,22 @@ class TradeStudy {
         want(joined(one.settings, other.settings));
         want(joined(fast, joined(one.settings, other.settings)));
       }
-    // What takes longer than the reference is beaten by it.
-    const double time_limit = 2.0 * trade_.reference.outcome.wall;
-    const std::vector<Outcome> outcomes = outcomes_of(all, "combinations", time_limit);
+    const std::vector<Outcome> outcomes = outcomes_of(all, "combinations", patience());
     for (std::size_t k = 0; k < all.size(); ++k) add(all[k], outcomes[k]);
     mark_front();
+  }
+
+  // What takes longer than the reference, or than any budget, cannot be recommended.
+  double patience() const {
+    constexpr double margin = 1.5, start = 1.0;  // of a busy machine, s
+    const double of_budget = budgets.back() * trade_.runs.front().outcome.cpu;
+    return margin * std::min(trade_.reference.outcome.wall, of_budget) + start;
   }
 
   bool may_join(const Settings& one, const Settings& other) const {
     const auto a = axis_of(one), b = axis_of(other);
     if (!a || !b || *a >= *b) return false;
     return !(axes_[*a].of_lattice && axes_[*b].of_lattice);
-  }
-
-  // The value of each axis apart from the lattice that errs clearly least.
-  Settings surest() const {
-    constexpr double clearly = 0.95;
-    Settings sure;
-    for (const TradeAxis& axis : axes_) {
-      if (axis.of_lattice || axis.of_model) continue;
-      const TradeRun* best = nullptr;
-      for (const TradeRun& run : trade_.runs)
-        if (has(axis, run.settings) && run.error < clearly * trade_.runs.front().error &&
-            (!best || run.error < best->error))
-          best = &run;
-      if (best) sure = joined(sure, best->settings);
-    }
-    return sure;
-  }
-
-  // The cheapest value of each axis that only changes the arithmetic, if it does little harm.
-  Settings fast_arithmetic() const {
-    constexpr double little = 1.1;
-    const TradeRun& as_written = trade_.runs.front();
-    Settings fast;
-    for (const TradeAxis& axis : axes_) {
-      if (!axis.exact_by_itself) continue;
-      const TradeRun* cheapest = &as_written;
-      for (const TradeRun& run : trade_.runs)
-        if (has(axis, run.settings) && run.error <= little * as_written.error &&
-            run.outcome.cpu < cheapest->outcome.cpu)
-          cheapest = &run;
-      fast = joined(fast, cheapest->settings);
-    }
-    return fast;
   }
 
   // What else the machine does only adds to a time: runs near the front are timed again, and the
@@ -226,7 +200,7 @@ class TradeStudy {
   }
 
   void choose() {
-    for (const double share : {0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0}) {
+    for (const double share : budgets) {
       const double budget = share * trade_.runs.front().outcome.cpu;
       std::optional<std::size_t> best;
       for (std::size_t k = 0; k < trade_.runs.size(); ++k) {
@@ -245,14 +219,19 @@ class TradeStudy {
   std::set<Settings> tried_;
 };
 
-// The same scene on a lattice so coarse that it takes seconds.
-Subject coarsened(const Subject& subject) {
-  const double factor = std::cbrt(subject.cost / screening);
+double most_for_reference(double cost) {
+  return std::clamp(seconds_of_reference / cost, least_of_reference, most_of_reference);
+}
+
+// The same scene on a lattice so coarse that it takes `cost`, s.
+Subject coarsened(const Subject& subject, double cost) {
+  const double factor = std::cbrt(subject.cost / cost);
   Subject coarse = subject;
   coarse.scene.spacing *= factor;
   coarse.scene.horizon *= factor;
   coarse.base = spaced(coarse.scene.spacing, coarse.scene.m());
-  coarse.cost = screening;
+  coarse.cost = cost;
+  coarse.most = most_for_reference(cost);
   return coarse;
 }
 
@@ -269,24 +248,33 @@ std::vector<Settings> best_of(const Trade& screen, double factor) {
   return ways;
 }
 
-}  // namespace
-
-Trade trade(CaseRunner& runner, std::vector<QuantityRow> quantities) {
-  if (quantities.empty()) quantities.assign(quantity_rows().begin(), quantity_rows().end());
-  const Outcome first = finished(runner.run_alone({}, "as written"));
-  Subject subject{.base = {},
-                  .scene = numerics_of(first),
-                  .sample_at = moment_of_comparison(first),
-                  .cost = first.cpu,
-                  .ways = {}};
-  if (subject.cost <= costly) return TradeStudy(runner, quantities, subject).made();
-  const Subject coarse = coarsened(subject);
+Trade screened(CaseRunner& runner, const std::vector<QuantityRow>& quantities, Subject subject,
+               const TradeOptions& options) {
+  const Subject coarse = coarsened(subject, options.screening);
   const double factor = coarse.scene.spacing / subject.scene.spacing;
-  subject.ways = best_of(TradeStudy(runner, quantities, coarse).made(), factor);
-  constexpr double most_of_costly = 3.0;
-  subject.most = most_of_costly;
+  const Trade screen = TradeStudy(runner, quantities, coarse).made();
+  subject.ways = best_of(screen, factor);
   Trade found = TradeStudy(runner, quantities, subject).made();
   found.screened_at = factor;
+  found.skipped = screen.skipped;
+  if (options.pictures) found.pictures = picture_costs(runner, screen.runs.front().outcome);
+  return found;
+}
+
+}  // namespace
+
+Trade trade(CaseRunner& runner, std::vector<QuantityRow> quantities, const TradeOptions& options) {
+  if (quantities.empty()) quantities.assign(quantity_rows().begin(), quantity_rows().end());
+  const Outcome first = finished(runner.run_alone({}, "as written"));
+  const Subject subject{.base = {},
+                        .scene = numerics_of(first),
+                        .sample_at = moment_of_comparison(first),
+                        .cost = first.cpu,
+                        .most = most_for_reference(first.cpu),
+                        .ways = {}};
+  if (subject.cost > options.costly) return screened(runner, quantities, subject, options);
+  Trade found = TradeStudy(runner, quantities, subject).made();
+  if (options.pictures) found.pictures = picture_costs(runner, found.runs.front().outcome);
   return found;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/case_runner.hpp"
+#include "study/picture_cost.hpp"
 #include "study/trade_score.hpp"
 
 namespace hackle {
@@ -37,13 +38,25 @@ struct Trade {
   std::vector<Recommendation> recommended;
   // Of a scene that takes long: the ways were chosen on a lattice coarser by this; else 1.
   double screened_at = 1.0;
+  std::size_t skipped = 0;            // combinations that could not be on the front
+  std::vector<PictureCost> pictures;  // on the lattice of the screening; empty if it makes no movie
+};
+
+struct TradeOptions {
+  // s of CPU time: a scene that takes longer is screened first, on a lattice on which it takes
+  // about `screening`.
+  double costly = 2.0;
+  double screening = 0.5;
+  bool pictures = true;  // tries cadences and sizes of movies too
 };
 
 // Runs the script over precision, spacing, m, horizon, quadrature, surface correction, constants,
-// step, fidelity, fused arithmetic and history, one at a time, then what is fast together. Of a
-// scene that takes longer than seconds all of this is done on a coarser lattice, and only what is
-// best there with the spacing of the script. With no quantities, all are compared. Throws what
-// CaseRunner throws, and Error (run_failed) if the script as written or the reference fails.
-Trade trade(CaseRunner& runner, std::vector<QuantityRow> quantities);
+// step, fidelity, fused arithmetic and history, one at a time, then what is fast together; and over
+// cadence and size of its movies. Of a costly scene all of this is done on a coarser lattice, and
+// only what is best there with the spacing of the script. With no quantities, all are compared.
+// Throws what CaseRunner throws, and Error (run_failed) if the script as written or the reference
+// fails.
+Trade trade(CaseRunner& runner, std::vector<QuantityRow> quantities,
+            const TradeOptions& options = {});
 
 }  // namespace hackle

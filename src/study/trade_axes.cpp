@@ -103,6 +103,10 @@ Settings refined(const SceneNumerics& scene, const Refinement& by) {
 
 }  // namespace
 
+bool TradeAxis::has(const Settings& settings) const {
+  return std::ranges::find(values, settings) != values.end();
+}
+
 std::vector<TradeAxis> trade_axes(const SceneNumerics& scene) {
   TradeAxis precision = choice<Precision>("precision", scene.precision);
   precision.exact_by_itself = true;

@@ -16,6 +16,8 @@ struct TradeAxis {
   bool of_lattice = false;       // sets spacing and horizon: excludes the other axes that do
   bool exact_by_itself = false;  // only arithmetic and step: combines with every lattice
   bool of_model = false;         // changes what is computed: shown, never recommended
+
+  bool has(const Settings& settings) const;  // among its values
 };
 
 // Returns them for a scene with these numerics.

@@ -15,12 +15,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double rounding = 1e-9;  // of what counts as one
+
 std::string error_cell(const Errors& errors, const QuantityRow& row, const Trade& trade) {
   const auto at = errors.find(std::string(row.name));
   if (at == errors.end()) return "";
   if (!at->second) return "lost";
-  constexpr double nothing = 1e-9;  // of what counts as one: rounding
-  const bool is_none = *at->second < nothing * trade.allowed.at(at->first);
+  const bool is_none = *at->second < rounding * trade.allowed.at(at->first);
   return is_none ? "0" : quantity(*at->second, row.unit);
 }
 
@@ -85,13 +86,39 @@ std::string noise_text(const Trade& trade) {
   std::string text;
   for (const QuantityRow& row : trade.quantities) {
     const auto at = trade.noise.find(std::string(row.name));
-    if (row.is_error || at == trade.noise.end() || (at->second && *at->second == 0.0)) continue;
+    if (row.is_error || at == trade.noise.end()) continue;
+    if (at->second && *at->second < rounding * trade.allowed.at(at->first)) continue;
     fmt::format_to(std::back_inserter(text), "{}{} {}", text.empty() ? "" : ", ", row.name,
                    at->second ? quantity(*at->second, row.unit) : "is lost");
   }
   return text.empty()
-             ? "A change in the last bits of the stiffness moves nothing.\n"
+             ? "A change in the last bits of the stiffness moves nothing above rounding.\n"
              : "A change in the last bits of the stiffness moves, as chance does: " + text + ".\n";
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+  return fmt::format("{:.2f}", 1e-6 * static_cast<double>(bytes));
+}
+
+std::string movie_name(const PictureCost& one) {
+  if (one.settings.empty()) return "movies as written";
+  return fmt::format("every {}, {} px{}", quantity(std::stod(one.settings.at("movie.every")), "s"),
+                     one.settings.at("movie.width"), one.on_front ? "" : " (beaten)");
+}
+
+// What movies cost beside the run as written.
+std::string pictures_text(const Trade& trade) {
+  if (trade.pictures.empty()) return "";
+  Table table{{"+ CPU s", "MB of files", "seen.time", "seen.place", "movies"}, {}};
+  for (const PictureCost& one : trade.pictures) {
+    const auto cell = [&](const char* name, const char* unit) {
+      return one.errors.empty() ? "" : quantity(*one.errors.at(name), unit);
+    };
+    table.rows.push_back({fmt::format("{:.2f}", one.more), bytes_text(one.file_bytes),
+                          cell("seen.time", "s"), cell("seen.place", "m"), movie_name(one)});
+  }
+  return "\n" + aligned(table) +
+         "\nAn event is seen up to seen.time late, and no better than to seen.place.\n";
 }
 
 Json to_json(const QuantityValue& value) {
@@ -119,6 +146,17 @@ Json errors_json(const Errors& errors) {
   return json;
 }
 
+Json picture_json(const PictureCost& one) {
+  return {{"settings", one.settings},
+          {"wall_s", one.outcome.wall},
+          {"cpu_s", one.outcome.cpu},
+          {"bytes", one.outcome.peak_bytes},
+          {"more_cpu_s", one.more},
+          {"file_bytes", one.file_bytes},
+          {"errors", errors_json(one.errors)},
+          {"on_front", one.on_front}};
+}
+
 Json values_json(const Trade& trade, const Outcome& outcome) {
   Json json = Json::object();
   for (const QuantityRow& row : trade.quantities)
@@ -137,12 +175,17 @@ std::string text_of(const Trade& trade) {
     fmt::format_to(std::back_inserter(text),
                    "These ways were the best of many on a lattice {:.1f} times coarser.\n",
                    trade.screened_at);
+  if (trade.skipped > 0)
+    fmt::format_to(
+        std::back_inserter(text),
+        "{} combinations were not run: by their parts they cost too much or are beaten.\n",
+        trade.skipped);
   for (const Recommendation& one : trade.recommended) {
     const TradeRun& run = trade.runs[one.run];
     fmt::format_to(std::back_inserter(text), "within {} of CPU time: {} (error {:.2f})\n",
                    quantity(one.budget, "s"), name_of(run.settings), run.error);
   }
-  return text;
+  return text + pictures_text(trade);
 }
 
 Table table_of(const Trade& trade) {
@@ -189,6 +232,9 @@ Json to_json(const Trade& trade) {
   Json& recommended = json["recommended"] = Json::array();
   for (const Recommendation& one : trade.recommended)
     recommended.push_back({{"budget", one.budget}, {"settings", trade.runs[one.run].settings}});
+  json["skipped"] = trade.skipped;
+  Json& pictures = json["pictures"] = Json::array();
+  for (const PictureCost& one : trade.pictures) pictures.push_back(picture_json(one));
   return json;
 }
 

@@ -62,6 +62,30 @@ TEST(Ensemble, IsNotChaoticIfRunsAgreeToTheEnd) {
   EXPECT_TRUE(ensemble_of(scene, {.runs = 2, .within = 0.4e-3}, {one, near}).is_chaotic());
 }
 
+TEST(Ensemble, SaysHowFarTheLastBitsWereChanged) {
+  const Ensemble bits = ensemble_of(scene, {.runs = 3}, runs_of_three());
+  EXPECT_DOUBLE_EQ(bits.size, 2.0 * std::ldexp(1.0, -22));
+  SceneNumerics doubles = scene;
+  doubles.precision = "f64";
+  doubles.E = 65e9;
+  const Ensemble all = ensemble_of(doubles, {.runs = 3}, runs_of_three());
+  EXPECT_DOUBLE_EQ(all.size, 2.0 * std::ldexp(1.0, -50));
+  EXPECT_THAT(verdict_of(all), HasSubstr("a change of the last bits of E by at most 1.8e-15"));
+  EXPECT_THAT(verdict_of(ensemble_of(doubles, {.runs = 3, .size = 1e-5}, runs_of_three())),
+              HasSubstr("a change of E by at most 1e-05"));
+}
+
+TEST(Ensemble, ChangesNothingButTheLastBits) {
+  SceneNumerics doubles = scene;
+  doubles.precision = "f64";
+  doubles.E = 65e9;
+  for (int number = 1; number <= 32; ++number) {
+    const double changed = std::stod(last_bits(doubles, number).at("material.E"));
+    EXPECT_GT(changed, 65e9);
+    EXPECT_LE(changed / 65e9 - 1.0, 32.5 * std::ldexp(1.0, -50));
+  }
+}
+
 TEST(Ensemble, CallsFlawsThatMoveCracksNoChaos) {
   const Ensemble all =
       ensemble_of(scene, {.runs = 3, .change = Change::strength, .size = 0.01}, runs_of_three());

@@ -62,7 +62,8 @@ int main(int count, char** words) {
   const double safety = number("simulate.safety", 0.9);
   const double error = model.value("a", 1.0) * std::pow(dx, model.value("p", 1.0));
   const double chaos = model.value("chaos", 0.0) * number("material.E", 65e9);
-  const double fork = model.value("fork", 0.06) + error + chaos;
+  const double bits = model.value("bits", 0.0) * (number("material.E", 65e9) - 65e9);
+  const double fork = model.value("fork", 0.06) + error + chaos + bits;
   const double speed = 1000.0;
   Json told{{"schema", 1},
             {"nodes", std::lround(0.004 / (dx * dx))},
@@ -92,5 +93,11 @@ int main(int count, char** words) {
                      {"angle_rad", 1.0}}};
   told["graph"] = {{"cracks", {piece(0.05, fork, 0.02)}}, {"tips", {{{"state", "running"}}}}};
   told["sample"] = {{"displacements_m", {{1.0 + error, 0.0}, nullptr, {0.0, 1.0}}}};
+  told["elastic"] = {{"stiffness_Pa", 70e9 * (1.0 - error)},
+                     {"wavelength_m", 8e-3},
+                     {"wave_speed_m_per_s", 5000.0 * (1.0 - 2.0 * error)}};
+  told["plate"] = {{"width_m", 0.1}, {"height_m", 0.04}, {"rows", Json::array()}};
+  told["files"] = Json::array();
+  if (model.contains("movie")) told["files"].push_back(model["movie"]);
   std::cout << told.dump() << "\n";
 }

@@ -65,7 +65,7 @@ constexpr std::array runs_option{
            .type = OptionType::integer,
            .range = between(2.0, 10000.0),
            .fallback = "32",
-           .sentence = "How many runs, each with another fifth digit of the stiffness."}};
+           .sentence = "How many runs, each with other last bits of E."}};
 constexpr auto ensemble_options = joined(script_options, runs_option);
 constexpr FunctionDoc ensemble_doc{
     .name = "study.ensemble",

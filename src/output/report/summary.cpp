@@ -121,6 +121,10 @@ nlohmann::ordered_json to_json(const Summary& summary, SummaryDetail detail) {
   if (summary.sample) json["sample"] = to_json(*summary.sample);
   if (summary.plate) json["plate"] = to_json(*summary.plate);
   if (summary.fragments) json["fragments"] = to_json(*summary.fragments);
+  if (const auto& elastic = summary.elastic)
+    json["elastic"] = {{"stiffness_Pa", elastic->stiffness},
+                       {"wavelength_m", elastic->wavelength},
+                       {"wave_speed_m_per_s", elastic->wave_speed}};
   json["peak_rss_bytes"] = summary.peak_rss;
   json["hash"] = summary.hash;
   json["files"] = nlohmann::ordered_json::array();

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "lattice/elastic_response.hpp"
 #include "measure/crack_graph.hpp"
 #include "measure/energy.hpp"
 #include "measure/fragment_list.hpp"
@@ -59,6 +60,7 @@ struct Summary {
   std::optional<SampledField> sample;        // if it was asked for, and the run came so far
   std::optional<SampledPlate> plate;         // likewise
   std::optional<FragmentList> fragments;     // likewise
+  std::optional<ElasticResponse> elastic;    // likewise
   std::uint64_t peak_rss = 0;                // bytes, of the process
   std::string hash;                          // of the state
   std::vector<std::filesystem::path> files;  // complete files written

@@ -127,6 +127,7 @@ struct Run::Parts {
     summary.sample = sampler->field();
     summary.plate = sampled_plate(simulation.lattice());
     summary.fragments = measured_fragments(simulation.view());
+    summary.elastic = elastic_response(simulation.lattice(), simulation.dt());
   }
 
   void tell_of_cracks(Summary& summary) const {
