@@ -9,17 +9,9 @@
 
 #include "study/case_runner.hpp"
 #include "study/picture_cost.hpp"
-#include "study/trade_score.hpp"
+#include "study/trade_run.hpp"
 
 namespace hackle {
-
-struct TradeRun {
-  Settings settings;  // other than the script's own
-  Outcome outcome;
-  Errors errors;       // against the reference
-  double error = 0.0;  // all of them in one number, see score(); infinite if it did not finish
-  bool on_front = false;
-};
 
 // The best of the front that costs at most the budget.
 struct Recommendation {

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "study/trade.hpp"
 #include "study/trade_axes.hpp"
+#include "study/trade_run.hpp"
 
 namespace hackle {
 
