@@ -23,7 +23,7 @@ local amplitudes = {
   inf = { function(t) return 1/0 end }, inf_later = { function(t) return t > t1 and 1/0 or 1 end },
   text = { function(t) return "a" end }, nothing = { function(t) end }, nothing_later = { function(t) if t < t1 then return 1 end end },
   table = { function(t) return {} end }, error = { function(t) error "no load" end }, error_later = { function(t) if t > t1 then error "no load" end return 1 end },
-  endless = { function(t) while t >= 0 do end end },
+  endless = { function(t) while t >= 0 do end end }, endless_later = { function(t) while t > t1 do end return 1 end },
   unordered = { { { 0, 1 }, { 2*t1, 1 }, { t1, 0 } } }, twice = { { { 0, 1 }, { t1, 1 }, { t1, 0 }, { 2*t1, 0 } } },
   empty = { {} }, nan_point = { { { 0, 1 }, { t1, 0/0 } } }, nan_time = { { { 0, 1 }, { 0/0, 1 } } },
 }

@@ -22,6 +22,7 @@ constexpr std::array steps{2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0};
 constexpr double finest_m = 8.0;  // half the spacing then is the finest that the lattice takes
 constexpr double coarsest_side = 10.0;  // spacings on the shorter side, at a step of 1
 constexpr double fifth_digit_of_E = 1e-5;
+constexpr double usual_m = 4.0;  // of a horizon that follows from the spacing
 
 QuantityRow path_row() {
   return *quantity_named("tip.path");
@@ -69,6 +70,16 @@ class Trials {
     return outcome;
   }
 
+  double horizon_at(std::size_t level) const {
+    return options_->horizon.value_or(usual_m * spacings_[level]);
+  }
+  double least_at(std::size_t level) const { return calibration_->least * horizon_at(level); }
+
+  // What can be hoped for: a given horizon sets a limit.
+  double goal() const {
+    return options_->horizon ? std::max(options_->within, least_at(0)) : options_->within;
+  }
+
   void take(std::size_t level, std::optional<double> expected) {
     level_ = level;
     budget_.spacing = spacings_[level];
@@ -81,14 +92,14 @@ class Trials {
     if (!is_cracked(fine) && level < min_level_without_cracks) return false;
     budget_.uncracked = !is_cracked(fine) && !is_cracked(coarse);
     const double apart = distance_of(coarse, fine);
-    const double of_coarse = calibration_->of_coarser * apart;
-    const double of_fine = calibration_->of_same * apart;
-    if (is_cracked(coarse) && of_coarse <= options_->within) {
+    const double of_coarse = std::max(calibration_->of_coarser * apart, least_at(level - 1));
+    const double of_fine = std::max(calibration_->of_same * apart, least_at(level));
+    if (is_cracked(coarse) && of_coarse <= goal()) {
       take(level - 1, of_coarse);
       return true;
     }
     take(level, std::isfinite(of_fine) ? std::optional(of_fine) : std::nullopt);
-    return budget_.uncracked || of_fine <= options_->within;
+    return budget_.uncracked || of_fine <= goal();
   }
 
   void find_spacing() {
@@ -109,7 +120,7 @@ class Trials {
     const double E = numerics_of(outcomes_[level]).E;
     Settings other = settings_of(spacings_[level], budget_.precision);
     other["material.E"] = shortest(E * (1.0 + fifth_digit_of_E));
-    budget_.chaotic = distance_of(outcomes_[level], tried(other)) > options_->within;
+    budget_.chaotic = distance_of(outcomes_[level], tried(other)) > goal();
     if (budget_.chaotic) budget_.expected.reset();
   }
 
@@ -141,6 +152,7 @@ BudgetCalibration budget_calibration() {
                 "install hackle again");
   BudgetCalibration calibration{.of_same = json.value("of_same", 1.0),
                                 .of_coarser = json.value("of_coarser", 2.0),
+                                .least = json.value("least_horizons", 1.0),
                                 .levels = {}};
   for (const auto& level : json["levels"])
     calibration.levels.push_back({level.value("m", 0.0), level.value("error_horizons", 0.0)});
@@ -164,11 +176,12 @@ ErrorBudget budget_from(const BudgetCalibration& calibration, const BudgetOption
   ErrorBudget budget{.within = options.within};
   if (!options.precision.empty()) budget.precision = options.precision;
   for (const double spacing : budget_spacings(options)) {
-    const double horizon = options.horizon.value_or(4.0 * spacing);
+    const double horizon = options.horizon.value_or(usual_m * spacing);
     // Of levels between those that were measured, the coarser one holds.
     double error = std::numeric_limits<double>::infinity();
     for (const auto& level : calibration.levels)
-      if (level.m <= horizon / spacing * (1.0 + 1e-9)) error = level.error * horizon;
+      if (level.m <= horizon / spacing * (1.0 + 1e-9))
+        error = std::max(level.error, calibration.least) * horizon;
     budget.spacing = spacing;
     budget.expected = std::isfinite(error) ? std::optional(error) : std::nullopt;
     if (budget.is_met()) break;

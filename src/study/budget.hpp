@@ -26,6 +26,9 @@ struct BudgetOptions {
 struct BudgetCalibration {
   double of_same = 0.0;     // error of the finer of two trials over their distance
   double of_coarser = 0.0;  // likewise of the coarser one
+  // In horizons: no error is expected to be smaller. That two trials agree more closely is luck,
+  // which the next spacing need not have.
+  double least = 0.0;
   struct Level {
     double m = 0.0;
     double error = 0.0;  // in horizons
@@ -44,6 +47,7 @@ std::vector<double> budget_spacings(const BudgetOptions& options);
 ErrorBudget budget_from(const BudgetCalibration& calibration, const BudgetOptions& options);
 
 // Runs the script with ever finer spacings until the error of one is expected to be small enough,
+// or as small as can be expected where the horizon is given and `within` is less than that,
 // and once more with another fifth digit of the stiffness, to see whether it is chaotic. A script
 // that runs several simulations is judged by the last. Throws what CaseRunner throws, and Error
 // (run_failed) if no trial finishes.

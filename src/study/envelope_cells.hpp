@@ -34,6 +34,7 @@ struct EnvelopeCell {
   Demand demand = Demand::right;
   bool heavy = false;  // runs alone, with all threads, and not in the quick sample
   bool quick = false;  // in the quick sample
+  int row = 0;         // cells that vary the same options have the same
 };
 
 // Returns all families, in the order of the map.

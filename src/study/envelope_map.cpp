@@ -29,14 +29,18 @@ std::size_t place_of(CellEnd end) {
 struct MapRow {
   EnvelopeFamily family;
   std::vector<CellEnd> cells;
+  std::vector<int> groups;  // EnvelopeCell::row of each
 };
 
 std::vector<MapRow> map_rows(const std::vector<CellResult>& results) {
   std::vector<MapRow> rows;
   for (const EnvelopeFamily& family : envelope_families()) {
-    MapRow row{family, {}};
+    MapRow row{family, {}, {}};
     for (const CellResult& one : results)
-      if (one.cell.family == family.name) row.cells.push_back(one.verdict.end);
+      if (one.cell.family == family.name) {
+        row.cells.push_back(one.verdict.end);
+        row.groups.push_back(one.cell.row);
+      }
     if (!row.cells.empty()) rows.push_back(std::move(row));
   }
   return rows;
@@ -84,20 +88,41 @@ std::string text_map(const std::vector<CellResult>& results) {
 namespace {
 
 // Lengths of the picture, px.
-constexpr int width = 1280, margin = 28, square = 15, gap = 3, names = 116, head = 96;
-constexpr int a_row = (width - names - 2 * margin - 40) / (square + gap);
+constexpr int widest = 1280, narrowest = 720, margin = 28, square = 15, gap = 3, group_gap = 9;
+constexpr int names = 116, head = 96, sentence_height = 24;
 
-int lines_of(const MapRow& row) {
-  return (static_cast<int>(row.cells.size()) + a_row - 1) / a_row;
+struct MapPlace {
+  int x = 0, y = 0;  // from the first square of the family
+};
+
+// Cells that vary the same options stand together.
+std::vector<MapPlace> places_of(const MapRow& row) {
+  std::vector<MapPlace> places;
+  MapPlace next;
+  for (std::size_t k = 0; k < row.cells.size(); ++k) {
+    if (k > 0 && row.groups[k] != row.groups[k - 1] && next.x > 0) next.x += group_gap - gap;
+    if (next.x + square > widest - names - 2 * margin) next = {0, next.y + square + gap};
+    places.push_back(next);
+    next.x += square + gap;
+  }
+  return places;
 }
 
 int height_of(const MapRow& row) {
-  return lines_of(row) * (square + gap) + 22;
+  return places_of(row).back().y + square + sentence_height;
+}
+
+int width_of(const std::vector<MapRow>& rows) {
+  int width = narrowest;
+  for (const MapRow& row : rows)
+    for (const MapPlace& place : places_of(row))
+      width = std::max(width, place.x + square + names + 2 * margin);
+  return width;
 }
 
 class MapDrawing {
  public:
-  explicit MapDrawing(int height) : image_(width, height), canvas_(image_) {
+  MapDrawing(int width, int height) : width_(width), image_(width, height), canvas_(image_) {
     canvas_.colour(paper_white);
     canvas_.fill(0, 0, width, height);
   }
@@ -120,14 +145,12 @@ class MapDrawing {
 
   void row(const MapRow& one, double top) {
     write(std::string(one.family.name), margin, top + square - 2, 15, ink);
-    for (std::size_t k = 0; k < one.cells.size(); ++k) {
-      const auto column = static_cast<int>(k) % a_row, line = static_cast<int>(k) / a_row;
-      box(one.cells[k], margin + names + column * (square + gap), top + line * (square + gap));
-    }
-    write(fmt::format("{}", one.cells.size()), width - margin, top + square - 2, 13, faint_ink,
-          1.0);
-    write(font_.fitting(std::string(one.family.sentence), 11.5, width - names - 2.0 * margin),
-          margin + names, top + lines_of(one) * (square + gap) + 10, 11.5, faint_ink);
+    const std::vector<MapPlace> places = places_of(one);
+    for (std::size_t k = 0; k < one.cells.size(); ++k)
+      box(one.cells[k], margin + names + places[k].x, top + places[k].y);
+    const std::string text = fmt::format("{}: {}", one.cells.size(), one.family.sentence);
+    write(font_.fitting(text, 11.5, width_ - names - 2.0 * margin), margin + names,
+          top + places.back().y + square + 14, 11.5, faint_ink);
   }
 
   Image finished() {
@@ -139,8 +162,10 @@ class MapDrawing {
   void box(CellEnd end, double x, double y) {
     canvas_.colour(colours[place_of(end)]);
     canvas_.fill(x, y, square, square);
+    if (end == CellEnd::failed) write("x", x + 0.5 * square, y + square - 4, 14, paper_white, 0.5);
   }
 
+  int width_;
   Image image_;
   Canvas canvas_;
   Font font_;
@@ -152,7 +177,7 @@ Image picture_map(const std::vector<CellResult>& results) {
   const std::vector<MapRow> rows = map_rows(results);
   int height = head + margin;
   for (const MapRow& row : rows) height += height_of(row);
-  MapDrawing drawing(height);
+  MapDrawing drawing(width_of(rows), height);
   drawing.write(fmt::format("Envelope of stability, {} cells", results.size()), margin, 42, 22,
                 ink);
   drawing.legend(results, 72);

@@ -181,6 +181,7 @@ FeatureCost cost_of(const FeatureRow& row, const Runs& runs) {
   cost.ns_per_node_step =
       1e9 * (more.cpu - less.cpu) / (nodes * (steps_of_runs[2] - steps_of_runs[1]));
   cost.bytes = static_cast<std::int64_t>(more.bytes);
+  cost.start_bytes = static_cast<std::int64_t>(start.bytes);
   cost.inside = more.last.told["kernel_features"].get<std::vector<std::string>>();
   return cost;
 }
@@ -204,9 +205,12 @@ std::vector<FeatureCost> measure_features(CaseRunner& runner, const std::vector<
   costs.reserve(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) costs.push_back(cost_of(rows[k], runs[k]));
   if (valgrind) count_all(runner, rows, runs, *valgrind, costs);
-  const std::int64_t of_base = costs.front().bytes;
-  for (FeatureCost& cost : costs)
-    if (cost.finished) cost.bytes -= of_base;
+  const std::int64_t of_base = costs.front().bytes, at_start = costs.front().start_bytes;
+  for (FeatureCost& cost : costs) {
+    if (!cost.finished) continue;
+    cost.bytes -= of_base;
+    cost.start_bytes -= at_start;
+  }
   return costs;
 }
 

@@ -46,6 +46,7 @@ struct FeatureCost {
   double start_cpu = 0.0;                    // s, of a run without steps
   double ns_per_node_step = 0.0;             // of CPU time, from two numbers of steps
   std::int64_t bytes = 0;                    // peak, less that of the base
+  std::int64_t start_bytes = 0;              // likewise of a run without steps: pages touched
   std::optional<double> instructions;        // per node-step, from two numbers of steps
   std::optional<double> start_instructions;  // of a run without steps
   std::vector<std::string> inside;           // kernel_features of the run

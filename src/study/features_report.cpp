@@ -28,9 +28,31 @@ std::string ratio(double value, double of_base) {
   return of_base > 0.0 ? fmt::format("{:.2f}", value / of_base) : "-";
 }
 
+std::string megabytes(std::int64_t bytes) {
+  return fmt::format("{:.1f}", 1e-6 * static_cast<double>(bytes));
+}
+
+// Which features touch memory before the first step, and that the others do not.
+std::string start_text(const std::vector<FeatureCost>& costs) {
+  constexpr std::int64_t noise = 500'000;  // of where the system puts things
+  std::size_t few = 0;
+  std::vector<std::string> touching;
+  for (std::size_t k = 1; k < costs.size(); ++k) {
+    if (!costs[k].finished) continue;
+    if (costs[k].start_bytes > noise)
+      touching.push_back(fmt::format("{} {} MB", costs[k].name, megabytes(costs[k].start_bytes)));
+    else
+      ++few;
+  }
+  return fmt::format(
+      "Start-up: {} of {} features touch less than 0.5 MB beyond the plate itself{}.\n", few,
+      few + touching.size(),
+      touching.empty() ? "" : fmt::format("; more: {}", fmt::join(touching, ", ")));
+}
+
 std::vector<std::string> heads_of(const std::vector<FeatureCost>& costs) {
   std::vector<std::string> heads{"feature", "CPU (s)"};
-  if (any_started(costs)) heads.emplace_back("start (ms)");
+  if (any_started(costs)) heads.insert(heads.end(), {"start (ms)", "MB"});
   heads.insert(heads.end(), {"MB more", "ns/node-step", "ratio"});
   if (any_counted(costs)) heads.insert(heads.end(), {"instr.", "ratio", "start (M)"});
   return heads;
@@ -39,8 +61,11 @@ std::vector<std::string> heads_of(const std::vector<FeatureCost>& costs) {
 std::vector<std::string> cells_of(const FeatureCost& cost, const std::vector<FeatureCost>& costs) {
   const FeatureCost& first = costs.front();
   std::vector<std::string> cells{cost.name, fmt::format("{:.3f}", cost.cpu)};
-  if (any_started(costs)) cells.push_back(fmt::format("{:.0f}", 1e3 * cost.start_cpu));
-  cells.push_back(fmt::format("{:.1f}", 1e-6 * static_cast<double>(cost.bytes)));
+  if (any_started(costs)) {
+    cells.push_back(fmt::format("{:.0f}", 1e3 * cost.start_cpu));
+    cells.push_back(megabytes(cost.start_bytes));
+  }
+  cells.push_back(megabytes(cost.bytes));
   cells.push_back(fmt::format("{:.1f}", cost.ns_per_node_step));
   cells.push_back(ratio(cost.ns_per_node_step, first.ns_per_node_step));
   if (!any_counted(costs)) return cells;
@@ -68,12 +93,13 @@ std::string text_of(const std::vector<FeatureCost>& costs) {
     if (!cost.inside.empty() && !told)
       remarks += fmt::format("{}: the kernel has {}\n", cost.name, fmt::join(cost.inside, ", "));
   }
+  if (any_started(costs)) remarks += start_text(costs);
   return aligned(table) + fitted(remarks, page);
 }
 
 Table table_of(const std::vector<FeatureCost>& costs) {
-  Table table{{"feature", "what", "cpu_s", "start_cpu_s", "bytes", "ns_per_node_step",
-               "instructions_per_node_step", "start_instructions"},
+  Table table{{"feature", "what", "cpu_s", "start_cpu_s", "start_bytes", "bytes",
+               "ns_per_node_step", "instructions_per_node_step", "start_instructions"},
               {}};
   const auto number = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.6g}", *value) : "";
@@ -81,7 +107,8 @@ Table table_of(const std::vector<FeatureCost>& costs) {
   for (const FeatureCost& cost : costs)
     if (cost.finished)
       table.rows.push_back({cost.name, cost.what, fmt::format("{:.6g}", cost.cpu),
-                            fmt::format("{:.6g}", cost.start_cpu), fmt::format("{}", cost.bytes),
+                            fmt::format("{:.6g}", cost.start_cpu),
+                            fmt::format("{}", cost.start_bytes), fmt::format("{}", cost.bytes),
                             fmt::format("{:.6g}", cost.ns_per_node_step), number(cost.instructions),
                             number(cost.start_instructions)});
   return table;
@@ -97,6 +124,7 @@ Json to_json(const std::vector<FeatureCost>& costs) {
              {"what", cost.what},
              {"cpu_s", cost.cpu},
              {"start_cpu_s", cost.start_cpu},
+             {"start_bytes", cost.start_bytes},
              {"bytes", cost.bytes},
              {"ns_per_node_step", cost.ns_per_node_step},
              {"instructions_per_node_step", number(cost.instructions)},

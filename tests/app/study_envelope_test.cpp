@@ -63,6 +63,9 @@ TEST_F(EnvelopeTest, MeasuresFeaturesOneAtATime) {
   // HDF5 takes more memory than a million bytes.
   EXPECT_EQ(features[0]["bytes"], 0);
   EXPECT_GT(features[2]["bytes"], 1'000'000);
+  // It is touched by those that record, when they do.
+  EXPECT_LT(features[1]["start_bytes"], 1'500'000);
+  EXPECT_LT(features[2]["start_bytes"], features[2]["bytes"]);
 }
 
 TEST_F(EnvelopeTest, MeasuresAScriptWithAndWithoutItsPictures) {

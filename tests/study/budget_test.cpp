@@ -20,12 +20,13 @@ const BudgetCalibration of_first_order{
 
 class BudgetTest : public testing::Test {
  protected:
-  ErrorBudget spent(const std::string& model, const BudgetOptions& options) const {
+  ErrorBudget spent(const std::string& model, const BudgetOptions& options,
+                    const BudgetCalibration& calibration = of_first_order) const {
     const auto script = folder_.path / "scene.lua";
     write_text(script, model);
     CaseRunner runner({.program = FAKE_HACKLE, .path = script, .settings = {}, .arguments = {}},
                       {.folder = folder_.path / "study", .threads = 2, .talk = Talk::quiet});
-    return budget_by_trials(runner, of_first_order, options);
+    return budget_by_trials(runner, calibration, options);
   }
   test::Folder folder_;
 };
@@ -56,6 +57,31 @@ TEST_F(BudgetTest, SaysThatNoSettingKeepsIt) {
   EXPECT_FALSE(budget.is_met());
   EXPECT_NEAR(budget.spacing, 0.5e-3, 1e-9);
   EXPECT_THAT(describe(budget), HasSubstr("no setting is expected to keep it"));
+}
+
+// Of first order with a small factor: trials agree to far less than a horizon.
+TEST_F(BudgetTest, PromisesNoLessThanAHorizon) {
+  BudgetCalibration calibration = of_first_order;
+  calibration.least = 1.0;
+  const auto budget_for = [&](double within) {
+    return spent(R"({"a": 0.1, "p": 1})", {.within = within, .horizon = 4e-3}, calibration);
+  };
+  const ErrorBudget small = budget_for(2e-3), enough = budget_for(4e-3);
+  EXPECT_FALSE(small.is_met());
+  EXPECT_NEAR(*small.expected, 4e-3, 1e-12);
+  EXPECT_THAT(describe(small), HasSubstr("hardly determined to less than a horizon"));
+  EXPECT_TRUE(enough.is_met());
+  EXPECT_NEAR(small.spacing, enough.spacing, 1e-12) << "finer would be no surer";
+}
+
+TEST_F(BudgetTest, RefinesAHorizonThatFollows) {
+  BudgetCalibration calibration = of_first_order;
+  calibration.least = 1.0;
+  const ErrorBudget budget =
+      spent(R"({"a": 0.1, "p": 1})", {.within = 2e-3, .side = 0.04}, calibration);
+  EXPECT_TRUE(budget.is_met());
+  EXPECT_LE(4.0 * budget.spacing, 2e-3 * (1.0 + 1e-9)) << "a horizon of four spacings";
+  EXPECT_GT(4.0 * budget.spacing, 1e-3);
 }
 
 TEST_F(BudgetTest, StatesNoNumberWhereItIsChaotic) {
@@ -93,6 +119,7 @@ TEST(Budget, HasACalibration) {
   const BudgetCalibration calibration = budget_calibration();
   EXPECT_GT(calibration.of_same, 0.0);
   EXPECT_GT(calibration.of_coarser, 0.0);
+  EXPECT_EQ(calibration.least, 1.0);
   ASSERT_FALSE(calibration.levels.empty());
   for (std::size_t k = 1; k < calibration.levels.size(); ++k)
     EXPECT_GT(calibration.levels[k].m, calibration.levels[k - 1].m);

@@ -129,7 +129,18 @@ TEST(EnvelopeMap, ShowsEveryCellAndRepeatsWhatFails) {
               testing::AllOf(HasSubstr("spin          +X  2\n"), HasSubstr("1 failed (X)"),
                              HasSubstr("it turns"),
                              HasSubstr("hackle run scripts/envelope/spin.lua --set share=0.3")));
-  EXPECT_EQ(picture_map(results).width, 1280);
+  EXPECT_EQ(picture_map(results).width, 720);
+}
+
+TEST(EnvelopeMap, IsAsWideAsItsCellsAndNoWider) {
+  std::vector<CellResult> results;
+  for (const EnvelopeCell& cell : envelope_cells({}, false))
+    results.push_back({cell, {CellEnd::right, ""}, 0.1});
+  const Image map = picture_map(results);
+  EXPECT_GT(map.width, 1000);
+  EXPECT_LE(map.width, 1280);
+  // At least a line of squares for each family and for what does not fit into one.
+  EXPECT_GT(map.height, static_cast<int>(envelope_families().size()) * 39);
 }
 
 }  // namespace

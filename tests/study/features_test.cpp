@@ -46,6 +46,15 @@ TEST(Features, AreToldAgainstTheFirst) {
   EXPECT_THAT(text_of(counted), testing::AllOf(HasSubstr("instr."), HasSubstr("1.2500")));
 }
 
+TEST(Features, SayWhichTouchMemoryAtTheStart) {
+  auto costs = two_costs();
+  costs[1].start_bytes = 100'000;
+  EXPECT_THAT(text_of(costs), HasSubstr("Start-up: 1 of 1 features touch less than 0.5 MB"));
+  costs[1].start_bytes = 3'000'000;
+  EXPECT_THAT(text_of(costs), HasSubstr("contact 3.0 MB."));
+  EXPECT_EQ(to_json(costs)["features"][1]["start_bytes"], 3'000'000);
+}
+
 TEST(Features, AreJsonWithTheKeysThatArePromised) {
   const auto json = to_json(two_costs());
   EXPECT_EQ(json["schema"], 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "console/lua/interrupt_hook.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #include "base/interrupt.hpp"
@@ -17,6 +18,9 @@ constexpr int instructions_between_looks = 10000;
 std::atomic<lua_State*> running{nullptr};
 static_assert(std::atomic<lua_State*>::is_always_lock_free);
 
+// Looks until the limit of the call that runs; none if negative.
+thread_local long looks_left = -1;
+
 void look(lua_State* L, lua_Debug*);
 
 void look_now_and_then(lua_State* L) {
@@ -29,12 +33,24 @@ void look_soon() {
   if (lua_State* L = running.load()) lua_sethook(L, look, LUA_MASKCOUNT, 1);
 }
 
+bool is_beyond_limit() {
+  if (looks_left < 0) return false;
+  looks_left = std::max(0L, looks_left - 1);
+  return looks_left == 0;
+}
+
 void look(lua_State* L, lua_Debug*) {
   {
     const auto reason = reason_to_stop(L);
-    if (!reason) return look_now_and_then(L);
-    insist_on_interrupt(L);
-    push_error(L, *reason, place(L, 0));
+    const bool endless = !reason && is_beyond_limit();
+    if (!reason) look_now_and_then(L);
+    if (!reason && !endless) return;
+    if (reason) insist_on_interrupt(L);
+    push_error(L,
+               reason ? *reason
+                      : Error(ErrorKind::refused, "it does not return",
+                              "look for a loop without an end: one value must not take long"),
+               place(L, 0));
   }
   lua_error(L);
 }
@@ -63,6 +79,14 @@ InterruptWatch::InterruptWatch(lua_State* L) : state_(L), before_(running.exchan
 InterruptWatch::~InterruptWatch() {
   running.store(before_);
   look_now_and_then(state_);
+}
+
+CallLimit::CallLimit(long instructions) : before_(looks_left) {
+  looks_left = instructions > 0 ? std::max(1L, instructions / instructions_between_looks) : -1;
+}
+
+CallLimit::~CallLimit() {
+  looks_left = before_;
 }
 
 InterruptTarget::InterruptTarget(lua_State* coroutine) : before_(running.load()) {

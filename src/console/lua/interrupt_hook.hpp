@@ -40,6 +40,19 @@ class InterruptTarget {
   lua_State* before_;
 };
 
+// While an object of this class lives, scripts get an error of kind `refused` after about so many
+// more instructions; 0 sets no limit. An outer limit waits for the inner one.
+class CallLimit {
+ public:
+  explicit CallLimit(long instructions);
+  ~CallLimit();
+  CallLimit(const CallLimit&) = delete;
+  CallLimit& operator=(const CallLimit&) = delete;
+
+ private:
+  long before_;
+};
+
 // Checks at every instruction from now on: a script that catches the first error with pcall stops
 // at its next step.
 void insist_on_interrupt(lua_State* L);

@@ -8,6 +8,7 @@
 
 #include "console/lua/description.hpp"
 #include "console/lua/error_object.hpp"
+#include "console/lua/interrupt_hook.hpp"
 
 namespace hackle {
 
@@ -53,6 +54,9 @@ int parameters_of(lua_State* L, int index) {
 
 }  // namespace
 
+// Of a function that gives a value: seconds, where the run needs one at every step.
+constexpr long most_instructions = 200'000'000;
+
 struct LuaFunction::Reference {
   Reference(lua_State* L, int index) : state(main_thread(L)), life(life_of(L)) {
     lua_pushvalue(L, index);
@@ -83,6 +87,7 @@ void LuaFunction::call(std::span<const double> arguments, std::span<double> resu
   luaL_checkstack(L, static_cast<int>(arguments.size() + results.size()) + 3, nullptr);
   lua_rawgeti(L, LUA_REGISTRYINDEX, reference_->place);
   for (const double argument : arguments) lua_pushnumber(L, argument);
+  const CallLimit limit(results.empty() ? 0 : most_instructions);
   try {
     protected_call(L, static_cast<int>(arguments.size()), static_cast<int>(results.size()));
   } catch (const Error& error) {

@@ -17,7 +17,8 @@ class LuaFunction {
   LuaFunction(lua_State* L, int index, std::string who);
 
   // Calls the function with numbers and reads as many results as fit into `results`. Throws what
-  // the function throws, and Error (refused) if it returns anything else; messages end in `where`:
+  // the function throws, and Error (refused) if it returns anything else, or does not return
+  // within 200 million instructions of Lua though a result is due; messages end in `where`:
   // "at t = 2 us".
   void call(std::span<const double> arguments, std::span<double> results,
             const std::string& where) const;

@@ -18,7 +18,9 @@ std::string expectation_of(const ErrorBudget& budget) {
            "study ensemble";
   if (!budget.expected) return "nothing can be expected, the finest setting was taken";
   return fmt::format("{} expected{}", quantity(*budget.expected, "m"),
-                     budget.is_met() ? "" : ", no setting is expected to keep it");
+                     budget.is_met() ? ""
+                                     : ", no setting is expected to keep it: paths are hardly "
+                                       "determined to less than a horizon, a smaller one may");
 }
 
 nlohmann::ordered_json or_null(const std::optional<double>& value) {

@@ -111,6 +111,10 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"p:traction { edge = 'top', stress = function(x) if x > 10*mm then error('no') end\n"
             "return 0, 1 end } sim()",
             "the function fails at x = 10.25 mm"},
+        Bad{"p:traction { edge = 'top', stress = {0, 1}, time = function(t) while t >= 0 do end "
+            "end }\n"
+            "sim():step(1)",
+            "it does not return"},
         Bad{"p:traction { edge = 'top', stress = {0, 1}, time = function(t)\n"
             "if t < 1*us then return 1 end end } sim():run(2*us)",
             "the function returns nothing at t = 1 us"},
