@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -71,7 +72,14 @@ SweepOptions sweep_options_of(const SweepRequest& request) {
                   "as in --tolerance 0.1MPa");
     options.tolerance = tolerance->value();
   }
-  if (!request.film.empty()) movie_kind(request.film);
+  if (!request.film.empty()) {
+    movie_kind(request.film);
+    const auto varying = std::ranges::count_if(options.parameters, &Parameter::varies);
+    if (varying != 1)
+      throw Error(ErrorKind::usage,
+                  fmt::format("--film: a film runs over one --set, not {}", varying),
+                  "let one --set have several values, or make a sheet");
+  }
   return options;
 }
 

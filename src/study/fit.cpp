@@ -135,15 +135,44 @@ std::vector<VectorXd> scan_of(const FitOptions& options, const FitBounds& bounds
   return points;
 }
 
-VectorXd best_start(FitRuns& runs, const std::vector<VectorXd>& points, const VectorXd& start,
-                    const Outcome& first) {
+// Between two points, in shares of the ranges, along the parameter in which they differ most.
+double apart(const VectorXd& one, const VectorXd& other, const FitBounds& bounds) {
+  return ((one - other).array() / (bounds.to - bounds.from).array()).abs().maxCoeff();
+}
+
+// The best of the points, and the next best that are far from those before.
+std::vector<VectorXd> best_starts(FitRuns& runs, std::vector<VectorXd> points,
+                                  const FitBounds& bounds) {
+  constexpr std::size_t most = 3;
+  constexpr double far = 0.2;
+  std::vector<std::pair<double, std::size_t>> order;
   const std::vector<Outcome> outcomes = runs.run(points);
-  VectorXd best = start;
-  double least = runs.residuals_of(first).squaredNorm();
   for (std::size_t k = 0; k < points.size(); ++k)
-    if (const double size = runs.residuals_of(outcomes[k]).squaredNorm(); size < least)
-      least = size, best = points[k];
-  return best;
+    order.emplace_back(runs.residuals_of(outcomes[k]).squaredNorm(), k);
+  std::ranges::sort(order);
+  std::vector<VectorXd> starts;
+  for (const auto& [size, k] : order) {
+    const bool is_far = std::ranges::all_of(
+        starts, [&](const VectorXd& one) { return apart(one, points[k], bounds) > far; });
+    if (starts.size() < most && is_far) starts.push_back(points[k]);
+  }
+  return starts;
+}
+
+// The other ends that fit about as well, each once.
+std::vector<FitValley> valleys_of(const FitRuns& runs, const std::vector<LeastSquares>& ends,
+                                  const LeastSquares& best, const FitBounds& bounds) {
+  constexpr double distinct = 0.05, about = 9.0;
+  std::vector<FitValley> valleys;
+  std::vector<VectorXd> known{best.point};
+  for (const LeastSquares& one : ends) {
+    const bool is_new = std::ranges::all_of(
+        known, [&](const VectorXd& point) { return apart(point, one.point, bounds) > distinct; });
+    if (!is_new || one.chi_squared() > best.chi_squared() + about) continue;
+    known.push_back(one.point);
+    valleys.push_back({runs.settings_at(one.point), one.chi_squared()});
+  }
+  return valleys;
 }
 
 std::vector<FittedParameter> parameters_of(const FitOptions& options, const LeastSquares& solved,
@@ -190,18 +219,23 @@ std::vector<FittedMeasurement> residuals_of(const FitOptions& options, const Fit
 FitResult fit(CaseRunner& runner, const FitOptions& options) {
   const FitBounds bounds = bounds_of(options);
   FitRuns runs(runner, options);
-  VectorXd start = start_of(options, bounds);
+  const VectorXd start = start_of(options, bounds);
   const Outcome first = finished(runs.run({start}).front());
   runs.set_sigmas(numerics_of(first).spacing);
-  start = best_start(runs, scan_of(options, bounds, start), start, first);
-  const auto residuals = [&](const std::vector<VectorXd>& points) {
+  std::vector<VectorXd> points = scan_of(options, bounds, start);
+  points.insert(points.begin(), start);
+  const auto residuals = [&](const std::vector<VectorXd>& at) {
     std::vector<VectorXd> all;
-    for (const Outcome& outcome : runs.run(points)) all.push_back(runs.residuals_of(outcome));
+    for (const Outcome& outcome : runs.run(at)) all.push_back(runs.residuals_of(outcome));
     return all;
   };
-  const LeastSquares solved = least_squares(
-      residuals, bounds, start, {.difference = options.difference, .rounds = options.rounds});
+  std::vector<LeastSquares> ends;
+  for (const VectorXd& from : best_starts(runs, std::move(points), bounds))
+    ends.push_back(least_squares(residuals, bounds, from,
+                                 {.difference = options.difference, .rounds = options.rounds}));
+  const LeastSquares& solved = *std::ranges::min_element(ends, {}, &LeastSquares::chi_squared);
   FitResult result;
+  result.valleys = valleys_of(runs, ends, solved, bounds);
   result.best = finished(runs.run({solved.point}).front());
   if (!runs.finds_all(result.best))
     throw Error(ErrorKind::run_failed, "no run found all that was measured",

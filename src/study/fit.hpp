@@ -38,6 +38,12 @@ struct FittedMeasurement {
   std::vector<bool> reacts;        // to the parameters
 };
 
+// Another end of the search, from another start.
+struct FitValley {
+  Settings settings;  // of the parameters
+  double chi_squared = 0.0;
+};
+
 struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<FittedMeasurement> residuals;
@@ -47,12 +53,14 @@ struct FitResult {
   int rounds = 0;
   int runs = 0;  // that were not kept from earlier
   bool converged = false;
+  std::vector<FitValley> valleys;  // that fit about as well: within 9 of chi^2
 };
 
 // A measurement that has no sigma has 1 % of a number, 1 for a count, the spacing for a place or a
 // path. What a run does not find has residuals of 100 sigma. Begins at the best of the start and of
-// four values of each parameter without one. Throws what CaseRunner throws, and
-// Error (run_failed) if no run finds all that was measured.
+// four values of each parameter without one, and at up to two more of these far from it; the best
+// end counts, and the others are told where they fit about as well. Throws what CaseRunner throws,
+// and Error (run_failed) if no run finds all that was measured.
 FitResult fit(CaseRunner& runner, const FitOptions& options);
 
 }  // namespace hackle

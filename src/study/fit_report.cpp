@@ -42,6 +42,13 @@ Json json_of(const FittedMeasurement& one) {
           {"reacts_to", one.reacts}};
 }
 
+Json json_of(const std::vector<FitValley>& valleys) {
+  Json all = Json::array();
+  for (const FitValley& one : valleys)
+    all.push_back({{"settings", one.settings}, {"chi_squared", one.chi_squared}});
+  return all;
+}
+
 Table parameters_table(const FitResult& result) {
   Table table{{"parameter", "value", "+-", "--set"}, {}};
   for (const FittedParameter& one : result.parameters)
@@ -98,6 +105,10 @@ std::vector<std::string> remarks_of(const FitResult& result) {
   for (const FittedMeasurement& one : result.residuals)
     if (one.residual && std::abs(*one.residual) > 3.0)
       lines.push_back(fmt::format("{} stays {:.2g} sigma off", one.row.name, *one.residual));
+  for (const FitValley& valley : result.valleys)
+    lines.push_back(fmt::format(
+        "another valley fits about as well: {} (chi^2 {:.3g}); --start or more measurements decide",
+        name_of(valley.settings), valley.chi_squared));
   if (!result.converged)
     lines.push_back(
         fmt::format("it still improved after {} rounds: more may help (--rounds)", result.rounds));
@@ -117,6 +128,7 @@ Json to_json(const FitResult& result) {
           {"degrees_of_freedom", result.degrees_of_freedom},
           {"rounds", result.rounds},
           {"converged", result.converged},
+          {"valleys", json_of(result.valleys)},
           {"runs", result.runs}};
 }
 

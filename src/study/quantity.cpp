@@ -25,8 +25,6 @@ constexpr std::string_view of_script = "expect.";
 
 constexpr auto rows = std::to_array<QuantityRow>({
     {"displacement", field, "", "Displacements before the first bond breaks."},
-    {"stiffness", number, "Pa", "Resistance to a uniform strain, with rims and cracks."},
-    {"wave.speed", number, "m/s", "The speed of waves as long as a fifth of the shorter side."},
     {"first_bond.time", number, "s", "When the first bond breaks."},
     {"first_bond.place", place, "m", "Where it breaks."},
     {"tip.path", paths, "m", "All paths that cracks have grown along."},
@@ -41,6 +39,8 @@ constexpr auto rows = std::to_array<QuantityRow>({
     {"fragments.largest", number, "m2", "The area of the largest fragment."},
     {"fragments.median", number, "m2", "Half of the area is in fragments up to this one."},
     {"energy.broken", number, "J/m", "The energy that broken bonds took."},
+    {"stiffness", number, "Pa", "Resistance to a uniform strain, with rims and cracks."},
+    {"wave.speed", number, "m/s", "The speed of waves as long as a fifth of the shorter side."},
     {"residual", number, "", "What the energy ledger lacks, as a share of its entries.", true},
 });
 

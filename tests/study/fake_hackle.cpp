@@ -63,7 +63,8 @@ int main(int count, char** words) {
   const double error = model.value("a", 1.0) * std::pow(dx, model.value("p", 1.0));
   const double chaos = model.value("chaos", 0.0) * number("material.E", 65e9);
   const double bits = model.value("bits", 0.0) * (number("material.E", 65e9) - 65e9);
-  const double fork = model.value("fork", 0.06) + error + chaos + bits;
+  const double fork = model.value("fork", 0.06) + error + chaos + bits +
+                      model.value("valleys", 0.0) * std::abs(number("material.E", 65e9));
   const double speed = 1000.0;
   Json told{{"schema", 1},
             {"nodes", std::lround(0.004 / (dx * dx))},

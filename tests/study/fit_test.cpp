@@ -2,6 +2,7 @@
 // Fits to a scene whose results are known: see fake_hackle.cpp.
 #include "study/fit.hpp"
 
+#include <cmath>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -48,6 +49,18 @@ TEST_F(FitTest, FindsTwoParameters) {
   EXPECT_LT(std::abs(*found.residuals[0].residual), 1e-2);
   EXPECT_EQ(found.degrees_of_freedom, 1);
   EXPECT_TRUE(found.converged);
+}
+
+// The fork is at 0.06 + 1e-3 |E|: 80 mm are those of E = -20 and of 20.
+TEST_F(FitTest, TellsOfASecondValley) {
+  const FitResult found = fitted(R"({"a": 0, "valleys": 1e-3})",
+                                 {.parameters = {ranged_parameter_of("material.E=-50:40")},
+                                  .measurements = {measurement_of("fork.place=80mm,20mm")}});
+  EXPECT_NEAR(std::abs(found.parameters[0].value), 20.0, 0.2);
+  ASSERT_EQ(found.valleys.size(), 1U);
+  const double other = std::stod(found.valleys[0].settings.at("material.E"));
+  EXPECT_NEAR(other, -found.parameters[0].value, 0.5);
+  EXPECT_THAT(remarks_of(found), Contains(HasSubstr("another valley fits about as well")));
 }
 
 TEST_F(FitTest, FollowsAPath) {
