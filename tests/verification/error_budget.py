@@ -124,7 +124,7 @@ class Scene:
 
 
 def judged(scenes, numbers):
-    promised = kept = dear = untold = 0
+    promised = kept = dear = compared = untold = 0
     for name, scene in scenes.items():
         for budget in BUDGETS:
             within = budget * scene.unit
@@ -136,14 +136,16 @@ def judged(scenes, numbers):
             got = "?" if error is None else f"{1e3 * error:.2f}"
             print(f"{name:34s} {1e3 * within:6.2f} {step:2d} {told:>6s} {got:>6s}  "
                   f"{fit[0] if fit else 'none':>4}  {'-' if cost is None else f'{cost:.1f}'}")
+            if expected is not None and cost is not None:
+                compared += 1
+                dear += cost > 2.05
             if expected is None or error is None:
                 untold += 1
                 continue
             promised += 1
             kept += error <= within
-            dear += cost is not None and cost > 2.05
-    print(f"promised {promised}, kept {kept}, over twice the cheapest {dear}; "
-          f"{untold} not promised, or too dear to check\n")
+    print(f"promised and checked {promised}, kept {kept}; over twice the cheapest {dear} of "
+          f"{compared}; {untold} not promised, or too dear to check\n")
 
 
 def main():
