@@ -79,7 +79,8 @@ void Progress::show(double fraction, const std::string& detail) {
   last_ = Clock::now();
   tenths_shown_ = static_cast<int>(fraction * 10.0);
   const double done = std::max(fraction - fraction_at_start_, 1e-9);
-  const std::string left = remaining_text(elapsed() * (1.0 - fraction) / done);
+  const std::string left =
+      fraction > 0.0 ? remaining_text(elapsed() * (1.0 - fraction) / done) : std::string();
   if (talk_ == Talk::animated) {
     const std::size_t columns = terminal_columns(STDERR_FILENO) - 1;  // the last one may wrap
     say("\r\033[K{}", progress_line(fraction, detail, left, columns));
