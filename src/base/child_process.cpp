@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -18,6 +19,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/ranks/launcher.hpp"
 
 namespace hackle {
 namespace {
@@ -35,15 +37,33 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
+// The environment of this process without its place among others. It ends with a null.
+std::vector<char*> environment_of_child() {
+  std::vector<char*> kept;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text = *variable;
+    if (!is_of_launcher(text.substr(0, text.find('=')))) kept.push_back(*variable);
+  }
+  kept.push_back(nullptr);
+  return kept;
+}
+
+// What a child keeps of its parent.
+struct Inherited {
+  char* const* environment;
+  int out, error, shared;
+};
+
 // In the child, between fork and exec: only calls that are async-signal-safe.
-[[noreturn]] void become(char* const* words, int out, int error, pid_t parent) {
+[[noreturn]] void become(char* const* words, const Inherited& inherited, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // it has ended in between
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   dup2(nothing, STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  dup2(error, STDERR_FILENO);
-  execv(words[0], words);
+  dup2(inherited.out, STDOUT_FILENO);
+  dup2(inherited.error, STDERR_FILENO);
+  if (inherited.shared >= 0) fcntl(inherited.shared, F_SETFD, 0);
+  execve(words[0], words, inherited.environment);
   _exit(127);
 }
 
@@ -75,7 +95,7 @@ std::string ChildProcess::Sink::text(std::size_t last) const {
   return text;
 }
 
-ChildProcess::ChildProcess(const std::vector<std::string>& words, double time_limit)
+ChildProcess::ChildProcess(const std::vector<std::string>& words, double time_limit, int shared)
     : time_limit_(time_limit) {
   if (words.empty() || access(words[0].c_str(), X_OK) != 0)
     fail_to_start(words.empty() ? "" : words[0], words.empty() ? ENOENT : errno);
@@ -83,10 +103,13 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, double time_li
   pointers.reserve(words.size() + 1);
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
+  const std::vector<char*> environment = environment_of_child();
   const pid_t parent = getpid();
   id_ = fork();
   if (id_ < 0) fail_to_start(words[0], errno);
-  if (id_ == 0) become(pointers.data(), out_.descriptor, error_.descriptor, parent);
+  if (id_ == 0)
+    become(pointers.data(), {environment.data(), out_.descriptor, error_.descriptor, shared},
+           parent);
 }
 
 ChildProcess::~ChildProcess() {

@@ -27,13 +27,17 @@ struct ChildResult {
   bool succeeded() const { return exit_code == 0 && !timed_out; }
 };
 
-// A running program. It reads nothing, and it ends when this program ends.
+// A running program. It reads nothing, it ends when this program ends, and it does not see what
+// mpirun, srun or a job array has told this process of its place (base/ranks/launcher.hpp).
 class ChildProcess {
  public:
   // Starts `words[0]`, a path, with the rest as its arguments. It is killed after `time_limit`, s
-  // of wall time. Throws Error (run_failed) if it cannot be started.
+  // of wall time. It keeps the descriptor `shared` open too, and so holds a lock (flock) on that
+  // file until both programs have ended; -1: none. Throws Error (run_failed) if it cannot be
+  // started.
   explicit ChildProcess(const std::vector<std::string>& words,
-                        double time_limit = std::numeric_limits<double>::infinity());
+                        double time_limit = std::numeric_limits<double>::infinity(),
+                        int shared = -1);
   // Kills it if it still runs.
   ~ChildProcess();
   ChildProcess(ChildProcess&& other) noexcept;

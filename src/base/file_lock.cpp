@@ -57,7 +57,8 @@ void FileLock::open(const fs::path& file, bool create) {
   // because opening a pipe would wait.
   const int mode = O_RDWR | O_CLOEXEC | O_NONBLOCK | (create ? O_CREAT : 0);
   file_ = ::open(file.c_str(), mode, 0666);
-  is_foreign_ = is_open() && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  is_held_ = is_open() && ::flock(file_, LOCK_EX | LOCK_NB) == 0;
+  is_foreign_ = is_open() && !is_held_ && errno == EWOULDBLOCK;
 }
 
 void FileLock::close() {

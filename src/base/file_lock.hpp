@@ -19,6 +19,10 @@ class FileLock {
 
   bool is_foreign() const { return is_foreign_; }  // another holder has it
   bool is_open() const { return file_ >= 0; }
+  // Returns whether this object has the lock: false also on a file system without locks.
+  bool is_held() const { return is_held_; }
+  // Returns the descriptor of the open file, or -1. A program that inherits it shares the lock.
+  int descriptor() const { return file_; }
   // Returns whether the file still has this name; another file may have taken it.
   bool is_at(const std::filesystem::path& file) const;
 
@@ -28,6 +32,7 @@ class FileLock {
 
   int file_ = -1;
   bool is_foreign_ = false;
+  bool is_held_ = false;
 };
 
 // A file that belongs to this object alone while it lives, and is removed afterwards unless it was

@@ -2,11 +2,16 @@
 #include "base/child_process.hpp"
 
 #include <csignal>
+#include <cstdlib>
+#include <limits>
+#include <optional>
 
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "base/file_lock.hpp"
 #include "base/interrupt.hpp"
+#include "support/folder.hpp"
 
 namespace hackle {
 namespace {
@@ -62,6 +67,31 @@ TEST(ChildProcess, EndsWhenItIsInterrupted) {
   request_interrupt();
   EXPECT_THROW(shell("exec sleep 60"), Error);
   clear_interrupt();
+}
+
+TEST(ChildProcess, DoesNotSeeThePlaceOfItsParent) {
+  setenv("OMPI_COMM_WORLD_RANK", "3", 1);
+  setenv("SLURM_ARRAY_TASK_ID", "4", 1);
+  setenv("HACKLE_SEEN", "5", 1);
+  const ChildResult result = shell("echo $OMPI_COMM_WORLD_RANK-$SLURM_ARRAY_TASK_ID-$HACKLE_SEEN");
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "SLURM_ARRAY_TASK_ID", "HACKLE_SEEN"})
+    unsetenv(name);
+  EXPECT_EQ(result.out, "--5\n");
+}
+
+TEST(ChildProcess, HoldsALockThatItInherits) {
+  const test::Folder folder;
+  const auto file = folder.path / "lock";
+  std::optional<ChildProcess> child;
+  {
+    const FileLock lock(file, true);
+    ASSERT_TRUE(lock.is_held());
+    child.emplace(std::vector<std::string>{"/bin/sleep", "60"},
+                  std::numeric_limits<double>::infinity(), lock.descriptor());
+  }
+  EXPECT_TRUE(is_locked(file)) << "the child lives";
+  child.reset();
+  EXPECT_FALSE(is_locked(file));
 }
 
 TEST(ChildProcess, TwoRunAtOnce) {
