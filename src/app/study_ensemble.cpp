@@ -117,14 +117,15 @@ void study_ensemble(const EnsembleRequest& request, const std::vector<std::strin
   CaseRunner runner = runner_of(request.words, arguments);
   const Ensemble all = ensemble(runner, options);
   finish({"ensemble", text_of(all), table_of(all), {chart_of(all)}}, to_json(all), request.words,
-         runner);
-  if (!all.has_cracks()) return;
-  const auto map = runner.options().folder / "ensemble_cracked.png";
-  write_picture(all.frequency,
-                fmt::format("{}: where {} runs cracked", request.words.script.stem().string(),
-                            all.runs.size()),
-                map);
-  if (!request.words.quiet && !request.words.json) tell_file(map);
+         runner, [&] {
+           if (!all.has_cracks()) return;
+           const auto map = runner.options().folder / "ensemble_cracked.png";
+           write_picture(all.frequency,
+                         fmt::format("{}: where {} runs cracked",
+                                     request.words.script.stem().string(), all.runs.size()),
+                         map);
+           if (!request.words.quiet && !request.words.json) tell_file(map);
+         });
 }
 
 }  // namespace

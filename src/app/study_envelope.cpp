@@ -74,16 +74,17 @@ void carry_out(const EnvelopeWords& words, const std::vector<std::string>& /*arg
   const StudyWords& study = words.study;
   const std::vector<EnvelopeCell> cells = envelope_cells(words.families, words.quick);
   const fs::path folder = study.folder.empty() ? fs::path("out/study/envelope") : study.folder;
-  const auto results = run_envelope(cells, {.program = this_program(),
-                                            .scripts = data_file(fs::path("scripts") / "envelope"),
-                                            .runner = {.folder = folder,
-                                                       .threads = study.execution.thread_count(),
-                                                       .talk = talk(study.quiet || study.json),
-                                                       .fresh = study.fresh}});
+  Sharing sharing;
+  const auto results = run_envelope(cells,
+                                    {.program = this_program(),
+                                     .scripts = data_file(fs::path("scripts") / "envelope"),
+                                     .runner = runner_options_of(study, folder)},
+                                    sharing);
   finish({"envelope", text_map(results), table_of(results), {}}, json_of(results, words.quick),
-         study, folder);
-  write_png(picture_map(results), folder / "envelope.png");
-  if (!study.quiet && !study.json) tell_file(folder / "envelope.png");
+         study, folder, sharing, [&] {
+           write_png(picture_map(results), folder / "envelope.png");
+           if (!study.quiet && !study.json) tell_file(folder / "envelope.png");
+         });
   if (const std::size_t failed = count(results, CellEnd::failed); failed > 0)
     throw Error(ErrorKind::run_failed,
                 fmt::format("{} of {} cells of the envelope fail", failed, results.size()),

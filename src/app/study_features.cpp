@@ -53,19 +53,19 @@ CaseRunner runner_of_plate(const StudyWords& words) {
                            .path = data_file("scripts/study/feature.lua")};
   const auto folder =
       words.folder.empty() ? std::filesystem::path("out/study/features") : words.folder;
-  return {script, RunnerOptions{.folder = folder,
-                                .threads = 1,
-                                .talk = talk(words.quiet || words.json),
-                                .fresh = words.fresh}};
+  RunnerOptions options = runner_options_of(words, folder);
+  options.threads = 1;
+  return {script, options};
 }
 
 void study_features(const FeaturesRequest& request, const std::vector<std::string>& arguments) {
   const bool of_script = !request.words.script.empty();
+  FeatureOptions options = request.options;
+  options.count = options.count && this_launcher().rank == 0;  // whose counts are reported
   CaseRunner runner =
       of_script ? runner_of(request.words, arguments) : runner_of_plate(request.words);
-  const auto costs = of_script
-                         ? measure_script(runner, request.options)
-                         : measure_features(runner, features_named(request.names), request.options);
+  const auto costs = of_script ? measure_script(runner, options)
+                               : measure_features(runner, features_named(request.names), options);
   finish({"features", text_of(costs), table_of(costs), {}}, to_json(costs), request.words, runner);
 }
 

@@ -14,6 +14,10 @@ namespace hackle {
 void describe_study(CLI::App& app, StudyAction& action) {
   CLI::App* study = app.add_subcommand("study", "Run a script many times and compare");
   study->require_subcommand(1);
+  study->footer(
+      "Processes that start the same command share its runs through the folder of the study:\n"
+      "mpirun -n N hackle study ..., the tasks of a job array (scripts/cluster), or as many\n"
+      "terminals. What one of them leaves when it is killed, another one takes over.");
   describe_study_trade(*study, action);
   describe_study_ensemble(*study, action);
   describe_study_envelope(*study, action);

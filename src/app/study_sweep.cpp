@@ -88,13 +88,14 @@ void carry_out_sweep(const SweepRequest& request, const std::vector<std::string>
   CaseRunner runner = runner_of(request.words, arguments);
   const Sweep result = sweep(runner, options);
   const std::size_t columns = stdout_is_terminal() ? terminal_columns(1) : 80;
-  finish(findings_of(result, columns), to_json(result), request.words, runner);
   const auto tell = [&](const std::filesystem::path& file) {
     if (!request.words.quiet && !request.words.json) tell_file(file);
   };
-  const auto sheet = runner.options().folder / "sheet.png";
-  if (request.sheet) write_sheet(runner, result, sheet), tell(sheet);
-  if (!request.film.empty()) write_film(runner, result, request.film), tell(request.film);
+  finish(findings_of(result, columns), to_json(result), request.words, runner, [&] {
+    const auto sheet = runner.options().folder / "sheet.png";
+    if (request.sheet) write_sheet(runner, result, sheet), tell(sheet);
+    if (!request.film.empty()) write_film(runner, result, request.film), tell(request.film);
+  });
 }
 
 }  // namespace

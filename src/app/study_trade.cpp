@@ -45,11 +45,12 @@ void carry_out(const TradeRequest& request, const std::vector<std::string>& argu
   CaseRunner runner = runner_of(request.words, arguments);
   const Trade found = trade(runner, quantities_named(request.quantities), request.options);
   finish({"trade", text_of(found), table_of(found), {chart_of(found)}}, to_json(found),
-         request.words, runner);
-  if (!request.sheet) return;
-  const auto sheet = runner.options().folder / "trade-sheet.png";
-  write_sheet(runner, found, sheet);
-  if (!request.words.quiet && !request.words.json) tell_file(sheet);
+         request.words, runner, [&] {
+           if (!request.sheet) return;
+           const auto sheet = runner.options().folder / "trade-sheet.png";
+           write_sheet(runner, found, sheet);
+           if (!request.words.quiet && !request.words.json) tell_file(sheet);
+         });
 }
 
 }  // namespace

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/study_words.hpp"
 
+#include <chrono>
+#include <system_error>
+#include <thread>
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -8,9 +13,12 @@
 #include "app/voice.hpp"
 #include "base/child_process.hpp"
 #include "base/error.hpp"
+#include "base/files.hpp"
 #include "base/interrupt.hpp"
+#include "base/ranks/launcher.hpp"
 #include "base/streams.hpp"
 #include "console/console.hpp"
+#include "study/case_claim.hpp"
 #include "study/quantity.hpp"
 
 namespace hackle {
@@ -27,6 +35,30 @@ Settings settings_of(const std::vector<std::string>& words) {
   return settings;
 }
 
+bool is_reported(const nlohmann::ordered_json& json, const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(file, ignored) && read_text(file) == findings_text(json);
+}
+
+// What all ranks meet is told by rank 0, which comes to it at about the same time: mpirun then ends
+// the others.
+int exit_code_of_rank(const Launcher& launcher, const std::function<int()>& work) {
+  constexpr int pauses = 30;
+  constexpr std::chrono::milliseconds pause(50);
+  try {
+    return work();
+  } catch (const Error& error) {
+    for (int k = 0; k < pauses && !interrupted(); ++k) std::this_thread::sleep_for(pause);
+    const bool is_of_all = error.kind() == ErrorKind::usage || error.kind() == ErrorKind::script ||
+                           error.kind() == ErrorKind::refused;
+    if (interrupted() || is_of_all) return static_cast<int>(error.kind());
+    return exit_code_of([&]() -> int {
+      say("rank {} of {}: ", launcher.rank, launcher.count);
+      throw error;
+    });
+  }
+}
+
 }  // namespace
 
 void describe_study_words(CLI::App& kind, StudyWords& words) {
@@ -39,7 +71,8 @@ void describe_study_options(CLI::App& kind, StudyWords& words, const std::string
                   fmt::format("Folder of the study, from which it goes on ({})", folder))
       ->type_name("DIR");
   kind.add_option("-j,--threads", words.execution.threads,
-                  "Number of threads of all runs together (one per core)")
+                  "Number of threads of all runs together (one per core; with mpirun, the "
+                  "process's share of the cores)")
       ->type_name("N")
       ->check(CLI::Range(1, most_threads));
   kind.add_flag("--json", words.json, "Print one JSON object with the results on stdout");
@@ -72,21 +105,31 @@ void describe_quantities(CLI::App& kind, std::vector<std::string>& names) {
       ->delimiter(',');
 }
 
-void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
-            const StudyWords& words, const CaseRunner& runner) {
-  finish(findings, json, words, runner.options().folder);
+void finish(const StudyFindings& findings, nlohmann::ordered_json json, const StudyWords& words,
+            const CaseRunner& runner, const std::function<void()>& more) {
+  finish(findings, std::move(json), words, runner.options().folder, runner.sharing(), more);
 }
 
-void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
-            const StudyWords& words, const std::filesystem::path& folder) {
+void finish(const StudyFindings& findings, nlohmann::ordered_json json, const StudyWords& words,
+            const std::filesystem::path& folder, const Sharing& sharing,
+            const std::function<void()>& more) {
+  const Launcher launcher = this_launcher();
+  if (launcher.rank > 0) return;
+  if (auto shared = sharing.json(); !shared.is_null()) json["sharing"] = std::move(shared);
+  const CaseClaim turn = CaseClaim::in_turn(folder / ".report.lock");
+  if (launcher.is_in_array() && is_reported(json, folder / (findings.name + ".json"))) {
+    if (!words.quiet) say("the report of the array is in {}\n", folder.string());
+    return;
+  }
   const auto files = write_findings(findings, json, folder);
   if (words.json)
     print_out("{}\n", json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   else
-    print_out("{}", findings.text);
+    print_out("{}{}", findings.text, sharing.text());
   flush(stdout);
-  if (words.quiet || words.json) return;
-  for (const auto& file : files) tell_file(file);
+  if (!words.quiet && !words.json)
+    for (const auto& file : files) tell_file(file);
+  if (more) more();
 }
 
 std::set<std::string> declared_options(const StudyWords& words,
@@ -102,6 +145,18 @@ std::set<std::string> declared_options(const StudyWords& words,
   return names;
 }
 
+RunnerOptions runner_options_of(const StudyWords& words, const std::filesystem::path& folder) {
+  const Launcher launcher = this_launcher();
+  const bool is_silent = words.quiet || words.json || launcher.rank > 0;
+  return {
+      .folder = folder,
+      .threads = words.execution.threads > 0 ? words.execution.threads : share_of_cores(launcher),
+      .talk = talk(is_silent),
+      .notes = !words.quiet,
+      .fresh = words.fresh,
+      .launcher = launcher};
+}
+
 CaseRunner runner_of(const StudyWords& words, const std::vector<std::string>& arguments) {
   const StudyScript script{.program = this_program(),
                            .path = words.script,
@@ -110,18 +165,17 @@ CaseRunner runner_of(const StudyWords& words, const std::vector<std::string>& ar
   const auto folder = words.folder.empty()
                           ? std::filesystem::path("out/study") / words.script.stem()
                           : words.folder;
-  return {script, RunnerOptions{.folder = folder,
-                                .threads = words.execution.thread_count(),
-                                .talk = talk(words.quiet || words.json),
-                                .fresh = words.fresh}};
+  return {script, runner_options_of(words, folder)};
 }
 
 int carried_out(const std::function<void()>& work) {
   const InterruptHandler handler;
-  return exit_code_of([&] {
+  const auto heard = [&] {
     work();
     return 0;
-  });
+  };
+  const Launcher launcher = this_launcher();
+  return launcher.rank == 0 ? exit_code_of(heard) : exit_code_of_rank(launcher, heard);
 }
 
 }  // namespace hackle

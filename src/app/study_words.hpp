@@ -32,7 +32,8 @@ struct StudyWords {
   bool fresh = false;
 };
 
-// Returns the exit code of work that hears Ctrl-C; its errors are told.
+// Returns the exit code of work that hears Ctrl-C; its errors are told, by rank 0 if all ranks meet
+// the same.
 int carried_out(const std::function<void()>& work);
 
 // Adds SCRIPT, -o, -j, -q, --json and --fresh to a kind.
@@ -46,15 +47,23 @@ void describe_set(CLI::App& kind, StudyWords& words);
 // Adds --for, names of quantities.
 void describe_quantities(CLI::App& kind, std::vector<std::string>& names);
 
-// Writes the findings, and prints them: the text, or the JSON object.
-void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
-            const StudyWords& words, const CaseRunner& runner);
-void finish(const StudyFindings& findings, const nlohmann::ordered_json& json,
-            const StudyWords& words, const std::filesystem::path& folder);
+// Writes the findings, prints them, as text or as a JSON object, and then calls `more`, which
+// writes other files. How processes have shared the runs is added. Only rank 0 does so; of a job
+// array the first task that comes here, after which the others find what they would write.
+// Processes that come at the same time do it in turn.
+void finish(const StudyFindings& findings, nlohmann::ordered_json json, const StudyWords& words,
+            const CaseRunner& runner, const std::function<void()>& more = {});
+void finish(const StudyFindings& findings, nlohmann::ordered_json json, const StudyWords& words,
+            const std::filesystem::path& folder, const Sharing& sharing,
+            const std::function<void()>& more = {});
 
 // Returns the options that the script declares. Throws what Console::run_file throws.
 std::set<std::string> declared_options(const StudyWords& words,
                                        const std::vector<std::string>& arguments);
+
+// Returns the options of a runner: with threads of its share of the machine's cores unless -j is
+// given, and silent in ranks above 0.
+RunnerOptions runner_options_of(const StudyWords& words, const std::filesystem::path& folder);
 
 // Returns a runner of the script. Throws Error (usage, files).
 CaseRunner runner_of(const StudyWords& words, const std::vector<std::string>& arguments);

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "study/provenance.hpp"
+
 namespace hackle {
 
 // Values of --set: options of the script, simulate.KEY, material.KEY, scatter.KEY.
@@ -53,6 +55,7 @@ struct Outcome {
   double cpu = 0.0;    // s
   std::uint64_t peak_bytes = 0;
   nlohmann::ordered_json told;  // what hackle run --json says; null if it did not finish
+  Provenance made;
 
   bool finished() const { return state == CaseState::finished; }
 };

@@ -21,7 +21,7 @@ CaseRunner runner_for(std::string_view family, const EnvelopeOptions& options, b
 
 // Fills the results of one family, light or heavy.
 void run_family(std::string_view family, const EnvelopeOptions& options, bool heavy,
-                std::vector<CellResult>& results) {
+                std::vector<CellResult>& results, Sharing& sharing) {
   std::vector<Case> cases;
   std::vector<CellResult*> of_family;
   for (CellResult& result : results)
@@ -36,18 +36,19 @@ void run_family(std::string_view family, const EnvelopeOptions& options, bool he
     of_family[k]->verdict = verdict_of(outcomes[k], of_family[k]->cell.demand);
     of_family[k]->seconds = outcomes[k].wall;
   }
+  sharing.add(runner.sharing());
 }
 
 }  // namespace
 
 std::vector<CellResult> run_envelope(const std::vector<EnvelopeCell>& cells,
-                                     const EnvelopeOptions& options) {
+                                     const EnvelopeOptions& options, Sharing& sharing) {
   std::vector<CellResult> results;
   results.reserve(cells.size());
   for (const EnvelopeCell& cell : cells) results.push_back({cell, {}, 0.0});
   for (const bool heavy : {false, true})
     for (const EnvelopeFamily& family : envelope_families())
-      run_family(family.name, options, heavy, results);
+      run_family(family.name, options, heavy, results, sharing);
   return results;
 }
 

@@ -26,9 +26,9 @@ struct EnvelopeOptions {
 };
 
 // Runs the cells, heavy ones last and alone, and returns their results in the same order. Throws
-// what CaseRunner throws.
+// what CaseRunner throws. Who has run them is added to `sharing`.
 std::vector<CellResult> run_envelope(const std::vector<EnvelopeCell>& cells,
-                                     const EnvelopeOptions& options);
+                                     const EnvelopeOptions& options, Sharing& sharing);
 
 // Returns how many ended so.
 std::size_t count(const std::vector<CellResult>& results, CellEnd end);

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/progress.hpp"
 #include "base/text.hpp"
+#include "study/case_claim.hpp"
 #include "study/instruction_count.hpp"
 
 namespace hackle {
@@ -156,6 +157,7 @@ void count_into(FeatureCost& cost, const CaseRunner& runner, const FeatureRow& r
 void count_all(const CaseRunner& runner, const std::vector<FeatureRow>& rows,
                const std::vector<Runs>& runs, const std::filesystem::path& valgrind,
                std::vector<FeatureCost>& costs) {
+  const CaseClaim turn = CaseClaim::in_turn(runner.options().folder / ".counted.lock");
   Progress progress(runner.options().talk);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double fraction = static_cast<double>(k) / static_cast<double>(rows.size());

@@ -6,17 +6,21 @@
 
 #include "base/files.hpp"
 #include "output/chart/chart.hpp"
+#include "study/case_claim.hpp"
 
 namespace hackle {
+
+std::string findings_text(const nlohmann::ordered_json& json) {
+  return json.dump(1) + "\n";
+}
 
 std::vector<std::filesystem::path> write_findings(const StudyFindings& findings,
                                                   const nlohmann::ordered_json& json,
                                                   const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files{folder / (findings.name + ".csv"),
                                            folder / (findings.name + ".json")};
-  make_folder_of(files.front());
+  const CaseClaim turn = CaseClaim::in_turn(folder / ".findings.lock");
   write_text(files[0], csv_of(findings.table));
-  write_text(files[1], json.dump(1) + "\n");
   for (std::size_t k = 0; k < findings.diagrams.size(); ++k) {
     const std::string number = k == 0 ? "" : fmt::format("-{}", k + 1);
     const bool is_named = k < findings.diagram_names.size();
@@ -24,6 +28,7 @@ std::vector<std::filesystem::path> write_findings(const StudyFindings& findings,
                     ((is_named ? findings.diagram_names[k] : findings.name + number) + ".png"));
     write_chart(findings.diagrams[k], ChartOptions{}, files.back());
   }
+  write_text(files[1], findings_text(json));
   return files;
 }
 

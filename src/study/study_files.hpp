@@ -23,7 +23,11 @@ struct StudyFindings {
   std::vector<std::string> diagram_names;  // ... unless they have names: "delta-error"
 };
 
-// Writes the files, and returns them. Throws Error (files).
+// Returns the text of the JSON file.
+std::string findings_text(const nlohmann::ordered_json& json);
+
+// Writes the files, the JSON file last, in turn with other processes, and returns them. Throws
+// Error (files, interrupted).
 std::vector<std::filesystem::path> write_findings(const StudyFindings& findings,
                                                   const nlohmann::ordered_json& json,
                                                   const std::filesystem::path& folder);
