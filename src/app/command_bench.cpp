@@ -11,11 +11,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench_deck.hpp"
+#include "app/bench_ranks.hpp"
+#include "app/company.hpp"
 #include "app/exit_code.hpp"
 #include "app/lammps_peer.hpp"
 #include "app/voice.hpp"
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
+#include "base/ranks/mpi_module.hpp"
 #include "base/streams.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
@@ -200,9 +203,23 @@ void print_table(const Json& json) {
 
 }  // namespace
 
+namespace {
+
+int measure_ranks(const BenchRequest& request) {
+  Ranks* ranks = find_ranks(120.0);
+  if (ranks == nullptr)
+    throw Error(ErrorKind::usage, "bench: --ranks needs several of them",
+                "start it as mpirun -n 2 hackle bench --ranks");
+  const Company company(ranks);
+  return company.leave(exit_code_of([&] { return bench_ranks(request, *ranks); }));
+}
+
+}  // namespace
+
 int command_bench(const BenchRequest& request) {
   const InterruptHandler handler;
   return exit_code_of([&] {
+    if (request.ranks) return measure_ranks(request);
     const Json json = to_json(measure_all(request), request);
     if (request.json)
       print_out("{}\n", json.dump());

@@ -12,6 +12,7 @@ struct BenchRequest {
   std::string peer = "auto";  // "lammps", "none", or "auto": LAMMPS if it is installed
   int rounds = 5;
   int nodes = 64000;
+  bool ranks = false;  // under mpirun: measures the ranks instead
   Execution execution;
   bool json = false;
   bool quiet = false;

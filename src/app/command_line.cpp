@@ -165,6 +165,12 @@ void describe_running(CLI::App& command, RunRequest& request) {
           std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
           CLI::AsNumberWithUnit::UNIT_REQUIRED))
       ->check(CLI::Range(0.0, 1e9));
+  command
+      .add_option("--rank-timeout", request.patience,
+                  "Under mpirun: seconds that a rank waits for another before it ends all (120); 0 "
+                  "waits for ever")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e9));
 }
 
 void describe_resume(CLI::App& app, Request& request) {
@@ -272,6 +278,9 @@ void describe_bench(CLI::App& app, Request& request) {
   bench->add_option("--nodes", request.bench.nodes, "Number of nodes of the plate (64000)")
       ->type_name("N")
       ->check(CLI::Range(1000, 100000000));
+  bench->add_flag("--ranks", request.bench.ranks,
+                  "Under mpirun -n N: measure a step on N ranks, compare it with the model, and "
+                  "tell what it expects of a cluster");
   describe_execution(*bench, request.bench.execution);
   bench->add_flag("--json", request.bench.json, "Print one JSON object on stdout");
   bench->add_flag("-q,--quiet", request.bench.quiet, "Print only errors");

@@ -2,6 +2,7 @@
 #include "app/command_prompt.hpp"
 
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,6 +12,7 @@
 #include "base/child_process.hpp"
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
+#include "base/ranks/mpi_module.hpp"
 #include "base/streams.hpp"
 #include "base/terminal.hpp"
 #include "base/text.hpp"
@@ -36,6 +38,21 @@ Prompt::Reader line_reader(const std::shared_ptr<LineEditor>& editor) {
   };
 }
 
+// Nothing runs in the background meanwhile: ranks do the same between the same lines.
+Prompt::Reader shared(Ranks& ranks, Prompt::Reader reader) {
+  return [&ranks, reader = std::move(reader)](const std::string& prompt, std::string& line,
+                                              const Idle&) {
+    std::string told;
+    if (ranks.leads()) {
+      const LineEnd end = reader(prompt, line, [](const MakeRoom&) { return false; });
+      told = static_cast<char>(end) + line;
+    }
+    ranks.share(told);
+    line = told.substr(1);
+    return static_cast<LineEnd>(told.front());
+  };
+}
+
 void print_note(const std::string& note) {
   say_note(note);
 }
@@ -47,11 +64,14 @@ void print_value(const std::string& value) {
 
 }  // namespace
 
-int ask(Console& console, int code) {
+int ask(Console& console, const Company& company, int code) {
   const InterruptHandler handler(InterruptHandler::Keyboard::left_alone);
-  const bool person = isatty(STDIN_FILENO) != 0;
+  Ranks* ranks = company.ranks();
+  const bool person = ranks == nullptr && isatty(STDIN_FILENO) != 0;
   const auto editor = person ? std::make_shared<LineEditor>(history_file()) : nullptr;
-  Prompt prompt(console, line_reader(editor), {print_value, tell, print_note});
+  Prompt::Reader reader = line_reader(editor);
+  if (ranks != nullptr) reader = shared(*ranks, std::move(reader));
+  Prompt prompt(console, std::move(reader), {print_value, tell, print_note});
   if (editor)
     editor->complete_with(
         [&](const std::string& before) { return console.complete(prompt.begun() + before); });
@@ -72,14 +92,16 @@ int ask(Console& console, int code) {
 
 int command_prompt(const Limits& limits) {
   return exit_code_of([&limits] {
+    const Company company(find_ranks(0.0));
     ConsoleSettings settings;
     settings.program = this_program();
     settings.output_folder = "out/prompt";
     settings.talk = talk(false);
     settings.show_in_terminal = stdout_is_terminal();
     limits.apply(settings);
+    company.join(settings);
     Console console(settings);
-    return ask(console);
+    return company.leave(ask(console, company));
   });
 }
 

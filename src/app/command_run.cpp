@@ -8,12 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_prompt.hpp"
+#include "app/company.hpp"
 #include "app/exit_code.hpp"
 #include "app/voice.hpp"
 #include "base/child_process.hpp"
 #include "base/files.hpp"
 #include "base/interrupt.hpp"
 #include "base/machine.hpp"
+#include "base/ranks/mpi_module.hpp"
 #include "base/streams.hpp"
 #include "base/terminal.hpp"
 #include "console/console.hpp"
@@ -93,32 +95,42 @@ void print_verdicts(const std::vector<Expectation>& all, const RunRequest& reque
 
 }  // namespace
 
-int command_run(const RunRequest& asked) {
+namespace {
+
+int run_in_company(RunRequest request, const Company& company) {
+  std::optional<Found> found;
+  if (!request.resumed.empty()) {
+    found = checkpoint_of(request);
+    request.output_folder = found->checkpoint.parent_path();
+    request.overrides = found->continuation.inputs.overrides;
+    request.script = found->continuation.origin.script_name;
+  }
+  if (!request.picture.empty()) check_ending("--picture", request.picture, FileKind::picture);
+  ConsoleSettings settings = settings_of(request);
+  company.join(settings);
+  Console console(std::move(settings));
+  const int code = exit_code_of([&] {
+    const InterruptHandler handler;
+    if (found)
+      console.run_on(std::move(*found));
+    else
+      run(console, request);
+    return console.exit_code().value_or(0);
+  });
+  if (request.interactive) return ask(console, company, code);
+  if (!request.quiet) tell_files(console.simulations());
+  const bool ended = code == 0 || code == static_cast<int>(ErrorKind::interrupted);
+  if (request.json && ended) print_json(console, request);
+  if (!request.json && code == 0) print_verdicts(console.expectations(), request);
+  return code;
+}
+
+}  // namespace
+
+int command_run(const RunRequest& request) {
   return exit_code_of([&] {
-    RunRequest request = asked;
-    std::optional<Found> found;
-    if (!request.resumed.empty()) {
-      found = checkpoint_of(request);
-      request.output_folder = found->checkpoint.parent_path();
-      request.overrides = found->continuation.inputs.overrides;
-      request.script = found->continuation.origin.script_name;
-    }
-    if (!request.picture.empty()) check_ending("--picture", request.picture, FileKind::picture);
-    Console console(settings_of(request));
-    const int code = exit_code_of([&] {
-      const InterruptHandler handler;
-      if (found)
-        console.run_on(std::move(*found));
-      else
-        run(console, request);
-      return console.exit_code().value_or(0);
-    });
-    if (request.interactive) return ask(console, code);
-    if (!request.quiet) tell_files(console.simulations());
-    const bool ended = code == 0 || code == static_cast<int>(ErrorKind::interrupted);
-    if (request.json && ended) print_json(console, request);
-    if (!request.json && code == 0) print_verdicts(console.expectations(), request);
-    return code;
+    const Company company(find_ranks(request.interactive ? 0.0 : request.patience));
+    return company.leave(exit_code_of([&] { return run_in_company(request, company); }));
   });
 }
 

@@ -33,6 +33,7 @@ struct RunRequest {
   std::filesystem::path resumed;    // a checkpoint or its folder, in place of a script
   double checkpoint_every = 600.0;  // s of wall time; 0: none
   bool interactive = false;         // the prompt goes on after it
+  double patience = 120.0;          // s that a rank waits for another; 0: for ever
 };
 
 ConsoleSettings settings_of(const RunRequest& request);

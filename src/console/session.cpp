@@ -29,6 +29,7 @@ bool works(const std::shared_ptr<Run>& run) {
 
 Session::Session(ConsoleSettings with)
     : settings(std::move(with)), memory_at_start_(available_memory()) {
+  if (settings.execution.ranks != nullptr) call_watch_.emplace(*settings.execution.ranks);
   names->rehearses = settings.purpose != Purpose::results;
 }
 
@@ -55,14 +56,27 @@ fs::path Session::input_path(const std::string& who, const fs::path& name) const
   const bool named = std::ranges::find(arguments, name.string()) != arguments.end();
   if (named && fs::is_regular_file(name, ignored)) return name;
   fs::path path = script_folder() / name;
-  if (!fs::exists(path, ignored) && fs::exists(settings.output_folder / name, ignored))
-    path = settings.output_folder / name;
+  if (!fs::exists(path, ignored)) {
+    const fs::path written = leading_folder() / name;
+    if (fs::exists(written, ignored)) path = written;
+  }
   sandbox().check_input(who, path);
   return path;
 }
 
+// Of several ranks, that of the one which writes files, once it has come here too.
+fs::path Session::leading_folder() const {
+  Ranks* ranks = settings.execution.ranks;
+  if (ranks == nullptr) return settings.output_folder;
+  std::string path = fs::absolute(settings.output_folder).string();
+  ranks->share(path);
+  if (ranks->leads()) return settings.output_folder;
+  leading_folder_ = path;
+  return leading_folder_;
+}
+
 fs::path Session::written_path(const std::string& who, const fs::path& name) const {
-  fs::path path = settings.output_folder / name;
+  fs::path path = leading_folder() / name;
   sandbox().check_input(who, path);
   return path;
 }
@@ -88,6 +102,7 @@ fs::path Session::script_folder() const {
 
 Sandbox Session::sandbox() const {
   std::vector<fs::path> readable{script_folder(), settings.output_folder};
+  if (!leading_folder_.empty()) readable.push_back(leading_folder_);
   for (const char* folder : {"assets", "scripts"})
     if (const auto path = find_data_file(folder)) readable.push_back(*path);
   return {std::move(readable), settings.output_folder, settings.trust};
@@ -107,6 +122,11 @@ ScriptHost Session::script_host() {
   ReplayHost all = objects;
   all.number_of = [this](const Run& run) { return number_of(run); };
   all.run = [this](int number) { return run_of(number); };
+  if (call_watch_)
+    all.note = [this](const std::string& call, const std::string& values, bool steps) {
+      call_watch_->note(call, values);
+      if (steps) call_watch_->compare();
+    };
   return {
       .inputs = folder->inputs(),
       .origin = origin,
@@ -119,6 +139,7 @@ ScriptHost Session::script_host() {
       .claim =
           [this](const fs::path& name) { return claim("checkpoint", name, FileKind::checkpoint); },
       .count = [this] { return static_cast<int>(entries_.size()); },
+      .ranks = settings.execution.ranks,
       .summary =
           [this](int number) {
             const auto& entry = entries_[static_cast<std::size_t>(number) - 1];
@@ -138,6 +159,17 @@ std::optional<Found> Session::find_unfinished() {
   return found;
 }
 
+// All ranks go on with what rank 0 has found.
+std::optional<Found> Session::found_by_first(std::optional<Found> found) const {
+  Ranks* ranks = settings.execution.ranks;
+  if (ranks == nullptr) return found;
+  std::string path = found ? fs::absolute(found->checkpoint).string() : std::string();
+  ranks->share(path);
+  if (ranks->leads()) return found;
+  if (path.empty()) return std::nullopt;
+  return Found{path, continuation_of(read_continuation(path), path)};
+}
+
 // Of scripts alone: at a prompt a simulation outlives its failures.
 void Session::begin_checkpoints() {
   if (!folder || settings.purpose != Purpose::results || settings.checkpoint_every <= 0.0) return;
@@ -145,7 +177,7 @@ void Session::begin_checkpoints() {
     std::error_code ignored;
     for (const fs::path& file : automatic_checkpoints(place, script)) fs::remove(file, ignored);
   };
-  std::optional<Found> found = find_unfinished();
+  std::optional<Found> found = found_by_first(find_unfinished());
   checkpoints = std::make_unique<ScriptCheckpoints>(script_host());
   if (!found) return;
   const Continuation& former = found->continuation;

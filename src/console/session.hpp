@@ -19,6 +19,7 @@
 #include "console/lua/sandbox.hpp"
 #include "console/prompt/idle.hpp"
 #include "console/prompt/transcript.hpp"
+#include "console/replay/call_watch.hpp"
 #include "console/replay/script_checkpoints.hpp"
 #include "output/files/output_folder.hpp"
 #include "output/files/output_names.hpp"
@@ -84,6 +85,10 @@ class Session {
   // Returns the same for a file written earlier by the script: in the output folder.
   std::filesystem::path written_path(const std::string& who,
                                      const std::filesystem::path& name) const;
+  // Whether another rank runs this script too, and writes its files.
+  bool follows() const {
+    return settings.execution.ranks != nullptr && !settings.execution.ranks->leads();
+  }
   // Returns output_path() for a file that `who` is about to write: refuses a wrong extension, a
   // path that cannot be written, and a file that somebody else is writing.
   std::filesystem::path claim(const std::string& who, const std::filesystem::path& name,
@@ -176,6 +181,8 @@ class Session {
  private:
   void take_folder();
   std::optional<Found> find_unfinished();
+  std::optional<Found> found_by_first(std::optional<Found> found) const;
+  std::filesystem::path leading_folder() const;
   ScriptHost script_host();
   Run* run_of(int number) const;
   std::shared_ptr<Run> begin(std::shared_ptr<Run> run);
@@ -200,6 +207,8 @@ class Session {
   std::vector<Problem> closing_problems_;
   ErrorKind closing_kind_ = ErrorKind::files;
   std::optional<Materials> materials_;
+  std::optional<CallWatch> call_watch_;           // of several ranks
+  mutable std::filesystem::path leading_folder_;  // known to those that follow
 };
 
 }  // namespace hackle

@@ -42,7 +42,7 @@ Terms MovingPlate::terms_for(const Plate& plate, std::int64_t last_step) {
   const auto bodies = std::tie(state_.discs, state_.rollers, state_.platens);
   const std::tuple<std::vector<Disc>, std::vector<Disc>, std::vector<Disc>> before = bodies;
   try {
-    next.begin(around(next), state_);
+    next.begin(around(next, undivided), state_);
   } catch (...) {
     std::tie(state_.discs, state_.rollers, state_.platens) = before;
     throw;

@@ -37,29 +37,53 @@ namespace {
 
 }  // namespace
 
-double check_finite(const View& view) {
-  // The largest value of a field, which is in single precision.
-  constexpr auto max = static_cast<double>(std::numeric_limits<float>::max());
+namespace {
+
+// The largest values of a field, which is in single precision, in lattice units.
+struct Limits {
+  explicit Limits(const View& view)
+      : u(max / view.lattice().grid.dx), v(max / (view.lattice().grid.dx / view.dt())) {}
+  static constexpr auto max = static_cast<double>(std::numeric_limits<float>::max());
+  double u, v;
+
+  bool hold(const State& state, int i, int j) const {
+    const Vec2 place = state.origin + state.u(i, j), moves = state.v(i, j);
+    return place.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < u &&
+           moves.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < v;
+  }
+};
+
+}  // namespace
+
+void check_finite(const View& view) {
   const Grid& grid = view.lattice().grid;
-  const State& state = view.state();
-  const double u_most = max / grid.dx, v_most = max / (grid.dx / view.dt());
-  double sum = 0.0;
+  const Limits limits(view);
   for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      const Vec2 moves = state.v(i, j);
-      const double u = (state.origin + state.u(i, j)).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-      const double v = moves.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-      if (!(u < u_most && v < v_most)) throw_diverged(view, i, j);
-      sum += moves.squaredNorm();
-    }
-  return sum;
+    for (int i = 0; i < grid.nx; ++i)
+      if (!limits.hold(view.state(), i, j)) throw_diverged(view, i, j);
 }
 
-void Divergence::check(const View& view) {
+bool Divergence::is_seen(const View& view, const Slab& slab) {
   constexpr double beyond_reason = 1000.0;
-  const double motion = check_finite(view);
-  max_energy_ = std::max(max_energy_, std::abs(view.state().external_work));
-  if (!(0.5 * motion <= beyond_reason * max_energy_)) throw_at_fastest(view);
+  const Grid& grid = view.lattice().grid;
+  const State& state = view.state();
+  const Limits limits(view);
+  bool finite = true;
+  RowSum motion(slab);
+  for (int j = slab.begin(); j < slab.end(grid.ny) && finite; ++j)
+    for (int i = 0; i < grid.nx && finite; ++i) {
+      finite = limits.hold(state, i, j);
+      motion.add(j, state.v(i, j).squaredNorm());
+    }
+  const double sum = motion.value();
+  max_energy_ = std::max(max_energy_, std::abs(state.external_work));
+  const bool seen = !finite || !(0.5 * sum <= beyond_reason * max_energy_);
+  return slab.is_whole() ? seen : slab.ranks->any(seen ? 1 : 0) != 0;
+}
+
+void Divergence::tell(const View& view) {
+  check_finite(view);
+  throw_at_fastest(view);
 }
 
 }  // namespace hackle

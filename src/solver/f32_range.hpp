@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/slab.hpp"
 #include "solver/state.hpp"
 
 namespace hackle {
@@ -19,6 +20,8 @@ struct Spread {
 };
 
 Spread spread_of(const State& state, const std::vector<std::uint8_t>& material = {});
+// The same where each rank knows its own rows; all of them ask.
+Spread spread_of(const State& state, const std::vector<std::uint8_t>& material, const Slab& slab);
 
 // Drift of the whole plate, in spacings, above which it is moved from u to the origin.
 inline constexpr double max_drift = 0.03125;
@@ -32,6 +35,10 @@ bool take_out_drift(State& state, const std::vector<std::uint8_t>& material = {}
 // below the errors of step and spacing, yet the arms of an opened plate stay in f32
 // (src/solver/README.md 5.3).
 inline constexpr double max_rounding = 2e-4;
+
+// Returns whether a state that is spread like this has drifted, or is too wide, by the limits
+// above.
+bool is_to_be_moved(const Spread& spread, double s0);
 
 // Returns whether the rest rounds the stretch of bonds by more than max_rounding of s0.
 bool is_too_wide_for_f32(const State& state, double s0,

@@ -12,6 +12,7 @@
 #include "lattice/check_numerics.hpp"
 #include "solver/bond_energy.hpp"
 #include "solver/cpu/engine.hpp"
+#include "solver/cpu/tiles.hpp"
 #include "solver/default_step.hpp"
 #include "solver/f32_range.hpp"
 #include "solver/initial_motion.hpp"
@@ -78,6 +79,7 @@ MovingPlate::MovingPlate(Plate plate, const Numerics& numerics, const Execution&
       state_(lattice_, numerics_.precision),
       dt_(numerics_.step.value_or(default_step(plate_, lattice_, numerics_.safety))),
       terms_(plate_, lattice_, dt_),
+      ranks_(execution.ranks),
       instruction_set_(execution.instruction_set),
       threads_(execution.thread_count()),
       stepper_(make_stepper(numerics_.precision)) {
@@ -95,7 +97,8 @@ Cloned<Stepper> MovingPlate::make_stepper(Precision precision) const {
       .fidelity = numerics_.fidelity,
       .breaking = numerics_.breaking,
       .set = instruction_set_,
-      .arithmetic = numerics_.fused ? Arithmetic::fused : Arithmetic::plain};
+      .arithmetic = numerics_.fused ? Arithmetic::fused : Arithmetic::plain,
+      .slab = share_out_slabs(ranks_, tile_rows(lattice_.grid.ny, lattice_.family.reach()))};
   return make_engine(precision, lattice_, options, threads_);
 }
 
@@ -108,20 +111,31 @@ void MovingPlate::prepare() {
 }
 
 void MovingPlate::step() {
-  const double kick = terms_.before_step(around(), state_);
+  const bool by_rows = terms_.keep_to_rows();
+  const Surroundings here = around(terms_, by_rows ? slab() : undivided);
+  const double kick = terms_.before_step(here, state_);
   stepper_->step(lattice_, state_, kick);
+  complete_ = slab().is_whole();
+  if (!by_rows) complete();
   ++state_.step;
   const bool vary = terms_.vary();
-  terms_.add_work(around(), state_, vary ? WorkOf::first_half : WorkOf::whole_step);
-  terms_.follow(around(), state_);
-  if (terms_.update(around(), state_)) stepper_->set_actions(terms_.actions());
-  if (vary) terms_.add_work(around(), state_, WorkOf::second_half);
+  terms_.add_work(here, state_, vary ? WorkOf::first_half : WorkOf::whole_step);
+  terms_.follow(here, state_);
+  if (terms_.update(here, state_)) stepper_->set_actions(terms_.actions());
+  if (vary) terms_.add_work(here, state_, WorkOf::second_half);
   if (state_.precision() == Precision::f32 && state_.step % steps_between_moves == 0)
     keep_f32_exact();
 }
 
+void MovingPlate::complete() {
+  if (!std::exchange(complete_, true)) stepper_->complete(state_);
+}
+
 // At fixed steps, so that the bits do not depend on the division of a run.
 void MovingPlate::keep_f32_exact() {
+  const Spread spread = spread_of(state_, lattice_.material, slab());
+  if (!is_to_be_moved(spread, lattice_.min_stretch())) return;
+  complete();
   const bool moved = take_out_drift(state_, lattice_.material);
   if (is_too_wide_for_f32(state_, lattice_.min_stretch(), lattice_.material)) {
     state_ = state_.in_f64();

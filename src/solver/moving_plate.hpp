@@ -9,6 +9,7 @@
 
 #include "base/machine.hpp"
 #include "solver/cpu/instruction_set.hpp"
+#include "solver/slab.hpp"
 #include "solver/terms.hpp"
 
 namespace hackle {
@@ -18,6 +19,7 @@ struct Execution {
   int threads = 0;  // 0: one per available core
   int thread_count() const { return threads > 0 ? threads : available_cores(); }
   InstructionSet instruction_set = best_instruction_set();
+  Ranks* ranks = nullptr;  // that solve each plate together; nullptr: this process does, alone
 };
 
 class MovingPlate {
@@ -26,8 +28,17 @@ class MovingPlate {
   MovingPlate(Plate plate, const Numerics& numerics, const Execution& execution,
               std::vector<float> strength);
 
-  // Makes one time step. Nothing is written, printed or checked in it.
+  // Makes one time step. Nothing is written, printed or checked in it. Where there are ranks, each
+  // knows only its own rows afterwards, until complete().
   void step();
+  // Gives every rank the whole plate: what follows may then look at all of it.
+  void complete();
+  // Whether it is so for any rank; all of them ask.
+  bool holds_for_any(bool own) const {
+    return slab().is_whole() ? own : slab().ranks->any(own ? 1 : 0) != 0;
+  }
+  // The rows that this rank moves.
+  const Slab& slab() const { return stepper_->slab(); }
   // Functions of time are asked now for all steps from the present one up to `last`.
   void tabulate(std::int64_t last) { terms_.tabulate(state_.clock, state_.step, last + 1, dt_); }
   // Replaces all loads from now on, in a run that is to go on to `last_step`. See Simulation.
@@ -79,9 +90,9 @@ class MovingPlate {
   std::size_t bytes() const;  // that grow with the plate
 
  private:
-  Surroundings around() const { return around(terms_); }
-  Surroundings around(const Terms& terms) const {
-    return {lattice_, dt_, threads_, *stepper_, terms.list(), terms.thermal_strain()};
+  Surroundings around() const { return around(terms_, undivided); }
+  Surroundings around(const Terms& terms, const Slab& slab) const {
+    return {lattice_, dt_, threads_, *stepper_, terms.list(), terms.thermal_strain(), slab};
   }
   Cloned<Stepper> make_stepper(Precision precision) const;
   Terms terms_for(const Plate& plate, std::int64_t last_step);
@@ -103,6 +114,8 @@ class MovingPlate {
   std::vector<LoadedNode> borne_;
   std::optional<double> widened_at_;
 
+  Ranks* ranks_;          // nullptr: alone
+  bool complete_ = true;  // this rank knows more than its own rows
   InstructionSet instruction_set_;
   Threads threads_;
   mutable Cloned<Stepper> stepper_;  // const queries use its scratch memory

@@ -44,21 +44,22 @@ void check(const QuasistaticOptions& options, double begin, double dt) {
 class Simulation::Audience {
  public:
   explicit Audience(std::span<Observer* const> observers)
-      : observers_(observers), next_(observers.size(), 0) {}
+      : observers_(observers), next_(observers.size(), 0), due_(observers.size(), false) {}
 
-  // Lets those see the state that are due, each at its moment.
+  // Lets those see the state that are due, each at its moment. Ranks agree on who looks: all of
+  // the plate must be there then.
   void look(Simulation& simulation) {
     const std::int64_t step = simulation.state().step;
+    bool looks = false;
+    for (std::size_t k = 0; k < observers_.size(); ++k) {
+      due_[k] = step >= next_[k] && observers_[k]->due(simulation);
+      looks = looks || due_[k];
+    }
+    if (simulation.plate_.holds_for_any(looks)) simulation.plate_.complete();
     for (std::size_t k = 0; k < observers_.size(); ++k) {
       if (step < next_[k]) continue;
-      Observer& observer = *observers_[k];
-      if (observer.due(simulation)) {
-        simulation.check_finite();
-        simulation.show(observer.moment(simulation));
-        observer.observe(simulation);
-        simulation.seen_at_.reset();
-      }
-      next_[k] = observer.next_due(simulation);
+      if (due_[k]) show(simulation, *observers_[k]);
+      next_[k] = observers_[k]->next_due(simulation);
     }
   }
 
@@ -69,8 +70,16 @@ class Simulation::Audience {
   }
 
  private:
+  static void show(Simulation& simulation, Observer& observer) {
+    simulation.check_finite();
+    simulation.show(observer.moment(simulation));
+    observer.observe(simulation);
+    simulation.seen_at_.reset();
+  }
+
   std::span<Observer* const> observers_;
   std::vector<std::int64_t> next_;
+  std::vector<bool> due_;
 };
 
 Simulation::Simulation(Plate plate, Numerics numerics, Execution execution,
@@ -117,6 +126,11 @@ double Observer::moment(const Simulation& simulation) {
 }
 
 void Simulation::step() {
+  advance();
+  plate_.complete();
+}
+
+void Simulation::advance() {
   seen_at_.reset();
   plate_.step();
 }
@@ -171,20 +185,30 @@ void Simulation::go_on(std::span<Observer* const> observers) {
   while (!has_arrived() && !break_off_) {
     {
       const Stopwatch watch(solve_seconds_);
-      step();
+      advance();
     }
     look_after_step(audience);
   }
+  plate_.complete();
   check_finite();
   if (has_arrived()) show(aim_.end_time);
 }
 
 void Simulation::look_after_step(Audience& audience) {
-  if (state().step % steps_between_checks == 0) divergence_.check(view());
+  if (state().step % steps_between_checks == 0 && divergence_.is_seen(view(), plate_.slab())) {
+    plate_.complete();
+    Divergence::tell(view());
+  }
   audience.look(*this);
-  if (interrupted())
-    throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}, at {}",
-                                                    state().step, quantity(time(), "s")));
+  throw_if_to_leave();
+}
+
+// Ranks leave after the same step.
+void Simulation::throw_if_to_leave() {
+  if (!plate_.holds_for_any(interrupted())) return;
+  plate_.complete();
+  throw Error(ErrorKind::interrupted,
+              fmt::format("interrupted after step {}, at {}", state().step, quantity(time(), "s")));
 }
 
 RelaxResult Simulation::relax(const RelaxOptions& options) {

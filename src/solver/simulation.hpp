@@ -136,7 +136,10 @@ class Simulation {
   // What observers want, while a run lasts.
   class Audience;
 
+  // step() on the rows of this rank.
+  void advance();
   void look_after_step(Audience& audience);
+  void throw_if_to_leave();
   void begin_anew();
   // Lets the plate be seen at a time between the last step and the one before; at any other, and
   // where it has just stood still, at the last step.

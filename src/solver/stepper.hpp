@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What takes the nodes and bonds of a plate through a step, wherever it does so: on the threads of
-// this machine (cpu/engine.hpp), and in times to come on a device or on the ranks of a slab. It is
+// this machine (cpu/engine.hpp), alone or as one of several ranks, and in times to come on a device. It is
 // made for one lattice and one precision, which it is given again with every call.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include "solver/actions.hpp"
 #include "solver/broken_bond.hpp"
 #include "solver/path_counts.hpp"
+#include "solver/slab.hpp"
 #include "solver/state.hpp"
 
 namespace hackle {
@@ -33,6 +34,11 @@ class Stepper {
   // Advances u, v, bonds and thresholds by one step; the caller updates the rest of the state. v
   // changes by `kick` times the acceleration.
   virtual void step(const Lattice& lattice, State& state, double kick) = 0;
+
+  // Where a rank moves its own rows only: which those are, from now on to the next step, and what
+  // gives every rank all of the state.
+  virtual const Slab& slab() const { return undivided; }
+  virtual void complete(State&) {}
 
   // Of every node at the time of u, by Grid::index, in lattice units, as if none were prescribed.
   virtual std::vector<Vec2> accelerations(const Lattice& lattice, const State& state) = 0;

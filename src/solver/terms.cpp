@@ -83,6 +83,10 @@ void Terms::gather(const Grid& grid, bool at_rest) {
   }
 }
 
+bool Terms::keep_to_rows() const {
+  return std::ranges::all_of(list_, [](const Cloned<Term>& term) { return term->keeps_to_rows(); });
+}
+
 bool Terms::vary() const {
   return std::ranges::any_of(list_, [](const Cloned<Term>& term) { return term->varies(); });
 }
@@ -91,7 +95,7 @@ void Terms::add_work(const Surroundings& around, State& state, WorkOf part) cons
   double dragged = 0.0;
   for (const Cloned<Term>& term : list_) {
     term->add_work(around, state, part, state.external_work);
-    add_work_of(term->drag(), around, state, part, dragged);
+    if (term->resists()) add_work_of(term->drag(), around, state, part, dragged);
   }
   state.damped -= dragged;
 }

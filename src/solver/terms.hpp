@@ -49,7 +49,8 @@ class Terms {
   double drag_of_half_step(const Surroundings& around, const State& state) const;
   // Adds the wall time of terms that these replace to theirs.
   void go_on_from(const Terms& other) { earlier_ = other.seconds(); }
-  bool vary() const;  // one of them does: the work of all forces is counted in halves
+  bool keep_to_rows() const;  // all of them do
+  bool vary() const;          // one of them does: the work of all forces is counted in halves
   void check_rest(const std::string& who) const;
   // Contacts and impacts take no part.
   void halt(const Surroundings& around, const State& state, double passed);

@@ -30,6 +30,7 @@ const std::map<std::string, std::set<std::string>> rooms_of_library = {
     {"libswscale", {"movie"}},
     {"oneapi/", {"solver"}},
     {"CLI/", {"app"}},
+    {"mpi.h", {"base/ranks/mpi_ranks.cpp"}},
     {"histedit.h", {"console"}},
     {"editline/", {"console"}},
     {"chafa", {"console/language/preview.cpp"}},

@@ -58,6 +58,7 @@ int save(lua_State* L) {
   const ScriptedRun& scripted = self<ScriptedRun>(L, save_doc);
   const Arguments arguments = Arguments::from_table(L, 2, save_doc);
   arguments.problems.throw_if_any();
+  if (session_of(L).follows()) return 0;
   scripted.run().save(session_of(L).output_path("save", arguments.text("file")));
   return 0;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/interrupt.hpp"
+#include "console/lua/value_text.hpp"
 #include "solver/simulation.hpp"
 
 namespace hackle {
@@ -75,10 +76,22 @@ int Replay::call(lua_State* L, const void* what, lua_CFunction function) {
   return 0;
 }
 
+// What a person may read of a call.
+std::string call_text(lua_State* L, const std::string& name) {
+  std::string text = name + "(";
+  for (int index = 2; index <= lua_gettop(L); ++index) {
+    const bool plain = lua_type(L, index) == LUA_TNUMBER || lua_type(L, index) == LUA_TSTRING;
+    text += fmt::format("{}{}", index > 2 ? ", " : "", plain ? value_text(L, index) : "...");
+  }
+  return text + ")";
+}
+
 int Replay::record(lua_State* L, const Known& known, lua_CFunction function) {
   writer_.entry(JournalEntry::call);
+  const std::string values = texts_of(L, 1, lua_gettop(L), host_.name);
   writer_.text(known.name);
-  writer_.text(texts_of(L, 1, lua_gettop(L), host_.name));
+  writer_.text(values);
+  if (host_.note) host_.note(call_text(L, known.name), values, advances(known.how));
   if (advances(known.how)) {
     writer_.point(host_.run_at(L, 1)->simulation().time_point());
     mark_safe();

@@ -30,6 +30,8 @@ struct ReplayHost {
   std::function<void(lua_State* L, const std::string& name)> push_empty;
   std::function<int(const Run& run)> number_of;
   std::function<Run*(int number)> run;  // null once it is gone
+  // Told of every call, with what it was given in bytes, and whether it steps; may be empty.
+  std::function<void(const std::string& call, const std::string& values, bool steps)> note;
   // Gives every simulation the state that it had at the end of the journal.
   std::function<void()> go_live;
 };

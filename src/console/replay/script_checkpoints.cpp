@@ -148,8 +148,11 @@ void ScriptCheckpoints::restore_all() {
   const fs::path folder = found_->checkpoint.parent_path();
   restore(former.run, found_->checkpoint, {});
   for (const auto& [number, file, hash] : former.others) restore(number, folder / file, hash);
-  for (const auto& [number, marks] : former.outputs)
-    if (Run* run = host_.objects.run(number)) run->continue_outputs(marks);
+  Ranks* ranks = host_.ranks;
+  if (ranks == nullptr || ranks->leads())
+    for (const auto& [number, marks] : former.outputs)
+      if (Run* run = host_.objects.run(number)) run->continue_outputs(marks);
+  if (ranks != nullptr) ranks->any(0);  // all have read what rank 0 will soon replace
   const Run& run = *host_.objects.run(former.run);
   if (host_.talk != Talk::quiet)
     say_note(fmt::format("the script is where it stopped: {}, step {}",

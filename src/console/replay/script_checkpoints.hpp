@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "base/ranks/ranks.hpp"
 #include "console/replay/continuation.hpp"
 #include "console/replay/replay.hpp"
 #include "output/run/run.hpp"
@@ -27,6 +28,7 @@ struct ScriptHost {
   // Reserves a checkpoint below it.
   std::function<std::filesystem::path(const std::filesystem::path& name)> claim;
   std::function<int()> count;
+  Ranks* ranks = nullptr;                          // that run the script together
   std::function<std::string(int number)> summary;  // JSON, of a simulation that is gone
   ReplayHost objects;                              // without go_live, which is set here
 };

@@ -5,8 +5,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
+#include "base/stopwatch.hpp"
 #include "lattice/carve.hpp"
 #include "lattice/needs.hpp"
 #include "solver/cpu/kernel_tables.hpp"
@@ -54,9 +56,12 @@ Engine<Real>::Engine(const Lattice& lattice, const EngineOptions& options, Threa
       next_threshold_(features_.history ? layout_.size() : 0, nodes_.min_threshold),
       kernel_(find_kernel<Real>(options.set, options.arithmetic, features_)),
       threads_(std::move(threads)),
+      slab_(options.slab),
+      halo_(slab_, layout_, reach_, tile_rows_),
       tasks_(share_out(tile_rows_, threads_.count())),
       scratch_(static_cast<std::size_t>(threads_.count()),
                Scratch<Real>(layout_.groups() * NodeLayout::group, reach_, linear_range_ > 0)) {
+  if (!slab_.is_whole()) share_out_slab();
   const auto on_row = [](const BondClass<Real>& k) { return k.rows == 0; };
   first_on_row_ = static_cast<int>(std::ranges::find_if(classes_, on_row) - classes_.begin());
   const auto tiles = (tile_rows_.size() - 1) * static_cast<std::size_t>(layout_.groups());
@@ -116,10 +121,12 @@ void Engine<Real>::set_actions(const Actions& actions) {
 
 template <class Real>
 double Engine<Real>::prescribed_work() const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < prescribed_.size(); ++k)
-    sum += prescribed_inertia_[k] * static_cast<double>(prescribed_[k].work);
-  return sum;
+  RowSum sum(slab_);
+  for (int j = slab_.begin(); j < slab_.end(layout_.ny); ++j)
+    for (auto k = prescribed_of_row_[static_cast<std::size_t>(j)];
+         k < prescribed_of_row_[static_cast<std::size_t>(j) + 1]; ++k)
+      sum.add(j, prescribed_inertia_[k] * static_cast<double>(prescribed_[k].work));
+  return sum.value();
 }
 
 template <class Real>
@@ -261,11 +268,88 @@ void Engine<Real>::let_write(KernelData<Real>& data, Motion<Real>& motion) {
 }
 
 template <class Real>
-void Engine<Real>::advance(const KernelData<Real>& data) {
-  threads_.for_tasks(static_cast<int>(tasks_.size()), [&](int task, int thread) {
+void Engine<Real>::advance(const KernelData<Real>& data, std::span<const Rows> tasks) {
+  threads_.for_tasks(static_cast<int>(tasks.size()), [&](int task, int thread) {
     kernel_.advance(data, scratch_[static_cast<std::size_t>(thread)],
-                    tasks_[static_cast<std::size_t>(task)]);
+                    tasks[static_cast<std::size_t>(task)]);
   });
+}
+
+// The rows at both ends are tasks of their own, so that they can be sent while the rest moves.
+template <class Real>
+void Engine<Real>::share_out_slab() {
+  all_tasks_ = share_out(tile_rows_, threads_.count());
+  tasks_.clear();
+  std::vector<int> inner;
+  for (std::size_t t = 0; t + 1 < tile_rows_.size(); ++t) {
+    const Rows rows{tile_rows_[t], tile_rows_[t + 1]};
+    if (!slab_.owns(rows.begin)) continue;
+    if (halo_.is_needed(rows.begin, rows.end)) {
+      tasks_.push_back(rows);
+      continue;
+    }
+    if (inner.empty()) inner.push_back(rows.begin);
+    inner.push_back(rows.end);
+  }
+  awaited_tasks_ = tasks_.size();
+  if (inner.empty()) return;
+  const std::vector<Rows> rest = share_out(inner, threads_.count());
+  tasks_.insert(tasks_.end(), rest.begin(), rest.end());
+}
+
+// Differences across the borders of tasks belong to the tiles on both sides.
+template <class Real>
+void Engine<Real>::join(const KernelData<Real>& data) {
+  for (const Rows& task : tasks_)
+    if (task.begin > 0) kernel_.join(data, task.begin);
+  const int end = slab_.end(layout_.ny);
+  if (end < layout_.ny) kernel_.join(data, end);
+}
+
+template <class Real>
+void Engine<Real>::advance_slab(const KernelData<Real>& data) {
+  const std::span tasks(tasks_);
+  {
+    const Stopwatch watch(busy_seconds_);
+    advance(data, tasks.first(awaited_tasks_));
+  }
+  halo_.begin({&next_ux_, &next_uy_, &next_threshold_});
+  {
+    const Stopwatch watch(busy_seconds_);
+    advance(data, tasks.subspan(awaited_tasks_));
+  }
+  halo_.end();
+  join(data);
+  halo_.exchange(next_range_);
+}
+
+// Rows at rest take less time than those that break: rows change hands where the slowest rank takes
+// much longer than the mean. It costs about as much as a step, and changes no bit.
+template <class Real>
+void Engine<Real>::balance(State& state) {
+  constexpr int steps_between = 256;
+  constexpr double worth_it = 1.1;
+  if (slab_.is_whole() || ++steps_since_ < steps_between) return;
+  steps_since_ = 0;
+  const std::vector<double> own{std::exchange(busy_seconds_, 0.0)};
+  const auto seconds = slab_.ranks->gather(bytes_to_send(own)).template as<double>();
+  const double mean = std::accumulate(seconds.begin(), seconds.end(), 0.0) / slab_.ranks->count();
+  if (std::ranges::max(seconds) < worth_it * mean) return;
+  std::vector<int> begins = slabs_of_equal_cost(slab_, tile_rows_, seconds);
+  if (begins == slab_.begins) return;
+  complete(state);
+  slab_.begins = std::move(begins);
+  halo_ = Halo<Real>(slab_, layout_, reach_, tile_rows_);
+  share_out_slab();
+}
+
+template <class Real>
+void Engine<Real>::complete(State& state) {
+  if (slab_.is_whole()) return;
+  auto& motion = std::get<Motion<Real>>(state.motion);
+  for (auto* values : {&motion.ux, &motion.uy, &motion.vx, &motion.vy}) halo_.complete(*values);
+  if (features_.history) halo_.complete(motion.threshold);
+  halo_.complete(range_);
 }
 
 template <class Real>
@@ -275,13 +359,18 @@ void Engine<Real>::step(const Lattice& lattice, State& state, double kick) {
   data.kick = static_cast<Real>(kick);
   let_write(data, motion);
   let_prescribe(data);
-  advance(data);
-  for (std::size_t task = 1; task < tasks_.size(); ++task) kernel_.join(data, tasks_[task].begin);
+  if (slab_.is_whole()) {
+    advance(data, tasks_);
+    join(data);
+  } else {
+    advance_slab(data);
+  }
   break_bonds(state.bonds);
   std::swap(motion.ux, next_ux_);
   std::swap(motion.uy, next_uy_);
   if (features_.history) std::swap(motion.threshold, next_threshold_);
   std::swap(range_, next_range_);
+  balance(state);
 }
 
 // A bond is kept in the row of its lower end, but tasks above also read it: bonds are broken after
@@ -290,21 +379,29 @@ void Engine<Real>::step(const Lattice& lattice, State& state, double kick) {
 template <class Real>
 void Engine<Real>::break_bonds(BondBits& bonds) {
   broken_bonds_.clear();
+  for (const BrokenBond& broken : found_broken()) {
+    const int bond = 32 * broken.word + std::countr_zero(broken.bit);
+    if (!bonds.holds(broken.at, bond)) continue;
+    bonds.clear(broken.at, bond);
+    broken_bonds_.push_back(broken);
+    const auto here = static_cast<std::size_t>(tile_of(broken.at));
+    const auto there = static_cast<std::size_t>(
+        tile_of(broken.at + bond_offsets_[static_cast<std::size_t>(bond)]));
+    intact_[here] = complete_[here] = complete_[there] = 0;
+  }
+}
+
+// Of all threads and ranks.
+template <class Real>
+std::vector<BrokenBond> Engine<Real>::found_broken() {
+  std::vector<BrokenBond> found;
   for (Scratch<Real>& scratch : scratch_) {
-    for (const BrokenBond& broken : scratch.broken_bonds) {
-      const int bond = 32 * broken.word + std::countr_zero(broken.bit);
-      if (!bonds.holds(broken.at, bond)) continue;
-      bonds.clear(broken.at, bond);
-      broken_bonds_.push_back(broken);
-      const auto here = static_cast<std::size_t>(tile_of(broken.at));
-      const auto there = static_cast<std::size_t>(
-          tile_of(broken.at + bond_offsets_[static_cast<std::size_t>(bond)]));
-      intact_[here] = complete_[here] = complete_[there] = 0;
-    }
+    found.insert(found.end(), scratch.broken_bonds.begin(), scratch.broken_bonds.end());
     scratch.broken_bonds.clear();
     for (std::size_t path = 0; path < path_counts_.size(); ++path)
       path_counts_[path] += std::exchange(scratch.counts[path], 0);
   }
+  return slab_.is_whole() ? found : halo_.all_of(found);
 }
 
 template <class Real>
@@ -313,7 +410,7 @@ std::vector<Vec2> Engine<Real>::accelerations(const Lattice& lattice, const Stat
   KernelData<Real> data = tables(lattice, std::get<Motion<Real>>(state.motion), state);
   data.ax = ax.data();
   data.ay = ay.data();
-  advance(data);
+  advance(data, slab_.is_whole() ? tasks_ : all_tasks_);
   std::vector<Vec2> result(lattice.grid.nodes());
   for (int j = 0; j < layout_.ny; ++j)
     for (int i = 0; i < layout_.nx; ++i) {

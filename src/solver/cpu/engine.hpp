@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "solver/cpu/halo.hpp"
 #include "solver/cpu/kernel.hpp"
 #include "solver/cpu/node_tables.hpp"
 #include "solver/cpu/scratch.hpp"
@@ -22,6 +24,7 @@ struct EngineOptions {
   Breaking breaking = Breaking::at_once;
   InstructionSet set = InstructionSet::baseline;
   Arithmetic arithmetic = Arithmetic::plain;
+  Slab slab;  // the rows that are moved here
 };
 
 template <class Real>
@@ -35,6 +38,8 @@ class Engine final : public Stepper {
   void set_heat(const Lattice& lattice, const std::vector<double>& strain) override;
   void step(const Lattice& lattice, State& state, double kick) override;
   std::vector<Vec2> accelerations(const Lattice& lattice, const State& state) override;
+  const Slab& slab() const override { return slab_; }
+  void complete(State& state) override;
   double prescribed_work() const override;
   const std::vector<BrokenBond>& broken_bonds() const override { return broken_bonds_; }
   void note_broken_bonds(std::vector<BrokenBond> broken_bonds) override {
@@ -48,7 +53,12 @@ class Engine final : public Stepper {
                           const State& state) const;
   void let_write(KernelData<Real>& data, Motion<Real>& motion);
   void let_prescribe(KernelData<Real>& data);
-  void advance(const KernelData<Real>& data);
+  void advance(const KernelData<Real>& data, std::span<const Rows> tasks);
+  void advance_slab(const KernelData<Real>& data);
+  void join(const KernelData<Real>& data);
+  void share_out_slab();
+  void balance(State& state);
+  std::vector<BrokenBond> found_broken();
   Values<Real> thresholds_of(const Lattice& lattice, const State& state) const;
   void survey(const Lattice& lattice, Motion<Real>& motion, const State& state);
   void find_intact(const Lattice& lattice, const BondBits& bonds);
@@ -85,7 +95,13 @@ class Engine final : public Stepper {
 
   Kernel<Real> kernel_;
   Threads threads_;
-  std::vector<Rows> tasks_;
+  Slab slab_;
+  Halo<Real> halo_;
+  std::vector<Rows> tasks_;      // of the slab; first those that other ranks wait for
+  std::vector<Rows> all_tasks_;  // of the plate, where the slab is less
+  std::size_t awaited_tasks_ = 0;
+  double busy_seconds_ = 0.0;  // of this rank since its rows were last weighed
+  int steps_since_ = 0;
   std::vector<Scratch<Real>> scratch_;  // one per thread
   std::vector<BrokenBond> broken_bonds_;
   PathCounts path_counts_{};

@@ -95,6 +95,8 @@ class AbsorbingEdges final : public Term {
   std::span<const LoadedNode> forces() const override { return forces_; }
   std::span<const LoadedNode> drag() const override { return forces_; }
   bool varies() const override { return true; }
+  bool resists() const override { return true; }
+  bool keeps_to_rows() const override { return true; }
 
   // Nodes at rest are left out: tiles that nothing has reached stay still.
   bool update(const Surroundings& around, State& state) override {
@@ -102,6 +104,7 @@ class AbsorbingEdges final : public Term {
     const bool acted = !forces_.empty();
     forces_.clear();
     for (const Dashpot& dashpot : dashpots_) {
+      if (!around.slab.owns(dashpot.j)) continue;
       const Vec2 v = state.v(dashpot.i, dashpot.j);
       if (!v.isZero(0.0))
         forces_.push_back(

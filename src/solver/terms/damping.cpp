@@ -43,31 +43,44 @@ Damping::Damping(double x) {
   last = x / -std::expm1(-2.0 * x) - 0.5 * keep;
 }
 
-double free_motion(const Lattice& lattice, std::span<const PrescribedNode> prescribed,
-                   const Threads& threads, const State& state) {
-  std::vector<double> of_row(static_cast<std::size_t>(lattice.grid.ny));
+namespace {
+
+// Calls work(j) for the rows of the slab.
+template <class Work>
+void for_own_rows(const Surroundings& around, const Work& work) {
+  const int begin = around.slab.begin(), end = around.slab.end(around.lattice.grid.ny);
+  for_rows(around.threads, end - begin, [&](int row) { work(begin + row); });
+}
+
+}  // namespace
+
+double free_motion(const Surroundings& around, std::span<const PrescribedNode> prescribed,
+                   const State& state) {
+  std::vector<double> of_row(static_cast<std::size_t>(around.lattice.grid.ny));
   std::visit(
       [&](const auto& motion) {
-        for_rows(threads, lattice.grid.ny, [&](int j) {
-          of_row[static_cast<std::size_t>(j)] = square_of_row(lattice, j, motion);
+        for_own_rows(around, [&](int j) {
+          of_row[static_cast<std::size_t>(j)] = square_of_row(around.lattice, j, motion);
         });
       },
       state.motion);
-  double sum = std::accumulate(of_row.begin(), of_row.end(), 0.0);
+  complete_rows(around.slab, of_row);
+  RowSum led(around.slab);
   for (const PrescribedNode& node : prescribed)
-    sum -= node.inertia * prescribed_part(node, state.v(node.i, node.j)).squaredNorm();
-  return std::max(sum, 0.0);
+    if (around.slab.owns(node.j))
+      led.add(node.j, node.inertia * prescribed_part(node, state.v(node.i, node.j)).squaredNorm());
+  return std::max(std::accumulate(of_row.begin(), of_row.end(), 0.0) - led.value(), 0.0);
 }
 
-void damp(const Lattice& lattice, std::span<const PrescribedNode> prescribed, double keep,
-          const Threads& threads, State& state) {
+void damp(const Surroundings& around, std::span<const PrescribedNode> prescribed, double keep,
+          State& state) {
   std::vector<Vec2> before;
   before.reserve(prescribed.size());
   for (const PrescribedNode& node : prescribed) before.push_back(state.v(node.i, node.j));
   std::visit(
       [&]<class Real>(Motion<Real>& motion) {
-        const Grid& grid = lattice.grid;
-        for_rows(threads, grid.ny, [&](int j) {
+        const Grid& grid = around.lattice.grid;
+        for_own_rows(around, [&](int j) {
           const auto at = static_cast<std::size_t>(grid.layout().at(0, j));
           for (std::size_t n = at; n < at + static_cast<std::size_t>(grid.nx); ++n) {
             motion.vx[n] *= static_cast<Real>(keep);
@@ -100,23 +113,21 @@ double ViscousDamping::before_step(const Surroundings& around, State& state, dou
   const Damping step(rate_ * around.dt), half(0.5 * rate_ * around.dt);
   const std::span<const PrescribedNode> prescribed = prescribed_in(around);
   const bool starts = state.is_start();
-  state.damped += (starts ? step.first : step.loss) *
-                  free_motion(around.lattice, prescribed, around.threads, state);
-  damp(around.lattice, prescribed, starts ? half.keep : step.keep, around.threads, state);
+  state.damped += (starts ? step.first : step.loss) * free_motion(around, prescribed, state);
+  damp(around, prescribed, starts ? half.keep : step.keep, state);
   return kick * (starts ? half.yield : step.yield);
 }
 
 void ViscousDamping::add_open(const Surroundings& around, const State& state,
                               Ledger& ledger) const {
   if (state.is_start()) return;
-  ledger.damped += Damping(rate_ * around.dt).last *
-                   free_motion(around.lattice, prescribed_in(around), around.threads, state);
+  ledger.damped +=
+      Damping(rate_ * around.dt).last * free_motion(around, prescribed_in(around), state);
 }
 
 double ViscousDamping::lost_in_half_step(const Surroundings& around, const State& state) const {
   if (state.is_start()) return 0.0;
-  return 0.5 * Damping(rate_ * around.dt).loss *
-         free_motion(around.lattice, prescribed_in(around), around.threads, state);
+  return 0.5 * Damping(rate_ * around.dt).loss * free_motion(around, prescribed_in(around), state);
 }
 
 }  // namespace hackle

@@ -30,12 +30,12 @@ struct Damping {
 
 // Computes the sum of v^2 over all free components, weighted by the density relative to that of the
 // plate's own material. The bits are the same for any number of threads.
-double free_motion(const Lattice& lattice, std::span<const PrescribedNode> prescribed,
-                   const Threads& threads, const State& state);
+double free_motion(const Surroundings& around, std::span<const PrescribedNode> prescribed,
+                   const State& state);
 
 // Multiplies every free velocity component by `keep`.
-void damp(const Lattice& lattice, std::span<const PrescribedNode> prescribed, double keep,
-          const Threads& threads, State& state);
+void damp(const Surroundings& around, std::span<const PrescribedNode> prescribed, double keep,
+          State& state);
 
 class ViscousDamping final : public Term {
  public:
@@ -43,6 +43,7 @@ class ViscousDamping final : public Term {
 
   std::unique_ptr<Term> clone() const override { return std::make_unique<ViscousDamping>(*this); }
   std::string_view name() const override { return "damping"; }
+  bool keeps_to_rows() const override { return true; }
   // Damps v from its own time to the middle of the next step (src/solver/README.md 3.7).
   double before_step(const Surroundings& around, State& state, double kick) override;
   void add_open(const Surroundings& around, const State& state, Ledger& ledger) const override;

@@ -96,8 +96,11 @@ void add_work_of(std::span<const LoadedNode> forces, const Surroundings& around,
   // From m/s2 to lattice units.
   const double unit =
       (part == WorkOf::whole_step ? 1.0 : 0.5) * around.dt * around.dt / around.lattice.grid.dx;
+  RowSum sum(around.slab, work);
   for (const LoadedNode& load : forces)
-    work += load.inertia * unit * load.acceleration.dot(state.v(load.i, load.j));
+    if (around.slab.owns(load.j))
+      sum.add(load.j, load.inertia * unit * load.acceleration.dot(state.v(load.i, load.j)));
+  work = sum.value();
 }
 
 }  // namespace hackle

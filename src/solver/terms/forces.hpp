@@ -19,6 +19,7 @@ class Forces final : public Term {
   std::string_view name() const override { return varies_ ? "varying loads" : ""; }
   void tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt) override;
   void begin(const Surroundings&, State&) override { fresh_ = true; }
+  bool keeps_to_rows() const override { return true; }
   bool update(const Surroundings& around, State& state) override;
   std::span<const LoadedNode> forces() const override { return forces_; }
   bool varies() const override { return varies_; }

@@ -82,6 +82,7 @@ class Springs final : public Term {
   std::string_view name() const override { return "foundation"; }
   std::span<const LoadedNode> forces() const override { return forces_; }
   bool varies() const override { return true; }
+  bool keeps_to_rows() const override { return true; }
 
   bool update(const Surroundings&, State& state) override {
     for (std::size_t k = 0; k < springs_.size(); ++k) {

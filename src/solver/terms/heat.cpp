@@ -32,8 +32,8 @@ void Heat::add_open(const Surroundings& around, const State& state, Ledger& ledg
 
 double work_of_heating(const Surroundings& around, const State& state,
                        const std::vector<double>& before, const std::vector<double>& after) {
-  double work =
-      heat_work(around.lattice, state, before, after, around.threads) / around.energy_unit();
+  double work = heat_work(around.lattice, state, before, after, around.threads, around.slab) /
+                around.energy_unit();
   for (const Cloned<Term>& term : around.terms) work += term->heat_work(before, after);
   return work;
 }

@@ -22,6 +22,7 @@ class Heat final : public Term {
   void begin(const Surroundings& around, State& state) override {
     strain_.update(around.lattice, state);
   }
+  bool keeps_to_rows() const override { return true; }
   double before_step(const Surroundings& around, State& state, double kick) override;
   void follow(const Surroundings& around, State& state) override;
   const std::vector<double>* thermal_strain() const override { return &strain_.values(); }

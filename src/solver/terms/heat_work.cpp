@@ -57,13 +57,15 @@ void add_row(const Lattice& lattice, const Motion<Real>& motion, const std::uint
 }  // namespace
 
 double heat_work(const Lattice& lattice, const State& state, const std::vector<double>& before,
-                 const std::vector<double>& after, const Threads& threads) {
+                 const std::vector<double>& after, const Threads& threads, const Slab& slab) {
   const NodeValues values = node_values(lattice, before, after);
   const Grid& grid = lattice.grid;
   std::vector<double> of_row(static_cast<std::size_t>(grid.ny));
   std::visit(
       [&](const auto& motion) {
-        threads.for_tasks(grid.ny, [&](int j, int) {
+        const int begin = slab.begin();
+        threads.for_tasks(slab.end(grid.ny) - begin, [&](int row, int) {
+          const int j = begin + row;
           std::vector<double> sums(static_cast<std::size_t>(grid.nx));
           lattice.family.for_each_bond([&](int a, int b, const Vec2& xi, double weight, int bit) {
             if (j + b >= grid.ny) return;
@@ -75,6 +77,7 @@ double heat_work(const Lattice& lattice, const State& state, const std::vector<d
         });
       },
       state.motion);
+  complete_rows(slab, of_row);
   // Half from the micropotential; V^2 |xi| is dx^5.
   return 0.5 * std::pow(grid.dx, 5) * std::accumulate(of_row.begin(), of_row.end(), 0.0);
 }

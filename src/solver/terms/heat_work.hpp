@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lattice/lattice.hpp"
+#include "solver/slab.hpp"
 #include "solver/state.hpp"
 #include "solver/threads.hpp"
 
@@ -14,6 +15,6 @@ namespace hackle {
 // they stay in place, J per metre of thickness. `before` and `after` are by Grid::index; empty
 // means 0. The bits are the same for any number of threads.
 double heat_work(const Lattice& lattice, const State& state, const std::vector<double>& before,
-                 const std::vector<double>& after, const Threads& threads);
+                 const std::vector<double>& after, const Threads& threads, const Slab& slab = {});
 
 }  // namespace hackle

@@ -20,6 +20,7 @@ class Supports final : public Term {
   std::unique_ptr<Term> clone() const override { return std::make_unique<Supports>(*this); }
   std::string_view name() const override { return "varying loads"; }
   void tabulate(const Clock& clock, std::int64_t begin, std::int64_t end, double dt) override;
+  bool keeps_to_rows() const override { return true; }
   bool update(const Surroundings& around, State& state) override;
   std::span<const PrescribedNode> prescribed() const override { return prescribed_; }
   bool varies() const override { return true; }

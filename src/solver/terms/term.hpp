@@ -17,6 +17,7 @@
 #include "solver/cloned.hpp"
 #include "solver/ledger.hpp"
 #include "solver/reaction.hpp"
+#include "solver/slab.hpp"
 #include "solver/state.hpp"
 #include "solver/stepper.hpp"
 #include "solver/threads.hpp"
@@ -33,6 +34,7 @@ struct Surroundings {
   Stepper& stepper;
   std::span<const Cloned<Term>> terms;  // all of the plate, in their order
   const std::vector<double>& heat;      // thermal strain by Grid::index; empty where it is 0
+  const Slab& slab;                     // the rows whose nodes it concerns
 
   // J/m: rho dx^4/dt^2, the mass of a node times (dx/dt)^2.
   double energy_unit() const {
@@ -57,6 +59,9 @@ class Term {
 
   // Takes up a state that is not the one of the last step, before anything else is asked.
   virtual void begin(const Surroundings&, State&) {}
+  // Whether in steps it looks only at nodes of the slab and of the rows within reach of it, and
+  // sums by RowSum. Where a term does not, every rank of a plate gets all nodes after every step.
+  virtual bool keeps_to_rows() const { return false; }
   // Before a step: what acts on the velocities. Gives back the kick of the step: what an
   // acceleration does to v, in steps.
   virtual double before_step(const Surroundings&, State&, double kick) { return kick; }
@@ -76,6 +81,8 @@ class Term {
   // The part of its forces that resists motion and only takes energy, likewise: Terms books its
   // work as damped. A term that has one varies().
   virtual std::span<const LoadedNode> drag() const { return {}; }
+  // Whether it has some on any rank.
+  virtual bool resists() const { return !drag().empty(); }
   // Adds the work that its other forces do in a step, of which `state` is the end, in units of rho
   // dx^4/dt^2, here as below.
   virtual void add_work(const Surroundings&, const State&, WorkOf, double&) const {}
