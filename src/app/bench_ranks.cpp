@@ -23,7 +23,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int steps = 300, exchanges = 200;
+constexpr int rank_steps = 300, exchanges = 200;
+constexpr int most_ranks = 4096;
 constexpr Configuration configuration{.name = "f32", .precision = Precision::f32};
 
 // Networks of clusters by their makers' figures: a message between two nodes, and a lane of it.
@@ -87,7 +88,7 @@ Network network_of(Ranks& ranks) {
 
 double seconds_of_step(const BenchDeck& deck, const Execution& execution) {
   Simulation simulation(deck.plate, deck.numerics, execution);
-  const double duration = steps * simulation.dt();
+  const double duration = rank_steps * simulation.dt();
   return seconds_of([&] { simulation.run(duration); }) /
          static_cast<double>(simulation.state().step);
 }
@@ -113,8 +114,8 @@ Measured measure_together(const BenchRequest& request, Ranks& ranks) {
     const Traffic before = ranks.traffic();
     together.push_back(seconds_of_step(deck, shared));
     const Traffic after = ranks.traffic();
-    measured.messages = static_cast<double>(after.messages - before.messages) / steps;
-    measured.bytes = static_cast<double>(after.bytes - before.bytes) / steps;
+    measured.messages = static_cast<double>(after.messages - before.messages) / rank_steps;
+    measured.bytes = static_cast<double>(after.bytes - before.bytes) / rank_steps;
     if (ranks.leads()) alone.push_back(seconds_of_step(deck, execution));
     ranks.any(0);  // the others wait
   }
@@ -139,11 +140,11 @@ Json expectations(const SharedPlate& here) {
   Json list = Json::array();
   for (const Network& network : networks)
     for (const double nodes : {1e8, 1e9})
-      for (const int ranks : {16, 64, 256, 1024, 4096}) {
+      for (const int ranks : {16, 64, 256, 1024, most_ranks}) {
         SharedPlate plate = here;
         plate.columns = plate.rows = std::sqrt(nodes);
         SharedPlate of_one = plate;
-        of_one.rows /= ranks;
+        of_one.rows /= most_ranks;  // a rank keeps what it has of the plate on the most of them
         list.push_back({{"network", network.name},
                         {"nodes", nodes},
                         {"ranks", ranks},

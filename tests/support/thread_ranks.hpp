@@ -16,7 +16,7 @@
 
 #include "base/ranks/ranks.hpp"
 
-namespace hackle::testing {
+namespace hackle::test {
 
 class ThreadRanks {
  public:
@@ -136,4 +136,4 @@ class ThreadRanks {
   std::barrier<> meeting_;
 };
 
-}  // namespace hackle::testing
+}  // namespace hackle::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ranks of MPI. The only source that knows it: a module, see mpi_module.hpp.
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -7,7 +8,9 @@
 #include <cstdlib>
 #include <mutex>
 #include <numeric>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <mpi.h>
 
@@ -23,19 +26,53 @@ int number_of_bytes(std::size_t count) {
       count);  // no message of ours comes near 2 GB: rows are a type of their own
 }
 
+// Asks the ranks who is there: those that wait too long ask at about the same time. On a
+// communicator of its own, by a thread of its own.
+class RollCall {
+ public:
+  RollCall() {
+    MPI_Comm_dup(MPI_COMM_WORLD, &ranks_);
+    MPI_Comm_rank(ranks_, &rank_);
+    MPI_Comm_size(ranks_, &count_);
+  }
+
+  int rank() const { return rank_; }
+  // Returns those that have not answered after some seconds.
+  std::vector<int> missing(double seconds) const {
+    std::vector<char> heard(static_cast<std::size_t>(count_));
+    std::vector<MPI_Request> answers, calls;
+    const char here = 1;
+    for (int other = 0; other < count_; ++other) {
+      if (other == rank_) continue;
+      MPI_Irecv(&heard[static_cast<std::size_t>(other)], 1, MPI_CHAR, other, 0, ranks_,
+                &answers.emplace_back());
+      MPI_Isend(&here, 1, MPI_CHAR, other, 0, ranks_, &calls.emplace_back());
+    }
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    for (int all = 0; all == 0 && Clock::now() < end;) {
+      MPI_Testall(static_cast<int>(answers.size()), answers.data(), &all, MPI_STATUSES_IGNORE);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    std::vector<int> list;
+    for (int other = 0; other < count_; ++other)
+      if (other != rank_ && heard[static_cast<std::size_t>(other)] == 0) list.push_back(other);
+    return list;
+  }
+
+ private:
+  MPI_Comm ranks_ = MPI_COMM_NULL;
+  int rank_ = 0, count_ = 0;
+};
+
 // Ends this process when a call has waited too long. MPI then ends the others.
 class Watchdog {
  public:
-  Watchdog(double patience, int rank) : patience_(patience), rank_(rank) {
+  explicit Watchdog(double patience) : patience_(patience) {
     if (patience > 0.0)
       thread_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
   }
 
-  void begin(int expected) {
-    expected_ = expected;
-    since_ = Clock::now().time_since_epoch().count();
-  }
-  void expect(int rank) { expected_ = rank; }
+  void begin() { since_ = Clock::now().time_since_epoch().count(); }
   void end() { since_ = 0; }
 
  private:
@@ -50,26 +87,21 @@ class Watchdog {
     }
   }
 
+  // Others may come a little later to the same end.
   [[noreturn]] void give_up() const {
-    const int expected = expected_;
-    if (expected >= 0)
-      std::fprintf(stderr,
-                   "hackle: error: rank %d has waited %g s for rank %d, which hangs, swaps or has "
-                   "diverged\n",
-                   rank_, patience_, expected);
-    else
-      std::fprintf(
-          stderr,
-          "hackle: error: rank %d has waited %g s for the other ranks, of which one hangs, "
-          "swaps or has diverged\n",
-          rank_, patience_);
+    const std::vector<int> missing = roll_call_.missing(std::min(2.0, patience_));
+    std::string who;
+    for (const int rank : missing) who += (who.empty() ? "rank " : ", ") + std::to_string(rank);
+    std::fprintf(stderr, "hackle: error: rank %d has waited %g s for %s, which %s\n",
+                 roll_call_.rank(), patience_, who.empty() ? "a call of others" : who.c_str(),
+                 who.empty() ? "make another one: the script has diverged"
+                             : "hangs or swaps, or computes something else");
     std::_Exit(1);
   }
 
+  RollCall roll_call_;
   double patience_;
-  int rank_;
   std::atomic<Clock::rep> since_{0};
-  std::atomic<int> expected_{-1};  // the rank that is waited for; -1: all
   std::mutex mutex_;
   std::condition_variable_any wakes_;
   std::jthread thread_;  // last, so that it ends first
@@ -78,7 +110,7 @@ class Watchdog {
 class MpiRanks final : public Ranks {
  public:
   explicit MpiRanks(double patience)
-      : rank_(number(MPI_Comm_rank)), count_(number(MPI_Comm_size)), watchdog_(patience, rank_) {
+      : rank_(number(MPI_Comm_rank)), count_(number(MPI_Comm_size)), watchdog_(patience) {
     MPI_Comm_dup(MPI_COMM_WORLD, &farewell_);
   }
 
@@ -87,32 +119,20 @@ class MpiRanks final : public Ranks {
 
   void begin_exchange(std::span<const Outgoing> sent, std::span<const Incoming> received) override {
     requests_.clear();
-    from_.clear();
     for (const Incoming& message : received) {
       MPI_Irecv(message.bytes.data(), number_of_bytes(message.bytes.size()), MPI_BYTE, message.from,
                 0, MPI_COMM_WORLD, &requests_.emplace_back());
-      from_.push_back(message.from);
     }
     for (const Outgoing& message : sent) {
       MPI_Isend(message.bytes.data(), number_of_bytes(message.bytes.size()), MPI_BYTE, message.to,
                 0, MPI_COMM_WORLD, &requests_.emplace_back());
-      from_.push_back(message.to);
       count_in(message.bytes.size());
     }
   }
 
   void end_exchange() override {
-    watchdog_.begin(-1);
-    for (std::size_t open = requests_.size(); open > 0; --open) {
-      for (std::size_t k = 0; k < requests_.size(); ++k)
-        if (requests_[k] != MPI_REQUEST_NULL) {
-          watchdog_.expect(from_[k]);
-          break;
-        }
-      int index = 0;
-      MPI_Waitany(static_cast<int>(requests_.size()), requests_.data(), &index, MPI_STATUS_IGNORE);
-    }
-    watchdog_.end();
+    const Waiting waiting(watchdog_);
+    MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
   }
 
   Gathered gather(std::span<const std::byte> own) override {
@@ -187,7 +207,7 @@ class MpiRanks final : public Ranks {
  private:
   class Waiting {
    public:
-    explicit Waiting(Watchdog& watchdog) : watchdog_(watchdog) { watchdog_.begin(-1); }
+    explicit Waiting(Watchdog& watchdog) : watchdog_(watchdog) { watchdog_.begin(); }
     ~Waiting() { watchdog_.end(); }
     Waiting(const Waiting&) = delete;
     Waiting& operator=(const Waiting&) = delete;
@@ -210,7 +230,6 @@ class MpiRanks final : public Ranks {
   MPI_Comm farewell_ = MPI_COMM_NULL;
   Watchdog watchdog_;
   std::vector<MPI_Request> requests_;
-  std::vector<int> from_;  // the other end of each
   Traffic traffic_;
 };
 
@@ -221,7 +240,7 @@ extern "C" hackle::Ranks* hackle_mpi_ranks(double patience);
 
 extern "C" hackle::Ranks* hackle_mpi_ranks(double patience) {
   int provided = 0;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_MULTIPLE, &provided);
   static hackle::MpiRanks ranks(patience);
   std::atexit([] { MPI_Finalize(); });
   return &ranks;

@@ -10,8 +10,8 @@
 namespace hackle {
 namespace {
 
-using testing::ThreadRanks;
-using ::testing::HasSubstr;
+using test::ThreadRanks;
+using testing::HasSubstr;
 
 std::string problem_of(CallWatch& watch) {
   try {

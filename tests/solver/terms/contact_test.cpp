@@ -157,7 +157,8 @@ void expect_agreement(const Simulation& simulation) {
   const std::unique_ptr<Stepper> stepper =
       make_engine(state.precision(), simulation.lattice(), {.dt = simulation.dt()}, threads);
   const std::vector<double> cold;
-  const Surroundings around{simulation.lattice(), simulation.dt(), threads, *stepper, {}, cold};
+  const Surroundings around{
+      simulation.lattice(), simulation.dt(), threads, *stepper, {}, cold, undivided};
   contact.begin(around, state);
   contact.update(around, state);
   expect_forces(contact.forces(), wanted, simulation);
