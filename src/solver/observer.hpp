@@ -20,6 +20,8 @@ class Observer {
   // The time at which it wants to see it when it is due, s: no more than a step ago.
   virtual double moment(const Simulation& simulation);
   virtual void observe(const Simulation& simulation) = 0;
+  // Whether it looks at nodes then: for others, ranks need not gather those of the whole plate.
+  virtual bool looks_at_nodes() const { return true; }
   // What a user should know about when it looks on; may be empty.
   virtual std::string remark() const { return {}; }
 };

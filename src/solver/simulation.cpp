@@ -53,7 +53,7 @@ class Simulation::Audience {
     bool looks = false;
     for (std::size_t k = 0; k < observers_.size(); ++k) {
       due_[k] = step >= next_[k] && observers_[k]->due(simulation);
-      looks = looks || due_[k];
+      looks = looks || (due_[k] && observers_[k]->looks_at_nodes());
     }
     if (simulation.plate_.holds_for_any(looks)) simulation.plate_.complete();
     for (std::size_t k = 0; k < observers_.size(); ++k) {
@@ -71,7 +71,7 @@ class Simulation::Audience {
 
  private:
   static void show(Simulation& simulation, Observer& observer) {
-    simulation.check_finite();
+    if (observer.looks_at_nodes()) simulation.check_finite();
     simulation.show(observer.moment(simulation));
     observer.observe(simulation);
     simulation.seen_at_.reset();

@@ -15,7 +15,7 @@
 namespace hackle {
 namespace {
 
-// Set by Open MPI, by launchers of PMI (MPICH, Slurm's srun --mpi=pmi2) and by PMIx.
+// Set by Open MPI and by launchers of PMI (MPICH, srun --mpi=pmi2).
 constexpr std::array sizes{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"};
 
 int number_in(const char* variable) {
@@ -30,6 +30,8 @@ std::filesystem::path module_path() {
 }  // namespace
 
 bool is_started_by_mpi() {
+  // Slurm's own tasks are none of MPI unless it speaks PMIx to them (srun --mpi=pmix).
+  if (std::getenv("PMIX_RANK") != nullptr && number_in("SLURM_NTASKS") > 1) return true;
   return std::ranges::any_of(sizes, [](const char* name) { return number_in(name) > 1; });
 }
 

@@ -20,6 +20,7 @@ class ProgressObserver : public Observer {
 
   bool due(const Simulation& simulation) override { return progress_.due(fraction(simulation)); }
   void observe(const Simulation& simulation) override;
+  bool looks_at_nodes() const override { return false; }
 
  private:
   double fraction(const Simulation& simulation) const;
