@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench_deck.hpp"
-#include "app/company.hpp"
 #include "base/machine.hpp"
+#include "base/ranks/launcher.hpp"
 #include "base/stopwatch.hpp"
 #include "base/streams.hpp"
 #include "base/units.hpp"
@@ -105,7 +105,7 @@ struct Measured {
 Measured measure_together(const BenchRequest& request, Ranks& ranks) {
   const BenchDeck deck = bench_deck(configuration, request.nodes);
   Execution execution = request.execution;
-  if (execution.threads == 0) execution.threads = threads_of_rank();
+  if (execution.threads == 0) execution.threads = share_of_cores(this_launcher());
   Execution shared = execution;
   shared.ranks = &ranks;
   std::vector<double> together, alone;

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "base/machine.hpp"
+#include "base/ranks/launcher.hpp"
 
 namespace hackle {
 namespace {
@@ -61,7 +61,7 @@ Company::~Company() {
 void Company::join(ConsoleSettings& settings) const {
   settings.execution.ranks = ranks_;
   if (ranks_ != nullptr && settings.execution.threads == 0)
-    settings.execution.threads = threads_of_rank();
+    settings.execution.threads = share_of_cores(this_launcher());
   if (!follows()) return;
   settings.output_folder = folder_;
   settings.force = true;
@@ -80,15 +80,6 @@ int Company::leave(int code) const {
     ranks_->end_all(code, fmt::format("{}hackle: error: rank {} has ended, while others went on\n",
                                       said_ >= 0 ? tail_of(said_) : "", ranks_->rank()));
   return code;
-}
-
-int threads_of_rank() {
-  const int cores = available_cores();
-  const char* beside = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
-  if (beside == nullptr) beside = std::getenv("MPI_LOCALNRANKS");
-  // A rank that its launcher has bound to some cores has them to itself.
-  if (beside == nullptr || cores < sysconf(_SC_NPROCESSORS_ONLN)) return cores;
-  return std::max(cores / std::max(std::atoi(beside), 1), 1);
 }
 
 }  // namespace hackle

@@ -39,7 +39,4 @@ class Company {
   int said_ = -1;                 // the descriptor of what it would have said
 };
 
-// Returns the threads of a rank that was not told how many: its share of the cores.
-int threads_of_rank();
-
 }  // namespace hackle

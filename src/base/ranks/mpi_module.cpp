@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/ranks/mpi_module.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdlib>
 #include <filesystem>
 
 #include <dlfcn.h>
@@ -11,17 +8,10 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
+#include "base/ranks/launcher.hpp"
 
 namespace hackle {
 namespace {
-
-// Set by Open MPI and by launchers of PMI (MPICH, srun --mpi=pmi2).
-constexpr std::array sizes{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"};
-
-int number_in(const char* variable) {
-  const char* text = std::getenv(variable);
-  return text == nullptr ? 0 : std::atoi(text);
-}
 
 std::filesystem::path module_path() {
   return this_program().parent_path().parent_path() / "lib" / "hackle" / "hackle_mpi.so";
@@ -29,15 +19,9 @@ std::filesystem::path module_path() {
 
 }  // namespace
 
-bool is_started_by_mpi() {
-  // Slurm's own tasks are none of MPI unless it speaks PMIx to them (srun --mpi=pmix).
-  if (std::getenv("PMIX_RANK") != nullptr && number_in("SLURM_NTASKS") > 1) return true;
-  return std::ranges::any_of(sizes, [](const char* name) { return number_in(name) > 1; });
-}
-
 Ranks* find_ranks(double patience) {
   static Ranks* const found = [&]() -> Ranks* {
-    if (!is_started_by_mpi()) return nullptr;
+    if (this_launcher().count == 1) return nullptr;
     const std::filesystem::path path = module_path();
     // Global, since Open MPI loads parts of its own that expect its symbols.
     void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
@@ -50,7 +34,8 @@ Ranks* find_ranks(double patience) {
           fmt::format("mpirun started this program, but its part for MPI cannot be loaded: {}",
                       dlerror()),
           "build it with Open MPI installed (libopenmpi-dev), or start it without mpirun");
-    return entry(patience);
+    Ranks* ranks = entry(patience);
+    return ranks->count() > 1 ? ranks : nullptr;  // tasks of Slurm may have nothing in common
   }();
   return found;
 }

@@ -15,9 +15,6 @@ namespace hackle {
 inline constexpr const char* mpi_module_entry = "hackle_mpi_ranks";
 using MpiModuleEntry = Ranks* (*)(double patience);
 
-// Whether a launcher of MPI started this process as one of several.
-bool is_started_by_mpi();
-
 // Returns the ranks that this process is one of, or nullptr if it is alone. They live until the
 // process ends. Throws Error (refused) if the module is not installed or cannot be loaded.
 Ranks* find_ranks(double patience);
