@@ -54,6 +54,10 @@ Company::Company(Ranks* ranks) : ranks_(ranks) {
 }
 
 Company::~Company() {
+  remove_folder();
+}
+
+void Company::remove_folder() const {
   std::error_code ignored;
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
 }
@@ -76,10 +80,11 @@ void Company::join(ConsoleSettings& settings) const {
 int Company::leave(int code) const {
   if (ranks_ == nullptr) return code;
   const double failed = ranks_->leads() ? patience_of_first : patience_of_others;
-  if (!ranks_->meet(code == 0 ? for_ever : failed))
-    ranks_->end_all(code, fmt::format("{}hackle: error: rank {} has ended, while others went on\n",
-                                      said_ >= 0 ? tail_of(said_) : "", ranks_->rank()));
-  return code;
+  if (ranks_->meet(code == 0 ? for_ever : failed)) return code;
+  const std::string said = said_ >= 0 ? tail_of(said_) : "";
+  remove_folder();
+  ranks_->end_all(code, fmt::format("{}hackle: error: rank {} has ended, while others went on\n",
+                                    said, ranks_->rank()));
 }
 
 }  // namespace hackle

@@ -34,6 +34,8 @@ class Company {
   int leave(int code) const;
 
  private:
+  void remove_folder() const;
+
   Ranks* ranks_;
   std::filesystem::path folder_;  // of a rank that follows
   int said_ = -1;                 // the descriptor of what it would have said

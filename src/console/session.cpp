@@ -21,6 +21,13 @@ namespace hackle {
 namespace fs = std::filesystem;
 namespace {
 
+// The first call of a rank is that of the program.
+std::string name_of_call(const std::map<std::string, std::string>& overrides) {
+  std::string text = "hackle";
+  for (const auto& [key, value] : overrides) text += fmt::format(" --set {}={}", key, value);
+  return text;
+}
+
 bool works(const std::shared_ptr<Run>& run) {
   return run && run->under_way() && !run->paused();
 }
@@ -29,7 +36,10 @@ bool works(const std::shared_ptr<Run>& run) {
 
 Session::Session(ConsoleSettings with)
     : settings(std::move(with)), memory_at_start_(available_memory()) {
-  if (settings.execution.ranks != nullptr) call_watch_.emplace(*settings.execution.ranks);
+  if (settings.execution.ranks != nullptr) {
+    call_watch_.emplace(*settings.execution.ranks);
+    call_watch_->note(name_of_call(settings.overrides), {});
+  }
   names->rehearses = settings.purpose != Purpose::results;
 }
 
