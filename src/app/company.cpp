@@ -85,6 +85,7 @@ int Company::leave(int code) const {
   remove_folder();
   ranks_->end_all(code, fmt::format("{}hackle: error: rank {} has ended, while others went on\n",
                                     said, ranks_->rank()));
+  return code;
 }
 
 }  // namespace hackle
