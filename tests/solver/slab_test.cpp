@@ -171,9 +171,9 @@ TEST(Slabs, OfRandomScenesHaveTheSameBits) {
     return static_cast<int>(random() % static_cast<unsigned>(most));
   };
   const char* asked = std::getenv("HACKLE_RANK_SCENES");
-  const int scenes = asked == nullptr ? 20 : std::atoi(asked);
+  const int scenes = asked == nullptr ? 100 : std::atoi(asked);
   for (int scene = 0; scene < scenes; ++scene) {
-    Plate plate = bare_plate(20 + pick(60), 30 + pick(80));
+    Plate plate = bare_plate(20 + pick(60), 48 + pick(60));
     const auto place = [&] {
       return Vec2(0.01 * pick(101) * plate.width, 0.01 * pick(101) * plate.height);
     };
@@ -184,8 +184,8 @@ TEST(Slabs, OfRandomScenesHaveTheSameBits) {
     plate.material.alpha = pick(3) == 0 ? 0.25 : 0.0;
     plate.loads.tractions.push_back({Edge::top, {1e6 * pick(40), 1e6 * pick(60)}});
     plate.loads.damping = pick(3) == 0 ? 1e4 : 0.0;
-    Numerics numerics =
-        of(pick(2) == 0 ? Precision::f32 : Precision::f64, pick(3) == 0 ? 0.4 : 0.0);
+    Numerics numerics = of(pick(2) == 0 ? Precision::f32 : Precision::f64,
+                           pick(3) == 0 && plate.material.alpha == 0.0 ? 0.4 : 0.0);
     numerics.horizon = (2 + pick(5)) * 0.5e-3;
     SCOPED_TRACE(fmt::format("scene {}", scene));
     expect_same_on_ranks(plate, numerics, [](Simulation& s) { s.run(8e-6); }, {2 + pick(3)});
