@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What takes the nodes and bonds of a plate through a step, wherever it does so: on the threads of
-// this machine (cpu/engine.hpp), alone or as one of several ranks, and in times to come on a device. It is
-// made for one lattice and one precision, which it is given again with every call.
+// this machine (cpu/engine.hpp), alone or as one of several ranks, and in times to come on a
+// device. It is made for one lattice and one precision, which it is given again with every call.
 #pragma once
 
 #include <memory>
