@@ -151,7 +151,8 @@ std::vector<VectorXd> best_starts(FitRuns& runs, std::vector<VectorXd> points,
     order.emplace_back(runs.residuals_of(outcomes[k]).squaredNorm(), k);
   std::ranges::sort(order);
   std::vector<VectorXd> starts;
-  for (const auto& [size, k] : order) {
+  for (const auto& entry : order) {
+    const std::size_t k = entry.second;
     const bool is_far = std::ranges::all_of(
         starts, [&](const VectorXd& one) { return apart(one, points[k], bounds) > far; });
     if (starts.size() < most && is_far) starts.push_back(points[k]);

@@ -25,6 +25,7 @@ Settings filmed(double every, double width) {
 
 std::vector<Settings> choices(double duration) {
   std::vector<Settings> all;
+  all.reserve(frames.size() + widths.size());
   for (const double count : frames) all.push_back(filmed(duration / count, usual_width));
   for (const double width : widths)
     if (width != usual_width) all.push_back(filmed(duration / usual_frames, width));
@@ -95,6 +96,7 @@ std::vector<PictureCost> picture_costs(CaseRunner& runner, const Outcome& plain)
   if (!has_movie(with_own)) return {};
   const std::vector<Settings> all = choices(scene.duration);
   std::vector<Case> cases;
+  cases.reserve(all.size());
   for (const Settings& settings : all)
     cases.push_back(
         {.settings = joined(base, settings), .sample_at = own.sample_at, .with_pictures = true});

@@ -68,6 +68,7 @@ std::vector<int> Sharing::runs_of_processes() const {
   std::map<MachineAndProcess, int> counts;
   for (const auto& [key, run] : runs_) ++counts[who_ran(run.made)];
   std::vector<int> all;
+  all.reserve(counts.size());
   for (const auto& [worker, count] : counts) all.push_back(count);
   std::ranges::sort(all, std::greater{});
   return all;
