@@ -102,7 +102,7 @@ struct Measured {
   Network network;
 };
 
-Measured measure_together(const BenchRequest& request, Ranks& ranks) {
+Measured measure_together(const RankBenchRequest& request, Ranks& ranks) {
   const BenchDeck deck = bench_deck(configuration, request.nodes);
   Execution execution = request.execution;
   if (execution.threads == 0) execution.threads = share_of_cores(this_launcher());
@@ -155,7 +155,7 @@ Json expectations(const SharedPlate& here) {
   return list;
 }
 
-Json ranks_json(const Measured& measured, const BenchRequest& request, int ranks) {
+Json ranks_json(const Measured& measured, const RankBenchRequest& request, int ranks) {
   const StepCost cost = cost_of_step(measured.plate, ranks, measured.network);
   return {{"schema", 1},
           {"kind", "ranks"},
@@ -210,7 +210,7 @@ void print_ranks(const Json& json) {
 
 }  // namespace
 
-int bench_ranks(const BenchRequest& request, Ranks& ranks) {
+int bench_ranks(const RankBenchRequest& request, Ranks& ranks) {
   const Json json = ranks_json(measure_together(request, ranks), request, ranks.count());
   if (request.json)
     print_out("{}\n", json.dump());

@@ -211,7 +211,9 @@ int measure_ranks(const BenchRequest& request) {
     throw Error(ErrorKind::usage, "bench: --ranks needs several of them",
                 "start it as mpirun -n 2 hackle bench --ranks");
   const Company company(ranks);
-  return company.leave(exit_code_of([&] { return bench_ranks(request, *ranks); }));
+  return company.leave(exit_code_of([&] {
+    return bench_ranks({request.rounds, request.nodes, request.execution, request.json}, *ranks);
+  }));
 }
 
 }  // namespace
