@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "app/bench_deck.hpp"
 #include "base/machine.hpp"
@@ -24,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int rank_steps = 300, exchanges = 200;
-constexpr int most_ranks = 4096;
+constexpr double rows_of_growth = 64.0;  // of each rank, on plates that grow with the ranks
 constexpr Configuration configuration{.name = "f32", .precision = Precision::f32};
 
 // Networks of clusters by their makers' figures: a message between two nodes, and a lane of it.
@@ -140,11 +141,12 @@ Json expectations(const SharedPlate& here) {
   Json list = Json::array();
   for (const Network& network : networks)
     for (const double nodes : {1e8, 1e9})
-      for (const int ranks : {16, 64, 256, 1024, most_ranks}) {
+      for (const int ranks : {16, 64, 256, 1024, 4096}) {
         SharedPlate plate = here;
-        plate.columns = plate.rows = std::sqrt(nodes);
+        plate.columns = 0.25 * std::sqrt(nodes);
+        plate.rows = 4.0 * std::sqrt(nodes);  // square plates have too few for 4096 ranks
         SharedPlate of_one = plate;
-        of_one.rows /= most_ranks;  // a rank keeps what it has of the plate on the most of them
+        of_one.rows = rows_of_growth;
         list.push_back({{"network", network.name},
                         {"nodes", nodes},
                         {"ranks", ranks},
@@ -155,8 +157,16 @@ Json expectations(const SharedPlate& here) {
   return list;
 }
 
+// Ranks that share a core take turns.
+SharedPlate on_shared_cores(SharedPlate plate, int threads) {
+  const double wanted = this_launcher().local_count * std::max(threads, 1);
+  plate.node_seconds *= std::max(wanted / static_cast<double>(sysconf(_SC_NPROCESSORS_ONLN)), 1.0);
+  return plate;
+}
+
 Json ranks_json(const Measured& measured, const RankBenchRequest& request, int ranks) {
-  const StepCost cost = cost_of_step(measured.plate, ranks, measured.network);
+  const StepCost cost = cost_of_step(on_shared_cores(measured.plate, request.execution.threads),
+                                     ranks, measured.network);
   return {{"schema", 1},
           {"kind", "ranks"},
           {"processor", processor_name()},
