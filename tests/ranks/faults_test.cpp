@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ranks that fail, hang, are killed or go astray end together, with a reason.
+#include <chrono>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -85,10 +87,15 @@ Said run_with(const Folder& folder, const std::string& signal) {
 TEST(RanksWithFaults, AKilledRankEndsTheRunAndLeavesACheckpoint) {
   HACKLE_NEEDS_MPI;
   const Folder folder;
+  const auto start = std::chrono::steady_clock::now();
   const Said said = run_with(folder, "KILL");
   EXPECT_NE(said.code, 0);
-  EXPECT_THAT(said.err, HasSubstr("Killed")) << said.err;
-  EXPECT_EQ(shell(folder, "ls out/long/*.ckpt").code, 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60)) << "it went on";
+  // The words are mpirun's, which names the signal only where it hears of it before the others end.
+  EXPECT_THAT(said.err, testing::AnyOf(HasSubstr("Killed"), HasSubstr("the job has been aborted")));
+  const Said kept =
+      shell(folder, fmt::format("\"{}\" info out/long/long.auto.ckpt", HACKLE_PROGRAM));
+  EXPECT_EQ(kept.code, 0) << kept.err;
 }
 
 TEST(RanksWithFaults, ARankThatHangsIsNamed) {

@@ -3,9 +3,6 @@
 // library is needed, or loaded.
 #pragma once
 
-#include <memory>
-#include <string>
-
 #include "base/ranks/ranks.hpp"
 
 namespace hackle {

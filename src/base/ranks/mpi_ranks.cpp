@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <string>
@@ -140,6 +141,8 @@ class MpiRanks final : public Ranks {
     std::vector<int> sizes(static_cast<std::size_t>(count_));
     const int size = number_of_bytes(own.size());
     MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, MPI_COMM_WORLD);
+    if (std::accumulate(sizes.begin(), sizes.end(), 0.0) > std::numeric_limits<int>::max())
+      end_all(1, "hackle: error: the ranks have more than 2 GB to tell each other in a step\n");
     std::vector<int> begins(sizes.size() + 1);
     std::partial_sum(sizes.begin(), sizes.end(), begins.begin() + 1);
     Gathered all{std::vector<std::byte>(static_cast<std::size_t>(begins.back())),

@@ -96,6 +96,7 @@ std::string CallWatch::text_of(std::uint64_t call) const {
   return call < count_ ? last_[call - first].text : "nothing more";
 }
 
+// Call 0 is that of the program.
 void CallWatch::tell() {
   std::vector<std::uint64_t> own{count_};
   for (const Call& call : last_) own.push_back(call.digest);
@@ -110,7 +111,7 @@ void CallWatch::tell() {
   throw Error(ErrorKind::run_failed,
               fmt::format("the ranks have diverged at call {} of the script: rank 0 calls {}, rank "
                           "{} {}",
-                          call + 1, text(0), stray, text(stray)),
+                          call, text(0), stray, text(stray)),
               "a clock, a file or chance decides in the script");
 }
 

@@ -25,6 +25,7 @@ std::string problem_of(CallWatch& watch) {
 TEST(CallWatch, FindsNothingWhereAllRanksCallTheSame) {
   ThreadRanks(3).run([](Ranks& ranks) {
     CallWatch watch(ranks);
+    watch.note("hackle", "");
     EXPECT_EQ(problem_of(watch), "");
     for (int k = 0; k < 1000; ++k) watch.note("run(1)", "one");
     EXPECT_EQ(problem_of(watch), "");
@@ -34,6 +35,7 @@ TEST(CallWatch, FindsNothingWhereAllRanksCallTheSame) {
 TEST(CallWatch, NamesTheFirstCallThatDiffersOnAllRanks) {
   ThreadRanks(4).run([](Ranks& ranks) {
     CallWatch watch(ranks);
+    watch.note("hackle", "");
     watch.note("energy()", "");
     watch.note(ranks.rank() == 2 ? "run(2)" : "run(1)", ranks.rank() == 2 ? "two" : "one");
     watch.note(ranks.rank() == 1 ? "hash()" : "at()", "");
@@ -45,6 +47,7 @@ TEST(CallWatch, NamesTheFirstCallThatDiffersOnAllRanks) {
 TEST(CallWatch, SeesValuesThatATextDoesNotShow) {
   ThreadRanks(2).run([](Ranks& ranks) {
     CallWatch watch(ranks);
+    watch.note("hackle", "");
     watch.note("run(...)", ranks.leads() ? "{every=1}" : "{every=2}");
     EXPECT_THAT(problem_of(watch), HasSubstr("diverged at call 1"));
   });
@@ -53,6 +56,7 @@ TEST(CallWatch, SeesValuesThatATextDoesNotShow) {
 TEST(CallWatch, NoticesARankThatHasCalledMore) {
   ThreadRanks(2).run([](Ranks& ranks) {
     CallWatch watch(ranks);
+    watch.note("hackle", "");
     watch.note("run(1)", "");
     if (!ranks.leads()) watch.note("run(2)", "");
     EXPECT_THAT(problem_of(watch), HasSubstr("at call 2 of the script: rank 0 calls nothing more, "
