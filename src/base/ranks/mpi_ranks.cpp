@@ -13,7 +13,9 @@
 #include <thread>
 #include <vector>
 
+#include <fcntl.h>
 #include <mpi.h>
+#include <unistd.h>
 
 #include "base/ranks/mpi_module.hpp"
 
@@ -21,6 +23,9 @@ namespace hackle {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// The program may silence stderr on some ranks; what ends all of them is said all the same.
+const int stderr_at_start = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
 
 int number_of_bytes(std::size_t count) {
   return static_cast<int>(
@@ -93,10 +98,14 @@ class Watchdog {
     const std::vector<int> missing = roll_call_.missing(std::min(2.0, patience_));
     std::string who;
     for (const int rank : missing) who += (who.empty() ? "rank " : ", ") + std::to_string(rank);
-    std::fprintf(stderr, "hackle: error: rank %d has waited %g s for %s, which %s\n",
-                 roll_call_.rank(), patience_, who.empty() ? "a call of others" : who.c_str(),
-                 who.empty() ? "make another one: the script has diverged"
-                             : "hangs or swaps, or computes something else");
+    // The first that is there speaks; the others leave it time to.
+    int first = 0;
+    while (std::ranges::find(missing, first) != missing.end()) ++first;
+    if (roll_call_.rank() != first) std::this_thread::sleep_for(std::chrono::seconds(2));
+    dprintf(stderr_at_start, "hackle: error: rank %d has waited %g s for %s, which %s\n",
+            roll_call_.rank(), patience_, who.empty() ? "a call of others" : who.c_str(),
+            who.empty() ? "make another one: the script has diverged"
+                        : "hangs or swaps, or computes something else");
     std::_Exit(1);
   }
 
@@ -200,7 +209,7 @@ class MpiRanks final : public Ranks {
   }
 
   void end_all(int exit_code, const std::string& text) override {
-    std::fputs(text.c_str(), stderr);
+    dprintf(stderr_at_start, "%s", text.c_str());
     MPI_Abort(MPI_COMM_WORLD, exit_code);
     std::_Exit(exit_code);
   }
